@@ -1,0 +1,55 @@
+# The crawling-scallop toolkit. `make help` lists the targets. All output goes to build/, tables to data/.
+CC      ?= cc
+CFLAGS  ?= -O2 -g
+LDLIBS  ?= -lgsl -lgslcblas -lm
+WARN     = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
+# No contraction to fused multiply-add: the tables in data/ must not depend on the processor.
+ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -I. -ffp-contract=off $(WARN) $(CFLAGS)
+B       ?= build
+
+rooms    = $(wildcard $(1)/*.c)
+library := $(patsubst %.c,$(B)/%.o,$(filter-out compare/main.c,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r)))))
+tests   := $(patsubst tests/%.c,$(B)/%,$(wildcard tests/test_*.c))
+
+.PHONY: all help check unit cli reference data-check reproduce plots bench lint format asan ubsan clean setup-build setup-check setup-plots
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+## all:        build the command, build/scallop
+all: setup-build
+	@$(MAKE) --no-print-directory $(B)/scallop
+
+## help:       this list
+help:
+	@sed -n 's/^## //p' Makefile
+
+setup-build:
+	@scripts/setup.sh build
+setup-check:
+	@scripts/setup.sh build tests
+setup-plots:
+	@scripts/setup.sh build plots
+
+$(B)/scallop: $(B)/compare/main.o $(library)
+	@echo "  LD $@"
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(B)/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	@echo "  CC $<"
+	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(library)
+	@echo "  LD $@"
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka $(LDLIBS)
+
+-include $(shell find $(B) -name '*.d' 2>/dev/null)
+
+## check:      build with warnings as errors and run every test, the commands included
+check: setup-check
+	@$(MAKE) --no-print-directory $(B)/scallop $(tests)
+	@scripts/check.sh $(B) $(tests)
+
+## clean:      remove build/
+clean:
+	rm -rf $(B)

@@ -1,0 +1,322 @@
+#include "compare/options.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/compare.h"
+
+struct description {
+  const char *name;             /* without the dashes                                              */
+  const char *placeholder;      /* NULL: a flag                                                    */
+  const char *help;
+  const char *(*set)(struct options *, const char *name, const char *text);
+};
+
+const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
+
+static char message[240];
+
+bool read_number(const char *text, double *value)
+{
+  char *end;
+  if (*text == '\0' || strspn(text, " \t") > 0)
+    return false;
+  errno = 0;
+  double x = strtod(text, &end);
+  if (*end != '\0' || !isfinite(x) || (errno == ERANGE && x != 0 && !isnormal(x)))
+    return false;
+  if (errno == ERANGE && x == 0)
+    return false;
+  *value = x;
+  return true;
+}
+
+static bool read_count(const char *text, long low, long high, long *value)
+{
+  char *end;
+  errno = 0;
+  long x = strtol(text, &end, 10);
+  if (*text == '\0' || *end != '\0' || errno != 0 || x < low || x > high)
+    return false;
+  *value = x;
+  return true;
+}
+
+static const char *not_allowed(const char *text, const char *allowed)
+{
+  snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);
+  return message;
+}
+
+static double *crawler_field(struct scallop_crawler *c, const char *name)
+{
+  const struct { const char *name; double *field; } fields[] = {
+    { "m1", &c->m1 }, { "m2", &c->m2 }, { "F1", &c->F1 },       { "F2", &c->F2 },
+    { "L", &c->L },   { "T", &c->T },   { "alpha", &c->alpha },
+  };
+  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++)
+    if (strcmp(name, fields[i].name) == 0)
+      return fields[i].field;
+  return NULL;
+}
+
+double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
+{
+  struct scallop_crawler copy = *crawler;
+  const double *field = crawler_field(&copy, name);
+  return field ? *field : NAN;
+}
+
+static const char *set_gait(struct options *o, const char *name, const char *text)
+{
+  const struct scallop_gait *gait = scallop_gait_named(text);
+  (void)name;
+  if (!gait)
+    return not_allowed(text, "quadratic or sinusoidal");
+  o->crawler.gait = gait;
+  o->has_parameter = true;
+  return NULL;
+}
+
+static const char *set_crawler_number(struct options *o, const char *name, const char *text)
+{
+  struct scallop_complaint complaint;
+  struct scallop_crawler candidate = scallop_crawler_default();
+  double *field = crawler_field(&candidate, name);
+  if (!read_number(text, field))
+    return not_allowed(text, strcmp(name, "alpha") == 0 ? "a number between 0 and 1, both excluded"
+                                                        : "a finite number > 0");
+  if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
+    return not_allowed(text, complaint.allowed);
+  *crawler_field(&o->crawler, name) = *field;
+  o->has_parameter = true;
+  return NULL;
+}
+
+static const char *set_phase(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  if (strcmp(text, "extension") != 0 && strcmp(text, "contraction") != 0)
+    return not_allowed(text, "extension or contraction");
+  o->phase = *text == 'e' ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+  return NULL;
+}
+
+static const char *set_number(struct options *o, const char *name, const char *text)
+{
+  double *field = strcmp(name, "v0") == 0 ? &o->v0 : strcmp(name, "expect") == 0 ? &o->expect : &o->tolerance;
+  double value;
+  bool positive = field == &o->tolerance;
+  if (!read_number(text, &value) || (positive && !(value > 0)))
+    return not_allowed(text, positive ? "a finite number > 0" : "a finite number");
+  *field = value;
+  o->has_expect |= field == &o->expect;
+  return NULL;
+}
+
+static const char *set_start(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  o->start = text;
+  if (strcmp(text, "rest") == 0 || strcmp(text, "steady") == 0 || read_number(text, &o->start_velocity))
+    return NULL;
+  return not_allowed(text, "rest, steady or a velocity");
+}
+
+static const char *set_count(struct options *o, const char *name, const char *text)
+{
+  if (strcmp(name, "digits") == 0)
+    return read_count(text, 1, 17, &o->digits) ? NULL : not_allowed(text, "a whole number from 1 to 17");
+  long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
+  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
+}
+
+static const char *set_format(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  if (strcmp(text, "tsv") != 0 && strcmp(text, "json") != 0)
+    return not_allowed(text, "tsv or json");
+  o->format = *text == 't' ? FORMAT_TSV : FORMAT_JSON;
+  return NULL;
+}
+
+static const char *set_file(struct options *o, const char *name, const char *text)
+{
+  if (*text == '\0')
+    return not_allowed(text, "a file name");
+  *(strcmp(name, "points") == 0 ? &o->points : &o->output) = text;
+  return NULL;
+}
+
+static const char *set_quiet(struct options *o, const char *name, const char *text)
+{
+  (void)name, (void)text;
+  o->quiet = true;
+  return NULL;
+}
+
+static const struct description descriptions[] = {
+  { "m1", "M", "mass of body 1 (1)", set_crawler_number },
+  { "m2", "M", "mass of body 2 (1)", set_crawler_number },
+  { "F1", "F", "Coulomb friction force of body 1 (4)", set_crawler_number },
+  { "F2", "F", "Coulomb friction force of body 2 (1)", set_crawler_number },
+  { "L", "L", "amplitude of the separation x2 - x1 (10)", set_crawler_number },
+  { "T", "T", "period (1)", set_crawler_number },
+  { "alpha", "A", "fraction of the period that the extension takes (0.75)", set_crawler_number },
+  { "gait", "GAIT", "quadratic or sinusoidal (quadratic)", set_gait },
+  { "phase", "PHASE", "extension or contraction (extension)", set_phase },
+  { "v0", "V", "velocity of both bodies at the start of the phase (0)", set_number },
+  { "start", "WHAT", "rest, steady, or a velocity (rest)", set_start },
+  { "periods", "N", "number of periods (10)", set_count },
+  { "samples", "N", "samples in a period (40)", set_count },
+  { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
+  { "tol", "D", "how far from it the order may be (0.1)", set_number },
+  { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
+  { "format", "F", "tsv or json, one object a line (tsv)", set_format },
+  { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly)", set_count },
+  { "output", "FILE", "write there instead of to standard output; also -o", set_file },
+  { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
+};
+
+static const struct description *describe(const char *name)
+{
+  for (size_t i = 0; i < sizeof descriptions / sizeof *descriptions; i++)
+    if (strcmp(name, descriptions[i].name) == 0)
+      return &descriptions[i];
+  return NULL;
+}
+
+const char *options_set_parameter(struct options *o, const char *name, const char *text)
+{
+  return describe(name)->set(o, name, text);
+}
+
+static int distance(const char *a, const char *b) /* Levenshtein */
+{
+  enum { LONGEST = 40 };
+  int row[LONGEST + 1];
+  size_t m = strlen(b);
+  if (m > LONGEST || strlen(a) > LONGEST)
+    return LONGEST;
+  for (size_t j = 0; j <= m; j++)
+    row[j] = (int)j;
+  for (size_t i = 1; a[i - 1] != '\0'; i++) {
+    int diagonal = row[0];
+    row[0] = (int)i;
+    for (size_t j = 1; j <= m; j++) {
+      int substitute = diagonal + (a[i - 1] != b[j - 1]);
+      int insert = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+      diagonal = row[j];
+      row[j] = substitute < insert ? substitute : insert;
+    }
+  }
+  return row[m];
+}
+
+const char *nearest(const char *word, const char *const *names)
+{
+  const char *best = NULL;
+  int least = (int)strlen(word) / 2 + 1;
+  for (; *names; names++) {
+    int d = distance(word, *names);
+    if (d <= least && (!best || d < least)) {
+      best = *names;
+      least = d;
+    }
+  }
+  return best;
+}
+
+static bool accepted(const struct command *command, const char *name)
+{
+  for (const char *const *a = command->accepts; *a; a++)
+    if (strcmp(name, *a) == 0)
+      return true;
+  return false;
+}
+
+static bool refuse(int *code)
+{
+  *code = EXIT_USAGE;
+  return false;
+}
+
+static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
+{
+  char *argument = arguments[*i];
+  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + strspn(argument, "-");
+  char *equals = strchr(name, '='), *text = NULL;
+  if (equals && argument[1] == '-') {
+    *equals = '\0';
+    text = equals + 1;
+  }
+  const struct description *d = accepted(o->command, name) ? describe(name) : NULL;
+  if (!d || (argument[1] != '-' && strcmp(argument, "-o") != 0)) {
+    const char *near = nearest(name, o->command->accepts);
+    bool elsewhere = describe(name) != NULL;
+    complain(o->command->name, "%s option '%s'%s%s%s; see scallop %s --help",
+             elsewhere ? "this command does not take the" : "unknown", argument,
+             near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "",
+             near && !elsewhere ? "'?" : "", o->command->name);
+    return refuse(code);
+  }
+  if (d->placeholder && !text) {
+    if (*i + 1 == count) {
+      complain(o->command->name, "--%s needs a value: --%s %s", name, name, d->placeholder);
+      return refuse(code);
+    }
+    text = arguments[++*i];
+  }
+  if (!d->placeholder && text) {
+    complain(o->command->name, "--%s takes no value", name);
+    return refuse(code);
+  }
+  const char *wrong = d->set(o, name, text);
+  if (wrong)
+    complain(o->command->name, "--%s: %s", name, wrong);
+  return wrong ? refuse(code) : true;
+}
+
+bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
+{
+  *o = (struct options){ .command = command, .crawler = scallop_crawler_default(), .start = "rest",
+                         .periods = 10, .samples = 40, .tolerance = 0.1 };
+  for (int i = 0; i < count; i++) {
+    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
+      options_help(stdout, command);
+      *code = EXIT_DONE;
+      return false;
+    }
+    if (arguments[i][0] == '-' && arguments[i][1] != '\0') {
+      if (!read_option(o, count, arguments, &i, code))
+        return false;
+    } else if (command->operand && !o->operand) {
+      o->operand = arguments[i];
+    } else {
+      complain(command->name, "unexpected argument '%s'; see scallop %s --help", arguments[i], command->name);
+      return refuse(code);
+    }
+  }
+  if (command->operand && !o->operand) {
+    complain(command->name, "%s is missing: scallop %s %s", command->operand, command->name, command->operand);
+    return refuse(code);
+  }
+  return true;
+}
+
+void options_help(FILE *to, const struct command *command)
+{
+  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n",
+          command->example, command->name, command->operand ? " " : "",
+          command->operand ? command->operand : "", command->summary, command->about);
+  for (const char *const *name = command->accepts; *name; name++) {
+    const struct description *d = describe(*name);
+    char left[40];
+    snprintf(left, sizeof left, "--%s %s", d->name, d->placeholder ? d->placeholder : "");
+    fprintf(to, "  %-18s %s\n", left, d->help);
+  }
+  fprintf(to, "  %-18s %s\n", "--help", "this text");
+}

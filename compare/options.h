@@ -1,0 +1,52 @@
+/* The arguments of the command line. */
+#ifndef SCALLOP_OPTIONS_H
+#define SCALLOP_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "model/model.h"
+
+struct command;
+
+enum format { FORMAT_TSV, FORMAT_JSON };
+
+struct options {
+  const struct command *command;
+  struct scallop_crawler crawler;
+  enum scallop_phase_kind phase;
+  double v0;
+  const char *start;            /* trajectory: "rest", "steady" or a number                        */
+  double start_velocity;        /* that number                                                     */
+  const char *points;           /* file name, "-" for standard input, or NULL                      */
+  const char *operand;
+  const char *output;           /* NULL: standard output                                           */
+  enum format format;
+  long digits;                  /* significant digits; 0: as many as read back exactly             */
+  long periods, samples;
+  double expect, tolerance;
+  bool has_expect, quiet;
+  bool has_parameter;           /* any of the crawler's parameters was given                       */
+};
+
+/* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it
+ * from text. Returns NULL, or what is wrong with the text. The message lives until the next call. */
+const char *options_set_parameter(struct options *options, const char *name, const char *text);
+
+/* Names of the parameters that describe a crawler, NULL-terminated, and one of them as text. */
+extern const char *const crawler_parameters[];
+double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
+
+/* Reads the arguments after the command's name. True: run it. False: *code is the exit code (help was
+ * asked for, or the message is on stderr). */
+bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);
+
+void options_help(FILE *to, const struct command *command);
+
+/* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
+const char *nearest(const char *word, const char *const *names);
+
+/* A finite number in C's decimal or hexadecimal notation and nothing else. */
+bool read_number(const char *text, double *value);
+
+#endif

@@ -1,0 +1,195 @@
+#include "compare/points.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 256, STATUS = 320 };
+
+struct reader {
+  FILE *file;
+  const char *name;              /* of the file, for messages                                       */
+  char *line;
+  size_t size;
+  long line_number;
+  const char *parameter[COLUMNS]; /* of each column; NULL: a column to ignore                        */
+  int columns;
+};
+
+void point_parameters(struct table *table, const struct options *point)
+{
+  for (const char *const *name = crawler_parameters; *name; name++)
+    if (strcmp(*name, "gait") == 0)
+      table_text(table, point->crawler.gait->name);
+    else
+      table_number(table, crawler_parameter(&point->crawler, *name));
+}
+
+void point_blank(struct table *table, int count)
+{
+  while (count-- > 0)
+    table_number(table, NAN);
+}
+
+/* The next line without its end, comments and empty lines passed over. False at the end of the file. */
+static bool next_line(struct reader *r, ssize_t *length)
+{
+  while ((*length = getline(&r->line, &r->size, r->file)) >= 0) {
+    r->line_number++;
+    while (*length > 0 && (r->line[*length - 1] == '\n' || r->line[*length - 1] == '\r'))
+      r->line[--*length] = '\0';
+    if (*length > 0 && r->line[0] != '#')
+      return true;
+  }
+  return false;
+}
+
+static const char *known_parameter(const char *name, const char *const *extra)
+{
+  for (const char *const *p = crawler_parameters; *p; p++)
+    if (strcmp(name, *p) == 0)
+      return *p;
+  for (; *extra; extra++)
+    if (strcmp(name, *extra) == 0)
+      return *extra;
+  return NULL;
+}
+
+static enum exit_code read_header(struct reader *r, const char *command, const char *const *extra)
+{
+  ssize_t length;
+  bool useful = false;
+  if (!next_line(r, &length)) {
+    complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
+    return EXIT_USAGE;
+  }
+  if (memchr(r->line, '\0', (size_t)length)) {
+    complain(command, "%s:%ld: this is not a text file", r->name, r->line_number);
+    return EXIT_USAGE;
+  }
+  for (char *cell = r->line; cell;) {
+    char *tab = strchr(cell, '\t');
+    if (tab)
+      *tab = '\0';
+    if (r->columns == COLUMNS) {
+      complain(command, "%s:%ld: more than %d columns", r->name, r->line_number, COLUMNS);
+      return EXIT_USAGE;
+    }
+    const char *parameter = known_parameter(cell, extra);
+    for (int i = 0; parameter && i < r->columns; i++)
+      if (r->parameter[i] && strcmp(r->parameter[i], parameter) == 0) {
+        complain(command, "%s:%ld: the column '%s' is there twice", r->name, r->line_number, parameter);
+        return EXIT_USAGE;
+      }
+    r->parameter[r->columns++] = parameter;
+    useful |= parameter != NULL;
+    cell = tab ? tab + 1 : NULL;
+  }
+  if (!useful) {
+    complain(command, "%s:%ld: no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs",
+             r->name, r->line_number);
+    return EXIT_USAGE;
+  }
+  return EXIT_DONE;
+}
+
+/* Reads a row into point. Returns NULL, or in status what is wrong with it. */
+static const char *read_row(struct reader *r, struct options *point, ssize_t length, char *status)
+{
+  int column = 0;
+  if (memchr(r->line, '\0', (size_t)length)) {
+    snprintf(status, STATUS, "line %ld: not text", r->line_number);
+    return status;
+  }
+  for (char *cell = r->line; cell; column++) {
+    char *tab = strchr(cell, '\t');
+    if (tab)
+      *tab = '\0';
+    if (column < r->columns && r->parameter[column]) {
+      const char *wrong = options_set_parameter(point, r->parameter[column], cell);
+      if (wrong) {
+        snprintf(status, STATUS, "line %ld: %s: %s", r->line_number, r->parameter[column], wrong);
+        return status;
+      }
+    }
+    cell = tab ? tab + 1 : NULL;
+  }
+  if (column == r->columns)
+    return NULL;
+  snprintf(status, STATUS, "line %ld: %d columns where the header has %d", r->line_number, column, r->columns);
+  return status;
+}
+
+static enum exit_code solve_rows(struct reader *r, struct table *table, const struct options *options, point_row *row)
+{
+  long rows = 0, unsolved = 0;
+  char status[STATUS];
+  ssize_t length;
+  while (next_line(r, &length)) {
+    struct options point = *options;
+    const char *wrong = read_row(r, &point, length, status);
+    rows++;
+    if (!row(table, &point, wrong))
+      unsolved++;
+  }
+  if (ferror(r->file)) {
+    complain(options->command->name, "cannot read %s: %s", r->name, strerror(errno));
+    table_abandon(table);
+    return EXIT_FILE;
+  }
+  if (!table_close(table))
+    return EXIT_FILE;
+  if (unsolved > 0)
+    complain(options->command->name, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
+  return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+}
+
+static bool begin(struct table *table, const struct options *options, const char *const *extra, const char *const *columns)
+{
+  if (!table_open(table, options))
+    return false;
+  table_note(table, "scallop " SCALLOP_VERSION);
+  table_note(table, "command: %s", options->command->name);
+  table_columns(table, crawler_parameters);
+  table_columns(table, extra);
+  table_columns(table, columns);
+  table_begin_rows(table);
+  return true;
+}
+
+static enum exit_code one_point(const struct options *options, const char *const *extra,
+                                const char *const *columns, point_row *row)
+{
+  struct table table;
+  if (!begin(&table, options, extra, columns))
+    return EXIT_FILE;
+  bool solved = row(&table, options, NULL);
+  if (!table_close(&table))
+    return EXIT_FILE;
+  if (!solved)
+    complain(options->command->name, "this point could not be solved: the column 'status' says why");
+  return solved ? EXIT_DONE : EXIT_UNSOLVED;
+}
+
+enum exit_code for_each_point(const struct options *options, const char *const *extra,
+                              const char *const *columns, point_row *row)
+{
+  if (!options->points)
+    return one_point(options, extra, columns, row);
+  bool standard = strcmp(options->points, "-") == 0;
+  struct reader r = { .file = standard ? stdin : fopen(options->points, "r"),
+                      .name = standard ? "standard input" : options->points };
+  if (!r.file) {
+    complain(options->command->name, "cannot read %s: %s", r.name, strerror(errno));
+    return EXIT_FILE;
+  }
+  struct table table;
+  enum exit_code code = read_header(&r, options->command->name, extra);
+  if (code == EXIT_DONE)
+    code = begin(&table, options, extra, columns) ? solve_rows(&r, &table, options, row) : EXIT_FILE;
+  if (!standard)
+    fclose(r.file);
+  free(r.line);
+  return code;
+}

@@ -1,0 +1,40 @@
+/* Tables: TSV with '#' lines on top, or JSON with one object a line, to standard output or to a file
+ * that is written aside and renamed when it is complete. */
+#ifndef SCALLOP_TABLE_H
+#define SCALLOP_TABLE_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "compare/options.h"
+
+enum { TABLE_COLUMNS = 64 };
+
+struct table {
+  FILE *file;
+  const struct options *options;
+  char *aside;                       /* the name while it is written, NULL on standard output */
+  const char *columns[TABLE_COLUMNS];
+  int count, at;                     /* columns; the next one in this row                     */
+};
+
+/* Opens the output named by options. False: the message is on stderr, exit with EXIT_FILE. */
+bool table_open(struct table *table, const struct options *options);
+/* A '#' line before the columns or after the rows; nothing in JSON. */
+void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "# parameters: m1=1 ..." */
+void table_parameters(struct table *table, const struct options *options);
+/* The header row: NULL-terminated names, which must outlive the table. May be called in parts. */
+void table_columns(struct table *table, const char *const *names);
+void table_begin_rows(struct table *table);
+/* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
+void table_number(struct table *table, double value);
+void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
+void table_text(struct table *table, const char *text);
+/* Closes, and renames. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
+bool table_close(struct table *table);
+/* Gives the output up: nothing is left behind. */
+void table_abandon(struct table *table);
+
+#endif

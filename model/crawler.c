@@ -1,0 +1,84 @@
+#include "model/model.h"
+
+#include <math.h>
+#include <stddef.h>
+
+const char *scallop_status_text(enum scallop_status status)
+{
+  switch (status) {
+  case SCALLOP_OK: return "ok";
+  case SCALLOP_INTERVAL: return "interval of steady states";
+  case SCALLOP_EDOMAIN: return "a parameter is outside its domain";
+  case SCALLOP_ERANGE: return "out of range: a scaled quantity overflows or underflows";
+  case SCALLOP_ECONVERGE: return "no convergence";
+  }
+  return "unknown status";
+}
+
+struct scallop_crawler scallop_crawler_default(void)
+{
+  return (struct scallop_crawler){ .m1 = 1, .m2 = 1, .F1 = 4, .F2 = 1, .L = 10, .T = 1,
+                                   .alpha = 0.75, .gait = &scallop_gait_quadratic };
+}
+
+static enum scallop_status complain(struct scallop_complaint *complaint, const char *name,
+                                    double given, const char *allowed)
+{
+  if (complaint)
+    *complaint = (struct scallop_complaint){ name, given, allowed };
+  return SCALLOP_EDOMAIN;
+}
+
+enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
+                                          struct scallop_complaint *complaint)
+{
+  const struct { const char *name; double value; } positive[] = {
+    { "m1", crawler->m1 }, { "m2", crawler->m2 }, { "F1", crawler->F1 },
+    { "F2", crawler->F2 }, { "L", crawler->L },   { "T", crawler->T },
+  };
+  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+    if (!(isfinite(positive[i].value) && positive[i].value > 0))
+      return complain(complaint, positive[i].name, positive[i].value, "a finite number > 0");
+  if (!(crawler->alpha > 0 && crawler->alpha < 1))
+    return complain(complaint, "alpha", crawler->alpha, "a number between 0 and 1, both excluded");
+  if (!crawler->gait)
+    return complain(complaint, "gait", NAN, "a gait");
+  return SCALLOP_OK;
+}
+
+double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallop_phase_kind kind)
+{
+  return (kind == SCALLOP_EXTENSION ? crawler->alpha : 1 - crawler->alpha) * crawler->T;
+}
+
+enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled)
+{
+  enum scallop_status status = scallop_crawler_check(crawler, NULL);
+  if (status != SCALLOP_OK)
+    return status;
+  double M = crawler->m1 + crawler->m2, F = crawler->F1 + crawler->F2;
+  struct scallop_scaled s = {
+    .mu1 = crawler->m1 / M,
+    .mu2 = crawler->m2 / M,
+    .mu_difference = (crawler->m1 - crawler->m2) / M,
+    .f1 = crawler->F1 / F,
+    .f2 = crawler->F2 / F,
+    .delta = (crawler->F1 - crawler->F2) / F,
+    .eps = (crawler->T / crawler->L) * (F / M * crawler->T),
+    .fraction = { crawler->alpha, 1 - crawler->alpha },
+    .gait = crawler->gait,
+  };
+  const double must_be_normal[] = { s.mu1, s.mu2, s.f1, s.f2, s.eps };
+  for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
+    if (!isnormal(must_be_normal[i]))
+      return SCALLOP_ERANGE;
+  *scaled = s;
+  return SCALLOP_OK;
+}
+
+double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L)
+{
+  double l0 = gait->phase[kind].l0, lT = gait->phase[kind].lT;
+  double size = l0 * lT / (2 * (lT - l0));
+  return L * (kind == SCALLOP_EXTENSION ? size : -size);
+}

@@ -1,0 +1,150 @@
+#include "model/model.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+static double time_offset(const struct scallop_piece *p, double u)
+{
+  return p->anchor == SCALLOP_FROM_START ? u : -u;
+}
+
+/* ---- pieces on which l' is linear ---- */
+
+static double linear_length(const struct scallop_piece *p, double u)
+{
+  double t = time_offset(p, u);
+  return t * (p->velocity + 0.5 * p->acceleration * t);
+}
+
+static double linear_velocity(const struct scallop_piece *p, double u)
+{
+  return p->velocity + p->acceleration * time_offset(p, u);
+}
+
+static double linear_acceleration(const struct scallop_piece *p, double u)
+{
+  (void)u;
+  return p->acceleration;
+}
+
+static double linear_when(const struct scallop_piece *p, double a)
+{
+  return a == p->acceleration ? p->begin : NAN;
+}
+
+const struct scallop_curve scallop_curve_linear = {
+  linear_length, linear_velocity, linear_acceleration, linear_when
+};
+
+#define LINEAR(from, to, anchored, sign, slope)                                                     \
+  { .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true,        \
+    .acceleration = (slope), .curve = &scallop_curve_linear }
+
+static const struct scallop_piece quadratic_extension[] = {
+  LINEAR(0, 0.5, SCALLOP_FROM_START, 1, 4), LINEAR(0.5, 0, SCALLOP_FROM_END, 1, -4)
+};
+static const struct scallop_piece quadratic_contraction[] = {
+  LINEAR(0, 0.5, SCALLOP_FROM_START, -1, -4), LINEAR(0.5, 0, SCALLOP_FROM_END, -1, 4)
+};
+
+const struct scallop_gait scallop_gait_quadratic = {
+  "quadratic",
+  { { quadratic_extension, 2, 4, -4, 2, 1 }, { quadratic_contraction, 2, -4, 4, 2, -1 } }
+};
+
+/* ---- half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep
+ *      full relative accuracy ---- */
+
+static double sine_length(const struct scallop_piece *p, double u)
+{
+  double h = sin(0.5 * PI * u);
+  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (h * h);
+}
+
+static double sine_velocity(const struct scallop_piece *p, double u)
+{
+  return p->direction * (0.5 * PI) * sin(PI * u);
+}
+
+/* cos(pi u), exactly zero at u = 1/2 where the two pieces meet */
+static double sine_acceleration(const struct scallop_piece *p, double u)
+{
+  double cosine = u > 0.25 ? sin(PI * (0.5 - u)) : cos(PI * u);
+  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI) * cosine;
+}
+
+static double sine_when(const struct scallop_piece *p, double a)
+{
+  double cosine = a / ((p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI));
+  if (!(cosine >= 0 && cosine <= 1))
+    return NAN;
+  return cosine > 0.5 ? acos(cosine) / PI : 0.5 - asin(cosine) / PI;
+}
+
+static const struct scallop_curve sine = { sine_length, sine_velocity, sine_acceleration, sine_when };
+
+#define SINE(from, to, anchored, sign)                                                              \
+  { .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &sine }
+
+static const struct scallop_piece sinusoidal_extension[] = {
+  SINE(0, 0.5, SCALLOP_FROM_START, 1), SINE(0.5, 0, SCALLOP_FROM_END, 1)
+};
+static const struct scallop_piece sinusoidal_contraction[] = {
+  SINE(0, 0.5, SCALLOP_FROM_START, -1), SINE(0.5, 0, SCALLOP_FROM_END, -1)
+};
+
+#define SINE_L0 (0.5 * PI * PI)
+
+const struct scallop_gait scallop_gait_sinusoidal = {
+  "sinusoidal",
+  { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1 },
+    { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1 } }
+};
+
+/* ---- all gaits ---- */
+
+static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
+enum { GAITS = sizeof gaits / sizeof *gaits };
+
+const struct scallop_gait *scallop_gait_named(const char *name)
+{
+  for (int i = 0; i < GAITS; i++)
+    if (strcmp(name, gaits[i]->name) == 0)
+      return gaits[i];
+  return NULL;
+}
+
+const char *scallop_gait_name(int i)
+{
+  return i >= 0 && i < GAITS ? gaits[i]->name : NULL;
+}
+
+/* The piece that holds time s, and the offset of s from its anchor. */
+static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)
+{
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    *u = p->anchor == SCALLOP_FROM_START ? s : 1 - s;
+    if (i == shape->count - 1 || time_offset(p, *u) <= time_offset(p, p->end))
+      return p;
+  }
+  return NULL;
+}
+
+void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s,
+                     double *length, double *velocity, double *acceleration)
+{
+  double u;
+  const struct scallop_shape *shape = &gait->phase[kind];
+  const struct scallop_piece *p = piece_at(shape, s, &u);
+  bool at_full_length = (kind == SCALLOP_EXTENSION) == (p->anchor == SCALLOP_FROM_END);
+  if (length)
+    *length = (at_full_length ? 1 : 0) + p->curve->length(p, u);
+  if (velocity)
+    *velocity = p->curve->velocity(p, u);
+  if (acceleration)
+    *acceleration = p->curve->acceleration(p, u);
+}

@@ -1,0 +1,131 @@
+/* model/: what a crawler, a gait and a phase ARE.
+ *
+ * Two bodies, masses m1 and m2, Coulomb friction forces F1 and F2 (isotropic, static = sliding),
+ * with the separation l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this
+ * room holds parameters, l(t) and its derivatives, validation and scaling. It depends on libm only,
+ * allocates nothing, prints nothing and holds no state.
+ */
+#ifndef SCALLOP_MODEL_H
+#define SCALLOP_MODEL_H
+
+#include <stdbool.h>
+
+#define SCALLOP_VERSION "0.1.0"
+
+/* What every call that can fail returns. Below zero: failed, and the outputs are untouched.
+ * Above zero: done, and there is something to know. */
+enum scallop_status {
+  SCALLOP_OK = 0,
+  SCALLOP_INTERVAL = 1,     /* the steady states fill an interval; both ends are returned   */
+  SCALLOP_EDOMAIN = -1,     /* a parameter is outside its domain                            */
+  SCALLOP_ERANGE = -2,      /* a scaled quantity overflows, or underflows and loses digits  */
+  SCALLOP_ECONVERGE = -3    /* an iteration ended without an answer                         */
+};
+const char *scallop_status_text(enum scallop_status status);
+
+/* ---- gait ---------------------------------------------------------------------------------- */
+
+enum scallop_phase_kind { SCALLOP_EXTENSION = 0, SCALLOP_CONTRACTION = 1 };
+
+/* Where a piece measures its own time from. Times near the end of a phase are kept as distances to
+ * that end: dT ~ T^3 would vanish in T - dT otherwise. */
+enum scallop_anchor { SCALLOP_FROM_START = 0, SCALLOP_FROM_END = 1 };
+
+struct scallop_piece;
+
+/* l, l' and l'' in one piece at offset u from the anchor, in units where the phase lasts 1 and the
+ * amplitude is 1. Derivatives are with respect to time (not u). */
+struct scallop_curve {
+  double (*length)(const struct scallop_piece *, double u);       /* l(u) - l(anchor)              */
+  double (*velocity)(const struct scallop_piece *, double u);     /* l'(u)                         */
+  double (*acceleration)(const struct scallop_piece *, double u); /* l''(u)                        */
+  double (*when)(const struct scallop_piece *, double a);         /* u with l''(u) = a, nan if none */
+};
+
+/* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
+ * is monotone inside the piece; pieces follow each other without a gap and cover the phase. */
+struct scallop_piece {
+  double begin, end;           /* offsets from the anchor, in the order of time, within [0, 1]     */
+  enum scallop_anchor anchor;
+  int direction;               /* sign of l': +1 or -1                                             */
+  bool jump;                   /* l' jumps where the piece begins                                  */
+  bool linear;                 /* l' is linear: l'(u) = velocity + acceleration * (time - anchor)  */
+  double velocity;             /* linear pieces: l' at the anchor                                  */
+  double acceleration;         /* linear pieces: l''                                               */
+  const struct scallop_curve *curve;
+};
+
+struct scallop_shape {         /* one phase of a gait, duration 1, amplitude 1                      */
+  const struct scallop_piece *pieces;
+  int count;
+  double l0, lT;               /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
+  double peak;                 /* max |l'|                                                         */
+  double net;                  /* time with l' > 0 minus time with l' < 0: +1 or -1 for most        */
+};
+
+struct scallop_gait {
+  const char *name;
+  struct scallop_shape phase[2]; /* indexed by enum scallop_phase_kind                             */
+};
+
+/* quadratic: l'' = +-4/tau^2, then -+4/tau^2, changing at half of the phase. sinusoidal: half a
+ * cosine, l = (1 - cos(pi t / tau)) / 2 and back. */
+extern const struct scallop_gait scallop_gait_quadratic, scallop_gait_sinusoidal;
+extern const struct scallop_curve scallop_curve_linear; /* for pieces with linear = true */
+
+/* The gait called name, or NULL. scallop_gait_name(i) lists them, NULL after the last. */
+const struct scallop_gait *scallop_gait_named(const char *name);
+const char *scallop_gait_name(int i);
+
+/* l, l' and l'' of one phase at s = t/tau in [0, 1], from its start. length: l itself, so 0 at the
+ * start of an extension and 1 at the start of a contraction. Any of the three may be NULL. */
+void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s,
+                     double *length, double *velocity, double *acceleration);
+
+/* ---- crawler ------------------------------------------------------------------------------- */
+
+/* SI or any consistent units. Every m, F, L, T > 0 and finite; 0 < alpha < 1: the fraction of the
+ * period T that the extension takes. */
+struct scallop_crawler {
+  double m1, m2;
+  double F1, F2;
+  double L, T, alpha;
+  const struct scallop_gait *gait;
+};
+
+/* m1 = m2 = 1, F1 = 4, F2 = 1, L = 10, T = 1, alpha = 3/4, quadratic. */
+struct scallop_crawler scallop_crawler_default(void);
+
+struct scallop_complaint {  /* what is wrong with a crawler: "F1 = -3: a finite number > 0" */
+  const char *name;
+  double given;
+  const char *allowed;
+};
+
+/* SCALLOP_OK, or SCALLOP_EDOMAIN with the first bad parameter in *complaint (may be NULL). */
+enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
+                                          struct scallop_complaint *complaint);
+
+/* Duration of a phase: alpha T or (1 - alpha) T. */
+double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallop_phase_kind kind);
+
+/* The crawler in units of L, T and F1 + F2. Differences that can be small (F1 - F2, 2 alpha - 1)
+ * are formed from the inputs, where they are exact or correctly rounded, and never again. */
+struct scallop_scaled {
+  double mu1, mu2;         /* m1/M, m2/M                                            */
+  double mu_difference;    /* (m1 - m2)/M                                           */
+  double f1, f2;           /* F1/(F1 + F2), F2/(F1 + F2)                            */
+  double delta;            /* (F1 - F2)/(F1 + F2)                                   */
+  double eps;              /* T^2 (F1 + F2)/(M L) = 1/Froude                        */
+  double fraction[2];      /* alpha, 1 - alpha                                      */
+  const struct scallop_gait *gait;
+};
+
+/* SCALLOP_EDOMAIN as scallop_crawler_check; SCALLOP_ERANGE if eps or a ratio is not a normal number. */
+enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled);
+
+/* The paper's kinematic length, section 3.3.3: l_0 l_T / (2 (l_T - l_0)), for amplitude L.
+ * L for the quadratic gait, pi^2 L / 8 for the sinusoidal one. */
+double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L);
+
+#endif

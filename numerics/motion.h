@@ -1,0 +1,33 @@
+/* The exact motion over one phase, in units where the phase lasts 1, L is 1 and forces are in
+ * F1 + F2. Used by phase.c, steady.c and trajectory.c; not public. */
+#ifndef SCALLOP_MOTION_H
+#define SCALLOP_MOTION_H
+
+#include "numerics/numerics.h"
+
+struct motion_input {
+  const struct scallop_shape *shape;
+  double mu1, mu2, f1, f2, delta;
+  double eps;               /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
+};
+
+struct motion {
+  double c_end;             /* velocity of the centre of mass at the end                                */
+  double travel;            /* integral of c                                                            */
+  double extra_impulse;     /* integral of c'/eps - (its value with the bodies in opposite motion,
+                               delta sgn l'): zero where nothing but the stronger driving body matters  */
+  double slope;             /* (d c_end / d c_0 - 1)/eps, from the right; meaningless once `stuck`      */
+  bool stuck;               /* a body was stuck for some time: d c_end / d c_0 = 0                      */
+  bool never_moved[2];      /* body 1, body 2 stuck throughout                                          */
+  double first_switch;      /* from the start; nan if none                                              */
+  double last_switch;       /* back from the end; nan if none                                           */
+  struct scallop_modes modes;
+};
+
+struct motion_input motion_input_of(const struct scallop_scaled *scaled, enum scallop_phase_kind kind);
+
+/* c0: velocity of the centre of mass at the start, in L/tau. visit may be NULL. */
+void motion_solve(const struct motion_input *input, double c0, struct motion *motion,
+                  scallop_visitor *visit, void *context);
+
+#endif

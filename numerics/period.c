@@ -1,0 +1,71 @@
+#include "numerics/period.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+/* delta times the mean of sgn l': 2 alpha - 1 for the usual gaits, correctly rounded */
+static double net_extending_time(const struct scallop_scaled *s)
+{
+  double e = s->gait->phase[SCALLOP_EXTENSION].net, c = s->gait->phase[SCALLOP_CONTRACTION].net;
+  return s->fraction[SCALLOP_EXTENSION] * (e - c) + c;
+}
+
+void period_solve(const struct scallop_scaled *s, double c_start, struct period *period)
+{
+  struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
+  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  struct motion_input extension = motion_input_of(s, SCALLOP_EXTENSION);
+  struct motion_input contraction = motion_input_of(s, SCALLOP_CONTRACTION);
+  period->c_start = c_start;
+  motion_solve(&extension, c_start * a, e, NULL, NULL);
+  period->c_mid = e->c_end / a;
+  motion_solve(&contraction, period->c_mid * b, c, NULL, NULL);
+  period->c_end = c->c_end / b;
+  period->travel = e->travel + c->travel;
+  period->stuck = e->stuck || c->stuck;
+  double driven = s->delta * net_extending_time(s);
+  double from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
+  period->balance = driven + from_e + from_c;
+  period->noise = DBL_EPSILON * (fabs(driven) + fabs(from_e) + fabs(from_c));
+  double slope_e = a * a * e->slope, slope_c = b * b * c->slope;
+  period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
+}
+
+void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled,
+                   const struct period *p, struct scallop_period_result *result)
+{
+  double unit = crawler->L / crawler->T;
+  bool at_rest = false;
+  for (int body = 0; body < 2; body++)
+    at_rest |= p->phase[0].never_moved[body] && p->phase[1].never_moved[body];
+  *result = (struct scallop_period_result){
+    .v_start = p->c_start * unit,
+    .v_mid = p->c_mid * unit,
+    .v_end = p->c_end * unit,
+    .displacement = p->travel * crawler->L,
+    .multiplier = p->stuck ? 0 : 1 + scaled->eps * p->balance_slope,
+    .balance = p->stuck ? (p->c_end - p->c_start) / scaled->eps : p->balance,
+    .regime = at_rest ? SCALLOP_AT_REST : p->stuck ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING,
+    .modes = { p->phase[0].modes, p->phase[1].modes },
+  };
+}
+
+enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
+                                   struct scallop_period_result *result)
+{
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  double c_start = v0 / (crawler->L / crawler->T);
+  if (!isfinite(v0))
+    return SCALLOP_EDOMAIN;
+  if (!isfinite(c_start) || (c_start == 0 && v0 != 0))
+    return SCALLOP_ERANGE;
+  struct period period;
+  period_solve(&scaled, c_start, &period);
+  period_result(crawler, &scaled, &period, result);
+  result->v_start = v0;
+  return SCALLOP_OK;
+}

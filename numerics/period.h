@@ -1,0 +1,21 @@
+/* The period map in units of L, T and F1 + F2. Not public. */
+#ifndef SCALLOP_PERIOD_H
+#define SCALLOP_PERIOD_H
+
+#include "numerics/motion.h"
+
+struct period {
+  double c_start, c_mid, c_end;  /* in L/T                                                            */
+  double travel;                 /* of the centre of mass, in L                                       */
+  double balance;                /* (c_end - c_start)/eps, formed without that subtraction            */
+  double noise;                  /* what rounding can do to balance                                   */
+  double balance_slope;          /* d balance / d c_start <= 0, unless stuck                          */
+  bool stuck;
+  struct motion phase[2];
+};
+
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
+void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled,
+                   const struct period *period, struct scallop_period_result *result);
+
+#endif

@@ -1,0 +1,84 @@
+#include "numerics/numerics.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "numerics/motion.h"
+
+const char *scallop_regime_text(enum scallop_regime regime)
+{
+  static const char *const text[] = { "sliding", "stick-slip", "at-rest" };
+  return text[regime];
+}
+
+void scallop_modes_text(const struct scallop_modes *modes, char *text)
+{
+  static const char sign[] = { '-', '0', '+' };
+  int kept = modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT;
+  for (int i = 0; i < kept; i++) {
+    if (i > 0)
+      *text++ = ' ';
+    if (i == SCALLOP_MODES_KEPT - 1 && modes->count > kept) { /* the last place holds the last mode */
+      memcpy(text, "... ", 4);
+      text += 4;
+    }
+    *text++ = sign[modes->kept[i].s1 + 1];
+    *text++ = sign[modes->kept[i].s2 + 1];
+  }
+  *text = '\0';
+}
+
+/* Scales, and runs the motion; unit is the velocity L/tau. */
+static enum scallop_status run(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                               struct scallop_scaled *scaled, double *unit, struct motion *motion,
+                               scallop_visitor *visit, void *context)
+{
+  enum scallop_status status = scallop_scale(crawler, scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v0))
+    return SCALLOP_EDOMAIN;
+  *unit = crawler->L / scallop_phase_duration(crawler, kind);
+  double c0 = v0 / *unit;
+  if (!isnormal(*unit) || !isfinite(c0) || (c0 == 0 && v0 != 0))
+    return SCALLOP_ERANGE;
+  struct motion_input input = motion_input_of(scaled, kind);
+  if (!isnormal(input.eps))
+    return SCALLOP_ERANGE;
+  motion_solve(&input, c0, motion, visit, context);
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                                            double v0, scallop_visitor *visit, void *context)
+{
+  struct scallop_scaled scaled;
+  struct motion motion;
+  double unit;
+  return run(crawler, kind, v0, &scaled, &unit, &motion, visit, context);
+}
+
+enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                                  double v0, struct scallop_phase_result *result)
+{
+  struct scallop_scaled scaled;
+  struct motion motion;
+  double unit, tau = scallop_phase_duration(crawler, kind), stroke = kind == SCALLOP_EXTENSION ? 1 : -1;
+  enum scallop_status status = run(crawler, kind, v0, &scaled, &unit, &motion, NULL, NULL);
+  if (status != SCALLOP_OK)
+    return status;
+  *result = (struct scallop_phase_result){
+    .t1 = motion.first_switch * tau,
+    .dT = motion.last_switch * tau,
+    .v_end = motion.c_end * unit,
+    .dx1 = (motion.travel - scaled.mu2 * stroke) * crawler->L,
+    .dx2 = (motion.travel + scaled.mu1 * stroke) * crawler->L,
+    .dxC = (motion.travel + 0.5 * scaled.mu_difference * stroke) * crawler->L,
+    .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
+              : motion.stuck                                 ? SCALLOP_STICK_SLIP
+                                                             : SCALLOP_SLIDING,
+    .modes = motion.modes,
+  };
+  return SCALLOP_OK;
+}

@@ -1,0 +1,113 @@
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/period.h"
+
+/* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
+struct sum { double high, low; };
+
+static void add(struct sum *s, double x)
+{
+  double total = s->high + x;
+  s->low += fabs(s->high) >= fabs(x) ? (s->high - total) + x : (x - total) + s->high;
+  s->high = total;
+}
+
+static double value(const struct sum *s) { return s->high + s->low; }
+
+struct recorder {
+  const struct scallop_crawler *crawler;
+  const struct scallop_scaled *scaled;
+  scallop_sampler *sampler;
+  void *context;
+  long samples, next;        /* samples in a period; the next one to take                             */
+  double period_number;
+  enum scallop_phase_kind kind;
+  double x_start;            /* of the centre of mass when the phase began, in L                       */
+  bool stopped;
+};
+
+/* The state at offset u of an interval; x: of the centre of mass, from where x1 = x2 = l = 0. */
+static struct scallop_sample state_at(const struct recorder *r, const struct scallop_interval *i, double u)
+{
+  const struct scallop_piece *p = i->piece;
+  const struct scallop_scaled *s = r->scaled;
+  double L = r->crawler->L, unit = L / scallop_phase_duration(r->crawler, r->kind);
+  double duration = p->anchor == SCALLOP_FROM_START ? u - i->u_begin : i->u_begin - u;
+  double velocity = p->curve->velocity(p, u), length = p->curve->length(p, u);
+  double c = i->c_begin + i->c_slope * duration, x = 0.5 * (i->c_begin + c) * duration;
+  if (i->glue != 0) {
+    c = i->glue * velocity;
+    x = i->glue * (length - p->curve->length(p, i->u_begin));
+  }
+  x += r->x_start + i->x_begin;
+  length += (r->kind == SCALLOP_EXTENSION) == (p->anchor == SCALLOP_FROM_END) ? 1 : 0;
+  return (struct scallop_sample){
+    .x1 = (x - s->mu2 * length) * L, .x2 = (x + s->mu1 * length) * L,
+    .xC = (x + 0.5 * s->mu_difference * length) * L,
+    .v1 = (c - s->mu2 * velocity) * unit, .v2 = (c + s->mu1 * velocity) * unit, .l = length * L
+  };
+}
+
+static void record(void *context, const struct scallop_interval *interval)
+{
+  struct recorder *r = context;
+  const struct scallop_scaled *s = r->scaled;
+  bool from_start = interval->piece->anchor == SCALLOP_FROM_START;
+  double s_end = from_start ? interval->u_end : 1 - interval->u_end;
+  double before = r->kind == SCALLOP_EXTENSION ? 0 : s->fraction[SCALLOP_EXTENSION];
+  while (r->next < r->samples && !r->stopped) {
+    double at = (double)r->next / (double)r->samples, in_phase = (at - before) / s->fraction[r->kind];
+    if (!(in_phase < s_end))
+      return;
+    struct scallop_sample sample = state_at(r, interval, from_start ? in_phase : 1 - in_phase);
+    sample.t = (r->period_number + at) * r->crawler->T;
+    r->stopped = !r->sampler(r->context, &sample);
+    r->next++;
+  }
+}
+
+enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods,
+                                       long samples, scallop_sampler *sampler, void *context)
+{
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v0) || periods < 1 || samples < 1)
+    return SCALLOP_EDOMAIN;
+  double unit = crawler->L / crawler->T;
+  struct sum c = { v0 / unit, 0 }, x = { 0, 0 };
+  if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
+    return SCALLOP_ERANGE;
+  struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context,
+                        .samples = samples };
+  struct motion_input input[2] = { motion_input_of(&scaled, SCALLOP_EXTENSION),
+                                   motion_input_of(&scaled, SCALLOP_CONTRACTION) };
+  for (long n = 0; n < periods && !r.stopped; n++) {
+    struct period p;
+    double start = value(&c);
+    period_solve(&scaled, start, &p);
+    const double entry[2] = { start, p.c_mid };
+    r.period_number = (double)n;
+    r.next = 0;
+    for (int kind = 0; kind < 2; kind++) {
+      struct motion again;
+      r.kind = (enum scallop_phase_kind)kind;
+      r.x_start = value(&x);
+      motion_solve(&input[kind], entry[kind] * scaled.fraction[kind], &again, record, &r);
+      add(&x, again.travel);
+    }
+    if (p.stuck)
+      c = (struct sum){ p.c_end, 0 };
+    else
+      add(&c, scaled.eps * p.balance);
+  }
+  if (!r.stopped) {
+    double position = value(&x) * crawler->L, velocity = value(&c) * unit;
+    struct scallop_sample end = { .t = (double)periods * crawler->T, .x1 = position, .x2 = position,
+                                  .xC = position, .v1 = velocity, .v2 = velocity, .l = 0 };
+    sampler(context, &end);
+  }
+  return SCALLOP_OK;
+}

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Runs every test and counts: scripts/check.sh BUILD TEST_PROGRAM... Ends with one line, "N passed, M failed".
+set -u
+build=$1
+shift
+passed=0 failed=0
+log=$build/check.log
+: >"$log"
+run() {
+  name=$1
+  shift
+  if "$@" >"$build/one.log" 2>&1; then
+    count=$(grep -c '^\[       OK \]' "$build/one.log")
+    [ "$count" -gt 0 ] || count=$(grep -c '^ok ' "$build/one.log")
+    [ "$count" -gt 0 ] || count=1
+    passed=$((passed + count))
+    echo "ok   $name ($count)"
+  else
+    bad=$(grep -c '^\[  FAILED  \] [a-z]' "$build/one.log")
+    [ "$bad" -gt 0 ] || bad=1
+    failed=$((failed + bad))
+    echo "FAIL $name"
+    cat "$build/one.log"
+  fi
+  cat "$build/one.log" >>"$log"
+}
+for program in "$@"; do
+  run "$(basename "$program")" "$program"
+done
+for script in tests/cli_*.sh; do
+  [ -e "$script" ] && run "$(basename "$script")" sh "$script" "$build/scallop"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,41 @@
+/* Comparisons of doubles for the tests. Accept-form: a check fails unless the error is within the
+ * tolerance, so a NaN that nobody asked for always fails. NaN equals only NaN; infinities are equal
+ * only with the same sign. Each macro prints what it got, what it wanted, by how much it missed, and
+ * the expression, and then fails the running cmocka test. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+bool check_near(double got, double wanted, double tolerance);           /* |got - wanted| <= tolerance */
+bool check_relative(double got, double wanted, double tolerance);       /* ... <= tolerance |wanted|   */
+
+void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind,
+                const char *file, int line);
+
+#define CHECK_NEAR(got, wanted, tolerance) CHECK_WITH(check_near, "absolute", got, wanted, tolerance)
+#define CHECK_RELATIVE(got, wanted, tolerance) CHECK_WITH(check_relative, "relative", got, wanted, tolerance)
+#define CHECK_EQUAL(got, wanted) CHECK_NEAR(got, wanted, 0.0)
+#define CHECK_AT_MOST(got, bound)                                                                       \
+  do {                                                                                                  \
+    double check_got = (got), check_bound = (bound);                                                    \
+    if (!(check_got <= check_bound))                                                                    \
+      check_fail(#got, check_got, check_bound, 0, "at most", __FILE__, __LINE__);                       \
+  } while (0)
+
+#define CHECK_WITH(compare, kind, got, wanted, tolerance)                                               \
+  do {                                                                                                  \
+    double check_got = (got), check_wanted = (wanted), check_tolerance = (tolerance);                   \
+    if (!compare(check_got, check_wanted, check_tolerance))                                             \
+      check_fail(#got, check_got, check_wanted, check_tolerance, kind, __FILE__, __LINE__);             \
+  } while (0)
+
+#endif
