@@ -1,0 +1,60 @@
+/* The observed order of a table of h and err: err ~ C h^p as h -> 0.
+ *
+ * Method. Points are sorted by falling h. What cannot be judged is left out, each for a stated reason:
+ * zeros, points at a roundoff floor, points before a change of sign, and points at large h where the
+ * pairwise orders have not settled. Over what is left, log|err| is fitted by a line in log h; of all
+ * runs of points that end at the finest usable one, the run whose interval is narrowest is taken. The
+ * interval is the 95 % confidence interval of the slope, or what the pairwise orders of the run spread
+ * and drift if that is wider: a trend towards the limit is not noise, and a fit alone does not see it.
+ */
+#ifndef SCALLOP_ORDER_H
+#define SCALLOP_ORDER_H
+
+#include <stdbool.h>
+
+enum order_use { ORDER_USED, ORDER_ZERO, ORDER_FLOOR, ORDER_COARSE, ORDER_BEFORE_SIGN_CHANGE };
+const char *order_use_text(enum order_use use);
+
+struct order_point {
+  double h;           /* > 0                                                                           */
+  double err;         /* signed                                                                        */
+  double noise;       /* rounding error of err if it is known, else 0                                  */
+  double pairwise;    /* out: order between this point and the next finer one; nan for the last        */
+  enum order_use use; /* out                                                                           */
+};
+
+enum order_state {
+  ORDER_FITTED,
+  ORDER_INVALID,          /* h not positive, repeated or not finite; err not finite                    */
+  ORDER_INSUFFICIENT,     /* fewer than three usable points                                            */
+  ORDER_FLOOR_LIMITED,    /* fewer than three usable points, the others being at a roundoff floor      */
+  ORDER_NOT_ASYMPTOTIC,   /* the pairwise orders do not settle                                         */
+  ORDER_EXACT             /* every error is zero or within its noise                                   */
+};
+
+struct order_fit {
+  enum order_state state;
+  double order, lo, hi;   /* fitted, and its interval; nan unless there were three usable points        */
+  int used;
+};
+
+/* Sorts points[0..count) and estimates. Allocates nothing. */
+struct order_fit order_estimate(struct order_point *points, int count);
+
+/* Values instead of errors: points[i].err holds value(h_i). Three refinements give one order, from
+ * (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), which needs no constant ratio. On return the
+ * points hold the differences v_i - v_{i+1}, rescaled to errors; the finest is spent. Returns the
+ * number of points left. */
+int order_from_values(struct order_point *points, int count);
+
+enum order_verdict {
+  ORDER_PASS, ORDER_TOO_LOW, ORDER_TOO_HIGH, ORDER_VERDICT_FLOOR_LIMITED, ORDER_VERDICT_NOT_ASYMPTOTIC,
+  ORDER_VERDICT_INSUFFICIENT, ORDER_VERDICT_INVALID
+};
+const char *order_verdict_text(enum order_verdict verdict);
+
+/* The fit against an expected order, with the given tolerance > 0. Pass: the order lies within it, and the
+ * interval is no wider than it on either side. A wider interval that reaches it is not-asymptotic. */
+enum order_verdict order_judge(const struct order_fit *fit, double expected, double tolerance);
+
+#endif
