@@ -4,7 +4,7 @@ CFLAGS  ?= -O2 -g
 LDLIBS  ?= -lgsl -lgslcblas -lm
 WARN     = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 # No contraction to fused multiply-add: the tables in data/ must not depend on the processor.
-ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -I. -ffp-contract=off $(WARN) $(CFLAGS)
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off $(WARN) $(CFLAGS)
 B       ?= build
 
 rooms    = $(wildcard $(1)/*.c)

@@ -5,7 +5,7 @@
 #include "compare/compare.h"
 
 const struct command *const commands[] = {
-  &command_phase, &command_steady, &command_order, NULL
+  &command_phase, &command_steady, &command_claims, &command_order, NULL
 };
 
 void complain(const char *command, const char *format, ...)

@@ -20,6 +20,7 @@ struct command {
   const char *operand;         /* "FILE", or NULL if there is none                                */
   const char *const *accepts;  /* names of the options it takes, NULL-terminated                  */
   const char *about;           /* what the columns mean                                           */
+  const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                      */
   enum exit_code (*run)(const struct options *);
 };
 

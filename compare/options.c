@@ -282,7 +282,8 @@ static bool read_option(struct options *o, int count, char **arguments, int *i, 
 
 bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
 {
-  *o = (struct options){ .command = command, .crawler = scallop_crawler_default(), .start = "rest",
+  *o = (struct options){ .command = command, .start = "rest",
+                         .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10, .samples = 40, .tolerance = 0.1 };
   for (int i = 0; i < count; i++) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
@@ -319,4 +320,6 @@ void options_help(FILE *to, const struct command *command)
     fprintf(to, "  %-18s %s\n", left, d->help);
   }
   fprintf(to, "  %-18s %s\n", "--help", "this text");
+  if (command->defaults)
+    fputs("The crawler's defaults are others here; the table's header tells them.\n", to);
 }

@@ -13,6 +13,8 @@ static const double ABOVE_FLOOR = 30;
 static const double FLAT = 0.5;
 /* Pairwise orders that leave an interval wider than this on either side have not settled. */
 static const double SETTLED = 0.5;
+/* The longest run whose interval is no wider than this on either side is taken, and failing that the narrowest. */
+static const double FINE = 0.02;
 /* A fit uses at least so many points where there are as many: three can lie on a line by chance. */
 enum { LEAST = 4 };
 
@@ -215,7 +217,7 @@ struct order_fit order_estimate(struct order_point *points, int count)
   }
   struct line best = { .half_width = INFINITY };
   int start = 0, all = count_used(points, count, 0), least = all < LEAST ? all : LEAST;
-  for (int first = 0; count_used(points, count, first) >= least; first++) {
+  for (int first = 0; best.half_width > FINE && count_used(points, count, first) >= least; first++) {
     struct line line = fit_line(points, count, first);
     if (points[first].use == ORDER_USED && line.half_width < best.half_width) {
       best = line;

@@ -3,7 +3,7 @@
  * Method. Points are sorted by falling h. What cannot be judged is left out, each for a stated reason:
  * zeros, points at a roundoff floor, points before a change of sign, and points at large h where the
  * pairwise orders have not settled. Over what is left, log|err| is fitted by a line in log h; of all
- * runs of points that end at the finest usable one, the run whose interval is narrowest is taken. The
+ * runs of points that end at the finest usable one, the longest with a fine interval is taken. The
  * interval is the 95 % confidence interval of the slope, or what the pairwise orders of the run spread
  * and drift if that is wider: a trend towards the limit is not noise, and a fit alone does not see it.
  */
