@@ -11,7 +11,7 @@ rooms    = $(wildcard $(1)/*.c)
 library := $(patsubst %.c,$(B)/%.o,$(filter-out compare/main.c,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r)))))
 tests   := $(patsubst tests/%.c,$(B)/%,$(wildcard tests/test_*.c))
 
-.PHONY: all help check unit cli reference data-check reproduce plots bench lint format asan ubsan clean setup-build setup-check setup-plots
+.PHONY: all help check reproduce bench lint format asan clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -49,6 +49,11 @@ $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(library)
 check: setup-check
 	@$(MAKE) --no-print-directory $(B)/scallop $(tests)
 	@scripts/check.sh $(B) $(tests)
+
+## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
+reproduce: setup-plots
+	@$(MAKE) --no-print-directory $(B)/scallop
+	@sh scripts/reproduce.sh $(B)
 
 ## clean:      remove build/
 clean:

@@ -43,7 +43,6 @@ enum scallop_quantity {
   SCALLOP_STEADY_VELOCITY,   /* at the start of the extension                                      */
   SCALLOP_STEADY_DISPLACEMENT
 };
-const char *scallop_quantity_text(enum scallop_quantity quantity);
 
 enum scallop_setting { SCALLOP_AT_REST_START, SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION, SCALLOP_STEADY };
 

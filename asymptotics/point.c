@@ -24,13 +24,6 @@ struct scallop_phase_point scallop_exchanged(const struct scallop_phase_point *p
   return q;
 }
 
-const char *scallop_quantity_text(enum scallop_quantity quantity)
-{
-  static const char *const text[] = { "dT", "t1", "x_rear(t1)", "x_rear(T-dT)", "x_rear(T)", "x_front(T)", "x_C(T)",
-                                      "v(T)", "v(T)-v0", "steady v0", "steady x_C" };
-  return text[quantity];
-}
-
 #define REST(f, number, quantity, order)                                                                \
   { #f, number, SCALLOP_AT_REST_START, quantity, order, f, NULL }
 #define EXTENSION(f, number, quantity, order)                                                           \

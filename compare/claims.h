@@ -18,7 +18,7 @@ struct claim_row {
   struct order_fit fit;
   enum claim_verdict verdict;
   char measured[120];          /* of a qualitative claim: the figure that decides                  */
-  char reason[120];
+  char reason[200];            /* of a verdict: why; of a refutation in words: an example to paste     */
 };
 
 typedef void claim_sink(void *context, const struct claim_row *row);

@@ -6,6 +6,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/claims.h"
+#include "compare/exact.h"
 #include "numerics/numerics.h"
 
 /* T = T0 2^(-k/4), T0 the duration at which the Froude number of the phase is 1 */
@@ -49,65 +50,6 @@ const char *claim_verdict_text(enum claim_verdict verdict)
   return text[verdict];
 }
 
-/* ---- the exact side ---- */
-
-/* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
-struct turning {
-  double mu_front;
-  struct scallop_mode mode;
-  bool started;
-  double first, last;
-};
-
-static void note_turning(void *context, const struct scallop_interval *i)
-{
-  struct turning *t = context;
-  if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
-    double way = i->piece->anchor == SCALLOP_FROM_END ? i->piece->direction : 0;
-    t->last = i->x_begin - t->mu_front * fabs(way + i->piece->curve->length(i->piece, i->u_begin));
-    if (isnan(t->first))
-      t->first = t->last;
-  }
-  t->mode = i->mode;
-  t->started = true;
-}
-
-struct exact {
-  struct scallop_phase_result phase;
-  double at_first, at_last;
-};
-
-static enum scallop_status solve_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
-                                       struct exact *exact)
-{
-  double front = kind == SCALLOP_EXTENSION ? c->m2 : c->m1;
-  struct turning t = { .mu_front = front / (c->m1 + c->m2), .first = NAN, .last = NAN };
-  enum scallop_status status = scallop_phase(c, kind, v0, &exact->phase);
-  if (status == SCALLOP_OK)
-    status = scallop_phase_intervals(c, kind, v0, note_turning, &t);
-  exact->at_first = t.first * c->L;
-  exact->at_last = t.last * c->L;
-  return status;
-}
-
-static double exact_quantity(const struct exact *e, enum scallop_quantity quantity, bool extension, double v0)
-{
-  switch (quantity) {
-  case SCALLOP_LAG: return e->phase.dT;
-  case SCALLOP_FIRST_SWITCH: return e->phase.t1;
-  case SCALLOP_REAR_AT_FIRST: return e->at_first;
-  case SCALLOP_REAR_AT_LAST: return e->at_last;
-  case SCALLOP_REAR_AT_END: return extension ? e->phase.dx1 : e->phase.dx2;
-  case SCALLOP_FRONT_AT_END: return extension ? e->phase.dx2 : e->phase.dx1;
-  case SCALLOP_CENTRE_AT_END: return e->phase.dxC;
-  case SCALLOP_VELOCITY_AT_END: return e->phase.v_end;
-  case SCALLOP_VELOCITY_CHANGE: return e->phase.v_end - v0;
-  case SCALLOP_STEADY_VELOCITY:
-  case SCALLOP_STEADY_DISPLACEMENT: break;
-  }
-  return NAN;
-}
-
 /* ---- the error of one formula at one T ---- */
 
 struct subject {
@@ -133,19 +75,13 @@ static bool same_modes(struct scallop_modes *expected, const struct scallop_mode
 static bool phase_error(struct subject *s, double T, struct order_point *point)
 {
   struct scallop_crawler c = s->crawler;
-  struct exact e;
+  struct exact_phase e;
   c.T = T / (s->kind == SCALLOP_EXTENSION ? c.alpha : 1 - c.alpha);
-  bool extension = s->kind == SCALLOP_EXTENSION;
-  if (solve_phase(&c, s->kind, s->v0, &e) != SCALLOP_OK || !same_modes(&s->modes[0], &e.phase.modes))
+  if (exact_phase_solve(&c, s->kind, s->v0, &e) != SCALLOP_OK || !same_modes(&s->modes[0], &e.phase.modes))
     return false;
   struct scallop_phase_point p = scallop_phase_point(&c, s->kind, s->v0);
-  p.t1 = e.phase.t1;
-  p.dT = e.phase.dT;
-  p.x_switch = e.at_last;
-  if (s->formula->setting == SCALLOP_AT_REST_START && !extension)
-    p = scallop_exchanged(&p);
-  double exact = exact_quantity(&e, s->formula->quantity, extension, s->v0);
-  double series = s->magnitude ? 0 : s->formula->phase(&p);
+  double exact = exact_quantity(&e, s->formula->quantity);
+  double series = s->magnitude ? 0 : published_value(s->formula, &p, &e);
   bool position = s->formula->quantity >= SCALLOP_REAR_AT_LAST && s->formula->quantity <= SCALLOP_CENTRE_AT_END;
   double size = fmax(fabs(exact), fabs(series));
   if (position)
@@ -213,15 +149,6 @@ static void judge(struct claim_row *row)
   }
 }
 
-static const char *quantity_name(const struct scallop_formula *f, enum scallop_phase_kind kind)
-{
-  static const char *const of_contraction[] = { "dT", "t1", "x2(t1)", "x2(T-dT)", "x2(T)", "x1(T)", "x_C(T)", "v(T)", "v(T)-v0" };
-  static const char *const of_extension[] = { "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0" };
-  if (f->setting == SCALLOP_STEADY)
-    return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
-  return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];
-}
-
 static struct subject subject_of(const struct scallop_crawler *crawler, const struct scallop_formula *formula,
                                  enum scallop_phase_kind kind, const struct condition *condition)
 {
@@ -263,7 +190,7 @@ static void claims_of_formula(const struct scallop_crawler *crawler, const struc
     for (const struct condition *condition = conditions; condition->text; condition++) {
       struct subject s = subject_of(crawler, f, (enum scallop_phase_kind)kind, condition);
       struct claim_row row = { .claim = f->name, .equation = f->equation, .gait = crawler->gait->name,
-                               .quantity = quantity_name(f, s.kind), .conditions = condition->text,
+                               .quantity = formula_quantity_text(f, s.kind), .conditions = condition->text,
                                .inside = condition->inside, .claimed_order = magnitude ? 2 : f->remainder };
       s.magnitude = magnitude;
       if (magnitude)

@@ -1,7 +1,356 @@
-/* The claims in words. */
+/* The claims in words: each with the figure that decides it. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_qrng.h>
+#include <gsl/gsl_roots.h>
+
 #include "compare/claims.h"
+#include "numerics/numerics.h"
+
+enum { RANDOM_CRAWLERS = 400 };
+/* A displacement in L that is only rounding: a dozen terms of size up to 1, the start velocity known to an ulp. */
+static const double ZERO = 1e-14;
+
+struct ledger {
+  struct scallop_crawler crawler;       /* with the gait in question                                        */
+  bool of_the_paper;                    /* it is the one of the paper's figures                             */
+  claim_sink *sink;
+  void *context;
+};
+
+static const char *whose(const struct ledger *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
+
+static struct claim_row make_row(const struct ledger *l, const char *claim, const char *section, const char *quantity,
+                                 const char *conditions, bool inside, bool holds, const char *measured)
+{
+  struct claim_row row = {
+    .claim = claim, .equation = section, .quantity = quantity, .gait = l->crawler.gait->name,
+    .conditions = conditions, .inside = inside, .claimed_order = NAN,
+    .fit = { .order = NAN, .lo = NAN, .hi = NAN }, .verdict = holds ? CLAIM_HOLDS : CLAIM_REFUTED
+  };
+  snprintf(row.measured, sizeof row.measured, "%s", measured);
+  return row;
+}
+
+static void enter(const struct ledger *l, const char *claim, const char *section, const char *quantity,
+                  const char *conditions, bool inside, bool holds, const char *measured)
+{
+  struct claim_row row = make_row(l, claim, section, quantity, conditions, inside, holds, measured);
+  l->sink(l->context, &row);
+}
+
+static struct scallop_steady_result steady(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result r = { .mean_velocity = NAN };
+  scallop_steady(c, &r);
+  return r;
+}
+
+/* ---- over random crawlers: masses and forces within a factor of 10, 0.05 < alpha < 0.95, Froude from 0.1 ---- */
+
+/* 10^x for x in [-1, 1] by its own series: the same bits on every machine */
+static double power_of_ten(double x)
+{
+  double y = x * 2.302585092994046 / 64, p = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5))));
+  for (int i = 0; i < 6; i++)
+    p *= p;
+  return p;
+}
+
+static struct scallop_crawler random_crawler(gsl_qrng *q, const struct scallop_gait *gait)
+{
+  double u[6];
+  gsl_qrng_get(q, u);
+  struct scallop_crawler c = { .L = 1, .gait = gait, .alpha = 0.05 + 0.9 * u[4] };
+  c.m1 = power_of_ten(2 * u[0] - 1), c.m2 = power_of_ten(2 * u[1] - 1);
+  c.F1 = power_of_ten(2 * u[2] - 1), c.F2 = power_of_ten(2 * u[3] - 1);
+  c.T = sqrt((c.m1 + c.m2) / (c.F1 + c.F2)) * power_of_ten(1.5 * u[5] - 1);
+  return c;
+}
+
+typedef double probe(const struct scallop_crawler *);
+
+/* The largest value of probe over random crawlers, and where it occurs; NAN if any is not a number. */
+static double largest(probe *p, const struct scallop_gait *gait, struct scallop_crawler *where)
+{
+  gsl_qrng *q = gsl_qrng_alloc(gsl_qrng_sobol, 6);
+  double most = -INFINITY;
+  for (int i = 0; q && i < RANDOM_CRAWLERS; i++) {
+    struct scallop_crawler c = random_crawler(q, gait);
+    double x = p(&c);
+    if (x > most || isnan(x)) {
+      most = x;
+      *where = c;
+    }
+    if (isnan(x))
+      break;
+  }
+  if (q)
+    gsl_qrng_free(q);
+  return q ? most : NAN;
+}
+
+static double equal_forces(const struct scallop_crawler *c)
+{
+  struct scallop_crawler equal = *c;
+  equal.F2 = equal.F1;
+  return fabs(steady(&equal).period.displacement) / equal.L;
+}
+
+static double symmetric_timing(const struct scallop_crawler *c)
+{
+  struct scallop_crawler symmetric = *c;
+  symmetric.alpha = 0.5;
+  return fabs(steady(&symmetric).period.displacement) / symmetric.L;
+}
+
+static double multiplier(const struct scallop_crawler *c) { return steady(c).period.multiplier; }
+
+/* How far a start velocity is from the steady one after as many periods as its multiplier needs for 1e-6, over L/T */
+static double unsettled(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result s = steady(c);
+  struct scallop_period_result p = { .v_end = 0 };
+  for (int n = 0; n < 20000 && fabs(p.v_end - s.period.v_start) > 1e-6 * c->L / c->T; n++)
+    if (scallop_period(c, p.v_end, &p) < 0)
+      return NAN;
+  return fabs(p.v_end - s.period.v_start) * c->T / c->L;
+}
+
+/* -displacement/L in the direction in which a longer extension should carry: sign (F1 - F2)(2 alpha - 1) */
+static double backward(const struct scallop_crawler *c, bool sliding)
+{
+  double sign = (c->F1 - c->F2) * (2 * c->alpha - 1) > 0 ? 1 : -1;
+  struct scallop_steady_result s = steady(c);
+  return (s.period.regime == SCALLOP_SLIDING) == sliding ? -sign * s.period.displacement / c->L : -1;
+}
+
+static double backward_sliding(const struct scallop_crawler *c) { return backward(c, true); }
+static double backward_sticking(const struct scallop_crawler *c) { return backward(c, false); }
+
+static void over_random_crawlers(const struct ledger *l)
+{
+  const struct scallop_gait *gait = l->crawler.gait;
+  const char *set = "400 quasi-random crawlers, masses and forces within 100:1, sliding to stick-slip";
+  char text[120];
+  struct scallop_crawler where;
+  double x = largest(equal_forces, gait, &where);
+  snprintf(text, sizeof text, "largest |displacement|/L: %s", x <= ZERO ? "below 1e-14" : "above 1e-14");
+  enter(l, "equal_forces_do_not_move", "3.1", "displacement", set, true, x <= ZERO, text);
+  x = largest(symmetric_timing, gait, &where);
+  snprintf(text, sizeof text, "largest |displacement|/L: %s", x <= ZERO ? "below 1e-14" : "above 1e-14");
+  enter(l, "symmetric_timing_does_not_move", "3.2", "displacement", set, true, x <= ZERO, text);
+  x = largest(multiplier, gait, &where);
+  snprintf(text, sizeof text, "largest multiplier of the period map: %.4f", x);
+  enter(l, "steady_state_attracts", "3.3.2", "multiplier", set, true, x < 1, text);
+  x = largest(unsettled, gait, &where);
+  snprintf(text, sizeof text, "largest |v - v_start| T/L after at most 20000 periods from rest: %s 1e-6", x <= 1e-6 ? "below" : "above");
+  enter(l, "motion_always_settles", "5", "v", set, true, x <= 1e-6, text);
+  for (int sliding = 1; sliding >= 0; sliding--) {
+    x = largest(sliding ? backward_sliding : backward_sticking, gait, &where);
+    snprintf(text, sizeof text, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", x <= ZERO ? 0 : x);
+    struct claim_row row = make_row(l, "longer_extension_moves_forward", "3.4", "displacement",
+                                    sliding ? "400 quasi-random crawlers: those that slide"
+                                            : "400 quasi-random crawlers: those in stick-slip", sliding, x <= ZERO, text);
+    if (x > ZERO)
+      snprintf(row.reason, sizeof row.reason, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s",
+               where.m1, where.m2, where.F1, where.F2, where.T, where.alpha, gait->name);
+    l->sink(l->context, &row);
+  }
+}
+
+/* ---- one extension from rest against its duration, figure 4 ---- */
+
+static struct scallop_phase_result extension(const struct scallop_crawler *crawler, double ratio, double T)
+{
+  struct scallop_crawler c = *crawler;
+  struct scallop_phase_result r = { .dxC = NAN, .v_end = NAN };
+  c.F1 = ratio * c.F2;
+  c.alpha = 0.5;
+  c.T = 2 * T;
+  scallop_phase(&c, SCALLOP_EXTENSION, 0, &r);
+  return r;
+}
+
+static void over_durations(const struct ledger *l)
+{
+  static const double ratios[] = { 2, 10, 40 };
+  enum { STEPS = 400 };
+  double least_rise = INFINITY;
+  int peaks_inside = 0;
+  double peak_at[3] = { 0 };
+  char range[80];
+  snprintf(range, sizeof range, "%s, from rest, F1/F2 = 2, 10, 40", whose(l));
+  for (int i = 0; i < 3; i++) {
+    double onset = 1e-3, highest = 0, before = extension(&l->crawler, ratios[i], 1e-4).dxC;
+    while (extension(&l->crawler, ratios[i], onset).regime == SCALLOP_SLIDING)
+      onset *= 1.01;
+    onset /= 1.01;
+    for (int j = 1; j <= STEPS; j++) {
+      struct scallop_phase_result r = extension(&l->crawler, ratios[i], onset * j / STEPS);
+      least_rise = fmin(least_rise, r.dxC - before);
+      before = r.dxC;
+      if (r.v_end > highest) {
+        highest = r.v_end;
+        peak_at[i] = (double)j / STEPS;
+      }
+    }
+    peaks_inside += peak_at[i] < 0.99;
+  }
+  char text[120];
+  snprintf(text, sizeof text, "least rise between 400 durations up to sticking: %s", least_rise > 0 ? "positive" : "not positive");
+  enter(l, "displacement_grows_with_duration", "3.4", "dx_C", range, l->of_the_paper, least_rise > 0, text);
+  snprintf(text, sizeof text, "dv_C peaks at %.2f, %.2f, %.2f of the duration at which sticking begins", peak_at[0], peak_at[1], peak_at[2]);
+  enter(l, "velocity_change_is_not_monotone", "3.4", "dv_C", range, l->of_the_paper, peaks_inside == 3, text);
+}
+
+/* ---- the steady state against F1/F2 and alpha, figure 5 ---- */
+
+static struct scallop_crawler with_ratio(const struct ledger *l, double ratio)
+{
+  struct scallop_crawler c = l->crawler;
+  c.F1 = ratio * c.F2;
+  return c;
+}
+
+static double start_velocity_at(double log_ratio, void *params)
+{
+  struct scallop_crawler c = with_ratio(params, exp(log_ratio));
+  return steady(&c).period.v_start;
+}
+
+static double mean_velocity_at(const struct ledger *l, double log_ratio)
+{
+  struct scallop_crawler c = with_ratio(l, exp(log_ratio));
+  return steady(&c).mean_velocity;
+}
+
+/* The first place where the start velocity is no longer positive, in log(F1/F2) from lo to hi; NAN if there is none. */
+static double sign_change(const struct ledger *l, double lo, double hi)
+{
+  enum { STEPS = 400 };
+  double before = lo, at = NAN;
+  gsl_function f = { start_velocity_at, (void *)l };
+  gsl_root_fsolver *s = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+  for (int i = 1; s && i <= STEPS; i++) {
+    double here = lo + i * (hi - lo) / STEPS;
+    if (start_velocity_at(here, f.params) <= 0 && gsl_root_fsolver_set(s, &f, before, here) == GSL_SUCCESS) {
+      for (int j = 0; j < 200 && gsl_root_test_interval(before, here, 0, 1e-14) == GSL_CONTINUE; j++) {
+        gsl_root_fsolver_iterate(s);
+        before = gsl_root_fsolver_x_lower(s);
+        here = gsl_root_fsolver_x_upper(s);
+      }
+      at = gsl_root_fsolver_root(s);
+      break;
+    }
+    before = here;
+  }
+  if (s)
+    gsl_root_fsolver_free(s);
+  return at;
+}
+
+/* The highest mean velocity: a scan, then golden section around the best. */
+static double peak(const struct ledger *l, double lo, double hi)
+{
+  enum { STEPS = 400 };
+  const double golden = 0.6180339887498949;
+  double step = (hi - lo) / STEPS, best = lo;
+  for (int i = 1; i <= STEPS; i++)
+    if (mean_velocity_at(l, lo + i * step) > mean_velocity_at(l, best))
+      best = lo + i * step;
+  double a = best - step, b = best + step;
+  while (b - a > 1e-9) {
+    double left = b - golden * (b - a), right = a + golden * (b - a);
+    if (mean_velocity_at(l, left) > mean_velocity_at(l, right))
+      b = right;
+    else
+      a = left;
+  }
+  return (a + b) / 2;
+}
+
+static void over_force_ratio(const struct ledger *l)
+{
+  const double lo = 0.01, hi = 9; /* F1/F2 from 1.01 to 8100 */
+  char text[120], range[80];
+  snprintf(range, sizeof range, "%s, F1/F2 from 1.01 to 8100", whose(l));
+  double zero = sign_change(l, lo, hi), top = peak(l, lo, hi);
+  snprintf(text, sizeof text, "v_start vanishes at F1/F2 = %.4f", exp(zero));
+  enter(l, "start_velocity_changes_sign", "3.4", "v_start", range, l->of_the_paper, isfinite(zero), text);
+  bool same = fabs(exp(top - zero) - 1) < 1e-4;
+  snprintf(text, sizeof text, "peak at F1/F2 = %.4f, v_start = 0 at %.4f: mean velocity there is %.5f of the peak", exp(top), exp(zero),
+           mean_velocity_at(l, zero) / mean_velocity_at(l, top));
+  enter(l, "mean_velocity_peaks_where_v_start_is_0", "3.4", "mean velocity", range, l->of_the_paper, same, text);
+  struct scallop_crawler equal = with_ratio(l, 1);
+  double at_1 = fabs(steady(&equal).mean_velocity) * equal.T / equal.L;
+  snprintf(text, sizeof text, "|mean velocity| T/L at F1/F2 = 1: %s", at_1 <= ZERO ? "below 1e-14" : "above 1e-14");
+  enter(l, "mean_velocity_vanishes_at_ratio_1", "4", "mean velocity", whose(l), l->of_the_paper, at_1 <= ZERO, text);
+  struct scallop_crawler c100 = with_ratio(l, 100), c10000 = with_ratio(l, 10000), c1000000 = with_ratio(l, 1e6);
+  double far = fabs(steady(&c1000000).mean_velocity) * equal.T / equal.L;
+  snprintf(text, sizeof text, "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: %.3g, %.3g, %.3g", steady(&c100).mean_velocity * equal.T / equal.L,
+           steady(&c10000).mean_velocity * equal.T / equal.L, steady(&c1000000).mean_velocity * equal.T / equal.L);
+  enter(l, "mean_velocity_vanishes_at_large_ratio", "4", "mean velocity", whose(l), l->of_the_paper, far <= ZERO, text);
+}
+
+static void over_alpha(const struct ledger *l)
+{
+  double before = -INFINITY, least_rise = INFINITY, at_least = NAN;
+  char text[120], range[80];
+  snprintf(range, sizeof range, "%s, alpha from 0.50 to 0.99", whose(l));
+  for (int i = 50; i < 100; i++) {
+    struct scallop_crawler c = l->crawler;
+    c.alpha = i / 100.0;
+    double u = steady(&c).mean_velocity * c.T / c.L;
+    if (u - before < least_rise) {
+      least_rise = u - before;
+      at_least = c.alpha;
+    }
+    before = u;
+  }
+  snprintf(text, sizeof text, "least change of mean velocity T/L between alphas 0.01 apart: %.3g at alpha = %.2f", least_rise, at_least);
+  enter(l, "mean_velocity_grows_with_alpha", "4", "mean velocity", range, l->of_the_paper, least_rise > 0, text);
+}
+
+static void over_period(const struct ledger *l)
+{
+  enum { POINTS = 24 };
+  struct order_point points[POINTS];
+  char text[120];
+  for (int k = 0; k < POINTS; k++) {
+    struct scallop_crawler c = l->crawler;
+    c.T = ldexp(c.T, -k);
+    double u = steady(&c).mean_velocity;
+    points[k] = (struct order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
+  }
+  struct order_fit fit = order_estimate(points, POINTS);
+  bool holds = fit.state == ORDER_FITTED && fabs(fit.order + 1) <= 0.02;
+  struct claim_row row = { .claim = "mean_velocity_goes_as_1_over_T", .equation = "3.3.3", .quantity = "mean velocity",
+                           .gait = l->crawler.gait->name, .conditions = whose(l), .inside = l->of_the_paper,
+                           .claimed_order = -1, .fit = fit, .verdict = holds ? CLAIM_HOLDS : CLAIM_REFUTED };
+  snprintf(text, sizeof text, "mean velocity ~ T^%.3f", fit.order);
+  snprintf(row.measured, sizeof row.measured, "%s", text);
+  l->sink(l->context, &row);
+}
 
 void claims_in_words(const struct scallop_crawler *crawler, claim_sink *sink, void *context)
 {
-  (void)crawler, (void)sink, (void)context;
+  struct ledger l = { .sink = sink, .context = context };
+  for (int g = 0; scallop_gait_name(g); g++) {
+    l.crawler.gait = scallop_gait_named(scallop_gait_name(g));
+    over_random_crawlers(&l);
+    for (int paper = 1; paper >= 0; paper--) {
+      const struct scallop_gait *gait = l.crawler.gait;
+      l.crawler = paper ? scallop_crawler_default() : *crawler;
+      l.crawler.gait = gait;
+      l.of_the_paper = paper;
+      over_durations(&l);
+      over_force_ratio(&l);
+      over_alpha(&l);
+      over_period(&l);
+    }
+  }
 }

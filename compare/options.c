@@ -114,6 +114,7 @@ static const char *set_number(struct options *o, const char *name, const char *t
     return not_allowed(text, positive ? "a finite number > 0" : "a finite number");
   *field = value;
   o->has_expect |= field == &o->expect;
+  o->has_v0 |= field == &o->v0;
   return NULL;
 }
 

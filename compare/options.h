@@ -25,7 +25,7 @@ struct options {
   long digits;                  /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  bool has_expect, quiet;
+  bool has_expect, has_v0, quiet;
   bool has_parameter;           /* any of the crawler's parameters was given                       */
 };
 

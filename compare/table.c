@@ -116,6 +116,8 @@ void table_rounded(struct table *t, double value, const char *format)
 {
   char text[40];
   snprintf(text, sizeof text, format, value);
+  if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
+    memmove(text, text + 1, strlen(text));
   begin_cell(t);
   if (t->options->format == FORMAT_JSON && !isfinite(value))
     fputs("null", t->file);

@@ -66,9 +66,12 @@ enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct 
     .delta = (crawler->F1 - crawler->F2) / F,
     .eps = (crawler->T / crawler->L) * (F / M * crawler->T),
     .fraction = { crawler->alpha, 1 - crawler->alpha },
+    .velocity = crawler->L / crawler->T,
     .gait = crawler->gait,
   };
-  const double must_be_normal[] = { s.mu1, s.mu2, s.f1, s.f2, s.eps };
+  double a = s.fraction[SCALLOP_EXTENSION], b = s.fraction[SCALLOP_CONTRACTION];
+  const double must_be_normal[] = { s.mu1, s.mu2, s.f1, s.f2, s.eps, s.eps * (a * a), s.eps * (b * b),
+                                    s.velocity, s.velocity / a, s.velocity / b };
   for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
     if (!isnormal(must_be_normal[i]))
       return SCALLOP_ERANGE;

@@ -118,10 +118,12 @@ struct scallop_scaled {
   double delta;            /* (F1 - F2)/(F1 + F2)                                   */
   double eps;              /* T^2 (F1 + F2)/(M L) = 1/Froude                        */
   double fraction[2];      /* alpha, 1 - alpha                                      */
+  double velocity;         /* L/T                                                   */
   const struct scallop_gait *gait;
 };
 
-/* SCALLOP_EDOMAIN as scallop_crawler_check; SCALLOP_ERANGE if eps or a ratio is not a normal number. */
+/* SCALLOP_EDOMAIN as scallop_crawler_check; SCALLOP_ERANGE if eps, a ratio or a velocity, also
+ * those of either phase alone, is not a normal number. */
 enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled);
 
 /* The paper's kinematic length, section 3.3.3: l_0 l_T / (2 (l_T - l_0)), for amplitude L.

@@ -80,6 +80,7 @@ static void advance(struct walk *w, double u, double c, double x)
     struct scallop_mode mode = mode_now(w);
     bool from_start = w->piece->anchor == SCALLOP_FROM_START;
     note_mode(w->out, mode, from_start ? w->u : 1 - w->u, from_start ? 1 - w->u : w->u);
+    w->out->sticks |= mode.s1 == 0 || mode.s2 == 0;
     w->out->never_moved[0] &= mode.s1 == 0;
     w->out->never_moved[1] &= mode.s2 == 0;
     if (w->visit) {
@@ -116,7 +117,7 @@ static void meet(struct walk *w, int j)
     return;
   if (to < 0) {
     w->stuck = j;
-    w->out->stuck = true;
+    w->out->forgets = true;
     return;
   }
   /* the flow is sheared: d c_after / d c_before = (slope[to] - along)/(slope[from] - along) = 1 + eps x */
@@ -126,7 +127,10 @@ static void meet(struct walk *w, int j)
   w->region = to;
 }
 
-/* ---- the next curve met in a region ---- */
+/* ---- the next curve met in a region ----
+ *
+ * A curve that is touched and not crossed splits the derivative of the map. The one from the right is
+ * kept: a touch counts from below, where a slightly larger c would cross, and not from above. */
 
 struct gap {               /* distance of c to curve j, positive inside the region; grows with time by .slope */
   const struct walk *walk;
@@ -154,7 +158,8 @@ static bool straight_contact(const struct gap *g, double *u)
   *u = w->sense * (g->c_anchor - w->curve[g->j] * p->direction * p->velocity) / (along - g->c_slope);
   if (w->sense * (*u - w->u) < 0)
     *u = w->u;
-  return w->sense * (p->end - *u) >= 0;
+  double left = w->sense * (p->end - *u);
+  return left > 0 || (left == 0 && g->side < 0);
 }
 
 /* The same where l' is curved. d gap/dt is monotone because l'' is; so the gap has at most one
@@ -178,7 +183,8 @@ static bool curved_contact(const struct gap *g, double *u)
       turn = falls_now ? end : from; /* it is within rounding of that end */
     *(falls_now ? &to : &from) = turn;
   }
-  if ((to == end ? gap_end : gap_value(g, to, NULL)) > 0)
+  double closest = to == end ? gap_end : gap_value(g, to, NULL);
+  if (closest > 0 || (closest == 0 && g->side > 0))
     return false;
   if (gap_value(g, from, NULL) <= 0) {
     *u = from;
@@ -286,7 +292,7 @@ void motion_solve(const struct motion_input *input, double c0, struct motion *mo
                   scallop_visitor *visit, void *context)
 {
   motion->travel = motion->extra_impulse = motion->slope = 0;
-  motion->stuck = false;
+  motion->sticks = motion->forgets = false;
   motion->never_moved[0] = motion->never_moved[1] = true;
   motion->first_switch = motion->last_switch = NAN;
   motion->modes.count = 0;

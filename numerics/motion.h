@@ -16,8 +16,9 @@ struct motion {
   double travel;            /* integral of c                                                            */
   double extra_impulse;     /* integral of c'/eps - (its value with the bodies in opposite motion,
                                delta sgn l'): zero where nothing but the stronger driving body matters  */
-  double slope;             /* (d c_end / d c_0 - 1)/eps, from the right; meaningless once `stuck`      */
-  bool stuck;               /* a body was stuck for some time: d c_end / d c_0 = 0                      */
+  double slope;             /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets     */
+  bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
+  bool sticks;              /* a body is stuck for some time                                            */
   bool never_moved[2];      /* body 1, body 2 stuck throughout                                          */
   double first_switch;      /* from the start; nan if none                                              */
   double last_switch;       /* back from the end; nan if none                                           */

@@ -23,7 +23,7 @@ void period_solve(const struct scallop_scaled *s, double c_start, struct period 
   motion_solve(&contraction, period->c_mid * b, c, NULL, NULL);
   period->c_end = c->c_end / b;
   period->travel = e->travel + c->travel;
-  period->stuck = e->stuck || c->stuck;
+  period->forgets = e->forgets || c->forgets;
   double driven = s->delta * net_extending_time(s);
   double from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
   period->balance = driven + from_e + from_c;
@@ -35,8 +35,8 @@ void period_solve(const struct scallop_scaled *s, double c_start, struct period 
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled,
                    const struct period *p, struct scallop_period_result *result)
 {
-  double unit = crawler->L / crawler->T;
-  bool at_rest = false;
+  double unit = scaled->velocity;
+  bool at_rest = false, sticks = p->phase[0].sticks || p->phase[1].sticks;
   for (int body = 0; body < 2; body++)
     at_rest |= p->phase[0].never_moved[body] && p->phase[1].never_moved[body];
   *result = (struct scallop_period_result){
@@ -44,9 +44,9 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
     .v_mid = p->c_mid * unit,
     .v_end = p->c_end * unit,
     .displacement = p->travel * crawler->L,
-    .multiplier = p->stuck ? 0 : 1 + scaled->eps * p->balance_slope,
-    .balance = p->stuck ? (p->c_end - p->c_start) / scaled->eps : p->balance,
-    .regime = at_rest ? SCALLOP_AT_REST : p->stuck ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING,
+    .multiplier = p->forgets ? 0 : 1 + scaled->eps * p->balance_slope,
+    .balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance,
+    .regime = at_rest ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING,
     .modes = { p->phase[0].modes, p->phase[1].modes },
   };
 }
@@ -58,7 +58,7 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   enum scallop_status status = scallop_scale(crawler, &scaled);
   if (status != SCALLOP_OK)
     return status;
-  double c_start = v0 / (crawler->L / crawler->T);
+  double c_start = v0 / scaled.velocity;
   if (!isfinite(v0))
     return SCALLOP_EDOMAIN;
   if (!isfinite(c_start) || (c_start == 0 && v0 != 0))

@@ -9,8 +9,8 @@ struct period {
   double travel;                 /* of the centre of mass, in L                                       */
   double balance;                /* (c_end - c_start)/eps, formed without that subtraction            */
   double noise;                  /* what rounding can do to balance                                   */
-  double balance_slope;          /* d balance / d c_start <= 0, unless stuck                          */
-  bool stuck;
+  double balance_slope;          /* d balance / d c_start <= 0, unless it forgets                         */
+  bool forgets;                  /* a body was stuck: c_end does not depend on c_start */
   struct motion phase[2];
 };
 

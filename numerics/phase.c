@@ -41,11 +41,9 @@ static enum scallop_status run(const struct scallop_crawler *crawler, enum scall
     return SCALLOP_EDOMAIN;
   *unit = crawler->L / scallop_phase_duration(crawler, kind);
   double c0 = v0 / *unit;
-  if (!isnormal(*unit) || !isfinite(c0) || (c0 == 0 && v0 != 0))
+  if (!isfinite(c0) || (c0 == 0 && v0 != 0))
     return SCALLOP_ERANGE;
   struct motion_input input = motion_input_of(scaled, kind);
-  if (!isnormal(input.eps))
-    return SCALLOP_ERANGE;
   motion_solve(&input, c0, motion, visit, context);
   return SCALLOP_OK;
 }
@@ -76,7 +74,7 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
     .dx2 = (motion.travel + scaled.mu1 * stroke) * crawler->L,
     .dxC = (motion.travel + 0.5 * scaled.mu_difference * stroke) * crawler->L,
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
-              : motion.stuck                                 ? SCALLOP_STICK_SLIP
+              : motion.sticks                                 ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,
     .modes = motion.modes,
   };

@@ -1,5 +1,6 @@
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
 #include "numerics/period.h"
 
@@ -30,42 +31,59 @@ static double first_guess(const struct scallop_scaled *s)
   return driven / (driven > 0 ? forward : backward);
 }
 
-/* The balance is 0 at c without contraction: find the ends of the interval on which it is. */
-static struct bracket zero_interval(const struct scallop_scaled *s, struct bracket outside, double c)
+/* No contraction, and a balance of nothing but rounding: c lies in an interval of steady states. Only
+ * where l' jumps over 0 can c pass a whole period without being sheared by a curve (docs/theory.md). */
+static bool flat(const struct scallop_scaled *s, double c)
 {
-  struct bracket inside = { c, c };
   struct period p;
-  for (double mid; (mid = outside.lo + (inside.lo - outside.lo) / 2) > outside.lo && mid < inside.lo;) {
-    period_solve(s, mid, &p);
-    *(p.balance == 0 ? &inside.lo : &outside.lo) = mid;
-  }
-  for (double mid; (mid = inside.hi + (outside.hi - inside.hi) / 2) > inside.hi && mid < outside.hi;) {
-    period_solve(s, mid, &p);
-    *(p.balance == 0 ? &inside.hi : &outside.hi) = mid;
-  }
+  period_solve(s, c, &p);
+  return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
+}
+
+static bool has_jump(const struct scallop_scaled *s)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < s->gait->phase[kind].count; i++)
+      if (s->gait->phase[kind].pieces[i].jump)
+        return true;
+  return false;
+}
+
+/* The end, on the side of outside, of the flat stretch that holds inside. */
+static double flat_end(const struct scallop_scaled *s, double inside, double outside)
+{
+  for (double mid; (mid = inside + (outside - inside) / 2) != inside && mid != outside;)
+    *(flat(s, mid) ? &inside : &outside) = mid;
   return inside;
+}
+
+/* The steady states around the root c: c itself, or the interval that it belongs to, perhaps as its end. */
+static struct bracket steady_states(const struct scallop_scaled *s, double c)
+{
+  struct bracket all = surely(s);
+  double step = ldexp(all.hi - all.lo, -40);
+  const double near[] = { c, c - step, c + step };
+  for (int i = 0; has_jump(s) && i < 3; i++)
+    if (flat(s, near[i]))
+      return (struct bracket){ flat_end(s, near[i], all.lo), flat_end(s, near[i], all.hi) };
+  return (struct bracket){ c, c };
 }
 
 /* Newton's method on the balance, kept inside a bracket that is halved when Newton is slow. Once a
  * body has been stuck the map forgets where it began, and its value is the next guess. */
-static enum scallop_status find_root(const struct scallop_scaled *s, struct period *p, struct bracket *at)
+static enum scallop_status find_root(const struct scallop_scaled *s, struct period *p)
 {
   struct bracket b = surely(s);
-  double c = fmin(fmax(first_guess(s), b.lo), b.hi), width = b.hi - b.lo;
-  if (isnan(c))
-    c = 0;
+  double c = first_guess(s), width = b.hi - b.lo;
+  c = isnan(c) ? 0 : fmin(fmax(c, b.lo), b.hi);
   for (int i = 0; i < STEPS; i++) {
     period_solve(s, c, p);
-    double balance = p->stuck ? p->c_end - c : p->balance;
-    *at = (struct bracket){ c, c };
-    if (balance == 0) {
-      if (!p->stuck && p->balance_slope == 0)
-        *at = zero_interval(s, b, c);
+    double balance = p->forgets ? p->c_end - c : p->balance;
+    if (balance == 0 || (!p->forgets && p->balance_slope == 0 && fabs(balance) <= p->noise))
       return SCALLOP_OK;
-    }
     *(balance > 0 ? &b.lo : &b.hi) = c;
-    double next = p->stuck ? p->c_end : c - balance / p->balance_slope;
-    bool last = !p->stuck && (fabs(balance) <= p->noise || fabs(next - c) <= 2 * DBL_EPSILON * fabs(c));
+    double next = p->forgets ? p->c_end : c - balance / p->balance_slope;
+    bool last = !p->forgets && (fabs(balance) <= p->noise || fabs(next - c) <= 2 * DBL_EPSILON * fabs(c));
     if (!(next >= b.lo && next <= b.hi))
       next = b.lo + (b.hi - b.lo) / 2;
     if (i % 4 == 3) {
@@ -74,7 +92,6 @@ static enum scallop_status find_root(const struct scallop_scaled *s, struct peri
       width = b.hi - b.lo;
     }
     if (last || next == c || (i > 8 && (next == b.lo || next == b.hi))) {
-      *at = (struct bracket){ next, next };
       period_solve(s, next, p);
       return SCALLOP_OK;
     }
@@ -91,15 +108,13 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   enum scallop_status status = scallop_scale(crawler, &scaled);
   if (status != SCALLOP_OK)
     return status;
-  double unit = crawler->L / crawler->T;
-  if (!isnormal(unit))
-    return SCALLOP_ERANGE;
-  status = find_root(&scaled, &period, &at);
+  status = find_root(&scaled, &period);
   if (status != SCALLOP_OK)
     return status;
+  at = steady_states(&scaled, period.c_start);
   if (at.lo < at.hi)
     period_solve(&scaled, fmin(fmax(0, at.lo), at.hi), &period);
-  struct scallop_steady_result answer = { .froude = 1 / scaled.eps, .v_low = at.lo * unit, .v_high = at.hi * unit };
+  struct scallop_steady_result answer = { .froude = 1 / scaled.eps, .v_low = at.lo * scaled.velocity, .v_high = at.hi * scaled.velocity };
   period_result(crawler, &scaled, &period, &answer.period);
   answer.mean_velocity = answer.period.displacement / crawler->T;
   if (!isfinite(answer.mean_velocity))

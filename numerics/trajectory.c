@@ -76,7 +76,7 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     return status;
   if (!isfinite(v0) || periods < 1 || samples < 1)
     return SCALLOP_EDOMAIN;
-  double unit = crawler->L / crawler->T;
+  double unit = scaled.velocity;
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 };
   if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
     return SCALLOP_ERANGE;
@@ -98,7 +98,7 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
       motion_solve(&input[kind], entry[kind] * scaled.fraction[kind], &again, record, &r);
       add(&x, again.travel);
     }
-    if (p.stuck)
+    if (p.forgets)
       c = (struct sum){ p.c_end, 0 };
     else
       add(&c, scaled.eps * p.balance);

@@ -30,5 +30,12 @@ done
 for script in tests/cli_*.sh; do
   [ -e "$script" ] && run "$(basename "$script")" sh "$script" "$build/scallop"
 done
+same_tables() {
+  sh scripts/tables.sh "$build/scallop" "$build/tables" && for table in data/*.tsv; do
+    cmp "$table" "$build/tables/$(basename "$table")" || return 1
+  done
+}
+run "data/ is what the tool writes" same_tables
+run "reference table, every 40th row" /usr/bin/python3 scripts/reference.py --check tests/reference.tsv --every 40
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

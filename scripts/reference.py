@@ -1,18 +1,17 @@
 #!/usr/bin/python3
 """Reference values, 40 digits each, for the two-body crawler with dry friction.
 
-Model.  Bodies 1 and 2 have masses m1, m2 and Coulomb friction forces F1, F2
-(the same in both directions, static equal to sliding).  Their separation
-l(t) = x2 - x1 is prescribed with period T: it grows from 0 to L during the
-extension, of duration alpha*T, and returns to 0 during the contraction, of
-duration (1 - alpha)*T.  With tau the duration of such a phase and sg = +1
-(extension) or -1 (contraction) the two gaits are
+Model.  Bodies 1 and 2 have masses m1, m2 and Coulomb friction forces F1, F2 (equal
+in both directions, static equal to sliding).  Their separation l(t) = x2 - x1 has
+period T: it grows from 0 to L during the extension, of duration alpha*T, and falls
+to 0 during the contraction, of duration (1 - alpha)*T.  With tau the duration of
+such a phase and sg = +1 (extension) or -1 (contraction) the two gaits are
 
     quadratic:   l'' = sg*4L/tau^2 in the first half, -sg*4L/tau^2 in the second;
     sinusoidal:  l'  = sg*(L/2)(pi/tau) sin(pi t/tau).
 
-Let M = m1 + m2, let c be the velocity of the centre of mass, and let
-b1 = -m2/M, b2 = m1/M.  Then v_i = c + b_i l', and
+Let M = m1 + m2, c the velocity of the centre of mass, b1 = -m2/M and b2 = m1/M.
+Then v_i = c + b_i l', and
 
     both slide:    c' = -(F1 s1 + F2 s2)/M with s_i = sgn(v_i);
     body i rests:  c = -b_i l', while |h_i| <= F_i, where
@@ -21,21 +20,19 @@ b1 = -m2/M, b2 = m1/M.  Then v_i = c + b_i l', and
 A body whose velocity reaches zero stays at rest if |h_i| <= F_i, and otherwise
 moves on in the direction of h_i; so does a resting body when |h_i| exceeds F_i.
 
-Method.  Everything is computed with 120 decimal digits in ordinary laboratory
-variables, by following the motion from one event to the next.  While both bodies
-slide, v_i is monotone between the times where its acceleration vanishes; these
-times are known, so a monotone stretch holds at most one zero of v_i and none can
-be missed.  The steady motion is the fixed point of the period map P.  P(v) - v
-does not increase with v, so the root is bracketed, and the bracket is checked.
+Method.  All is computed with 120 digits in plain laboratory variables, following
+the motion from event to event.  While both bodies slide, v_i is monotone between
+the known times where its acceleration vanishes; so each such stretch holds at most
+one zero of v_i and none is missed.  The steady motion is the fixed point of the
+period map P.  As P(v) - v does not increase with v, its root can be bracketed.
 
-Columns.  Inputs; for a single phase started with velocity v0: the time t1 of the
-first change of mode after the start, the time dT from the last change to the end,
-the end velocity, and the displacement dxC of (x1 + x2)/2; for the steady motion:
-the velocities at the start and at the end of the extension, and the displacement
-per period; then the modes, written as the signs of v1 and v2 (0: at rest).
-cond_q is the sum over the inputs p of |p dq/dp|, not divided by q.  Every input
-is changed by the relative amount 1e-30 to either side, and the larger effect
-counts.  A value near 1e30 times the size of q, or inf, means that q jumps here.
+Columns.  Inputs; for a phase started with velocity v0: time t1 of the first change
+of mode, time dT from the last change to the end, end velocity, displacement dxC of
+(x1 + x2)/2; for the steady motion: velocity at the start and end of the extension,
+displacement per period; the modes, that is the signs of v1 and v2 (0: at rest).
+cond_q is the sum over the inputs p of |p dq/dp|, not divided by q: each input is
+changed by 1e-30 of itself to both sides and the larger effect counts.  A value near
+1e30 times the size of q, or inf, means that q jumps here.
 
 Usage:  reference.py                          print the whole table
         reference.py --check FILE --every N   recompute every N-th row of FILE
@@ -64,39 +61,29 @@ COLUMNS = (LABELS[:3] + INPUTS[:7] + ("phase", "v0") + OUTPUTS + ("modes",)
 
 class QuadraticPiece:
     """One half of a quadratic phase: l'' is constant."""
-
     def __init__(self, sg, L, tau, second):
         self.acc = sg * 4 * L / tau ** 2 * (-1 if second else 1)
         self.end = tau if second else tau / 2
         self.zero = tau if second else mpf(0)         # where l' vanishes
-
     def rate(self, t):
         return self.acc * (t - self.zero)
-
     def accel(self, t):
         return self.acc
-
     def change(self, t, u):
         return self.acc * ((u - self.zero) ** 2 - (t - self.zero) ** 2) / 2
-
     def times_of_accel(self, a):
         return []
 
 class SinePiece:
     """A whole sinusoidal phase."""
-
     def __init__(self, sg, L, tau):
         self.end, self.w, self.half = tau, mp.pi / tau, sg * L / 2
-
     def rate(self, t):
         return self.half * self.w * mp.sin(self.w * t)
-
     def accel(self, t):
         return self.half * self.w ** 2 * mp.cos(self.w * t)
-
     def change(self, t, u):
         return self.half * (mp.cos(self.w * t) - mp.cos(self.w * u))
-
     def times_of_accel(self, a):
         cosine = a / (self.half * self.w ** 2)
         return [mp.acos(cosine) / self.w] if abs(cosine) <= 1 else []
@@ -117,7 +104,6 @@ def monotone_root(f, slope, lo, hi, tol):
 
 class Phase:
     """The motion during one phase that starts with the velocity v0."""
-
     def __init__(self, p, gait, sg, v0):
         self.sg, self.F, self.M = sg, (p["F1"], p["F2"]), p["m1"] + p["m2"]
         self.b = (-p["m2"] / self.M, p["m1"] / self.M)
@@ -131,6 +117,7 @@ class Phase:
         self.modes = [self.mode]
         for piece in pieces:
             self.march(piece)
+        self.text = " ".join("-0+"[i + 1] + "-0+"[j + 1] for i, j in self.modes)
         self.v_end = self.c if abs(self.c) > self.tiny else mpf(0)
         self.t1 = self.changes[0] if self.changes else mp.nan
         self.dT = self.tau - self.changes[-1] if self.changes else mp.nan
@@ -172,30 +159,28 @@ class Phase:
 
     def advance(self, piece, t):
         dl, h = piece.change(self.t, t), t - self.t
-        if 0 in self.mode:                       # one body stays, the other moves dl
-            i = self.mode.index(0)
-            self.dxC += (self.b[1 - i] - self.b[i]) * dl / 2
-            self.c = -self.b[i] * piece.rate(t)
+        if 0 in self.mode:
+            b = self.b[self.mode.index(0)]
+            shift, self.c = -b * dl, -b * piece.rate(t)
         else:
             a = self.drag()
-            dx = [self.c * h - a * h ** 2 / 2 + b * dl for b in self.b]
-            self.dxC += (dx[0] + dx[1]) / 2
-            self.c -= a * h
+            shift, self.c = self.c * h - a * h ** 2 / 2, self.c - a * h
+        self.dxC += shift + (self.b[0] + self.b[1]) / 2 * dl
         self.t = t
 
     def release(self, piece):
         """Next time at which the force needed to hold the resting body is F_i."""
         i = self.mode.index(0)
         other = self.F[1 - i] * self.mode[1 - i]
-        times = [t for limit in (self.F[i], -self.F[i])
+        found = [(t, i) for limit in (self.F[i], -self.F[i])
                  for t in piece.times_of_accel((limit + other) / (self.M * self.b[i]))
                  if self.t < t < piece.end]
-        return (min(times), i) if times else (piece.end, None)
+        return min(found, default=(piece.end, None))
 
     def stop(self, piece):
         """Next time at which a sliding body comes to zero velocity."""
         found = [(t, i) for i in (0, 1) for t in self.zeros(piece, i)]
-        return min(found) if found else (piece.end, None)
+        return min(found, default=(piece.end, None))
 
     def zeros(self, piece, i):
         """The first zero of v_i, if there is one, as a list."""
@@ -203,7 +188,6 @@ class Phase:
 
         def speed(t):
             return s * (c0 - a * (t - t0) + b * piece.rate(t))
-
         def slope(t):
             return s * (b * piece.accel(t) - a)
 
@@ -228,28 +212,21 @@ def bracket(g, v, width):
     return min(u, v), max(u, v)
 
 def bracketed_root(g, a, b, tol):
-    """Illinois method; one step in four bisects if the bracket shrinks slowly."""
-    ga, gb, x, kept, width = g(a), g(b), a, 0, b - a
-    for k in range(1, 1000):
-        if ga == 0 or gb == 0:
-            return a if ga == 0 else b
-        new = (a * gb - b * ga) / (gb - ga)
-        if k % 4 == 0:
-            new, width = ((a + b) / 2 if 2 * (b - a) > width else new), b - a
-        if abs(new - x) <= tol or b - a <= tol:
-            return new
-        x, gx = new, g(new)
-        if gx >= 0:
-            a, ga, gb, kept = x, gx, (gb / 2 if kept > 0 else gb), 1
-        else:
-            b, gb, ga, kept = x, gx, (ga / 2 if kept < 0 else ga), -1
-    raise ArithmeticError("no convergence in bracketed_root")
+    """Ridders' method, each step of which at least halves the bracket."""
+    ga, gb, x, last = g(a), g(b), a, b
+    while ga > 0 > gb and abs(x - last) > tol:
+        m = (a + b) / 2
+        gm = g(m)
+        last, x = x, m + (m - a) * gm / mp.sqrt(gm ** 2 - ga * gb)
+        points = [(a, ga), (m, gm), (x, g(x)), (b, gb)]
+        a, ga = max(point for point in points if point[1] >= 0)
+        b, gb = min(point for point in points if point[1] <= 0)
+    return a if ga == 0 else b if gb == 0 else x
 
 def steady(p, gait, guess):
     """Start velocity of the steady motion; guess is close to it, or None."""
     def g(v):
         return period(p, gait, v)[1].v_end - v
-
     unit = p["L"] / p["T"]
     a, b = bracket(g, guess or mpf(0), unit * (1 if guess is None else mpf(10) ** -25))
     v = bracketed_root(g, a, b, unit * mpf(10) ** -95)
@@ -258,23 +235,21 @@ def steady(p, gait, guess):
         raise ArithmeticError("the steady state is not bracketed")
     return v
 
-def mode_text(phase):
-    return " ".join("".join("-0+"[s + 1] for s in mode) for mode in phase.modes)
+def exact_inputs(case):
+    return {n: mpf(case[n]) for n in INPUTS if n in case}
 
 def outputs(case, p, guess=None):
     """Outputs of a case, and its modes, with the inputs p."""
     if case["kind"] == "phase":
         run = Phase(p, case["gait"], 1 if case["phase"] == "ext" else -1, p["v0"])
-        return {q: getattr(run, q) for q in PHASE_OUT}, mode_text(run)
+        return {q: getattr(run, q) for q in PHASE_OUT}, run.text
     v = steady(p, case["gait"], guess)
     ext, con = period(p, case["gait"], v)
     values = {"v_start": v, "v_mid": ext.v_end, "displacement": ext.dxC + con.dxC}
-    return values, mode_text(ext) + " | " + mode_text(con)
+    return values, ext.text + " | " + con.text
 
 def difference(x, y):
-    if mp.isnan(x) or mp.isnan(y):
-        return mpf(0) if mp.isnan(x) and mp.isnan(y) else mp.inf
-    return abs(x - y)
+    return (abs(x - y), mp.inf, mpf(0))[mp.isnan(x) + mp.isnan(y)]
 
 def conditions(case, p, values):
     """Sum over the inputs of |p dq/dp|, for every output q."""
@@ -287,17 +262,13 @@ def conditions(case, p, values):
     return total
 
 def unit_of(q, p):
-    if q in ("t1", "dT"):
-        return p["T"]
-    return p["L"] if q in ("dxC", "displacement") else p["L"] / p["T"]
+    return p["L"] / p["T"] if q[0] == "v" else p["T"] if q in ("t1", "dT") else p["L"]
 
 def digits(x, n, zero):
-    if mp.isnan(x) or mp.isinf(x):
-        return "nan" if mp.isnan(x) else "inf"
-    return "0" if abs(x) < zero else mp.nstr(x, n, strip_zeros=False)
+    return "0" if abs(x) < zero else mp.nstr(x, n, strip_zeros=False).lstrip("+")
 
 def row_text(case):
-    p = {n: mpf(case[n]) for n in INPUTS if n in case}
+    p = exact_inputs(case)
     values, modes = outputs(case, p)
     cond = conditions(case, p, values)
     fields = {n: case[n] for n in LABELS if n in case}
@@ -318,42 +289,35 @@ DEFAULT = dict(m1=1.0, m2=1.0, F1=4.0, F2=1.0, L=10.0, T=1.0, alpha=0.75)
 def spread(rng, lo, hi):
     return math.exp(rng.uniform(math.log(lo), math.log(hi)))
 
-def near_one(rng):
-    return 1 + rng.choice((-1, 1)) * 10.0 ** -rng.randint(1, 12)
-
 def draw_inputs(rng, family):
+    near = [1 + rng.choice((-1, 1)) * 10.0 ** -rng.randint(1, 12) for _ in (0, 1)]
+    near = near if family.startswith("near") else (1, 1)
     c = {n: spread(rng, 0.3, 3.0) for n in ("m1", "m2", "F1", "F2")}
     c.update(L=rng.uniform(1, 20), T=spread(rng, 0.05, 3), alpha=rng.uniform(0.1, 0.9))
     if family in ("mass-ratio", "mass-force-ratio"):
         c["m1"] = c["m2"] * spread(rng, 1e-6, 1e6)
     if family in ("force-ratio", "mass-force-ratio"):
         c["F1"] = c["F2"] * spread(rng, 1e-6, 1e6)
-    if family in ("near-equal-F", "near-symmetric"):
-        c["F1"] = c["F2"] * near_one(rng)
-    if family in ("near-half-alpha", "near-symmetric"):
-        c["alpha"] = near_one(rng) / 2
-    if family in ("equal-F", "symmetric"):
-        c["F1"] = c["F2"]
-    if family in ("half-alpha", "symmetric"):
-        c["alpha"] = 0.5
+    if family in ("near-equal-F", "near-symmetric", "equal-F", "symmetric"):
+        c["F1"] = c["F2"] * near[0]
+    if family in ("near-half-alpha", "near-symmetric", "half-alpha", "symmetric"):
+        c["alpha"] = 0.5 * near[1]
     if family == "small-T":
         c["T"] = spread(rng, 1e-8, 1e-2)
     if family == "edge-alpha":
         small = spread(rng, 1e-4, 1e-2)
         c["alpha"] = rng.choice((1e-4, 1 - 1e-4, small, 1 - small))
     if family == "stick-slip":                 # T^2 (F1 + F2)/(M L) from 1 to 60
-        c["T"] = math.sqrt(spread(rng, 1, 60) * (c["m1"] + c["m2"]) * c["L"]
-                           / (c["F1"] + c["F2"]))
+        unit = math.sqrt((c["m1"] + c["m2"]) * c["L"] / (c["F1"] + c["F2"]))
+        c["T"] = unit * math.sqrt(spread(rng, 1, 60))
     return c
 
 def draw_velocity(rng, c, k):
     tau = c["T"] * (c["alpha"] if c["phase"] == "ext" else 1 - c["alpha"])
-    sign = rng.choice((-1, 1))
-    if k % 6 == 0:
-        return 0.0
+    size = spread(rng, *((1e-6, 0.1) if k % 3 == 1 else (0.1, 3))) * c["L"] / tau
     if c["family"] == "small-T" and k % 3 == 1:
-        return sign * spread(rng, 0.1, 10)
-    return sign * spread(rng, *((1e-6, 1e-1) if k % 3 == 1 else (0.1, 3))) * c["L"] / tau
+        size = spread(rng, 0.1, 10)
+    return rng.choice((-1, 1)) * size if k % 6 else 0.0
 
 def draw_case(rng, family, kind, gait, k):
     """Odd cases of the stick-slip family are drawn until body 1 or 2, in turn,
@@ -364,9 +328,8 @@ def draw_case(rng, family, kind, gait, k):
         if kind == "phase":
             c["phase"] = rng.choice(("ext", "con"))
             c["v0"] = draw_velocity(rng, c, k)
-        if family != "stick-slip" or k % 2 == 0:
-            return c
-        if re.search(wanted, outputs(c, {n: mpf(c[n]) for n in INPUTS if n in c})[1]):
+        free = family != "stick-slip" or k % 2 == 0
+        if free or re.search(wanted, outputs(c, exact_inputs(c))[1]):
             return c
 
 def all_cases():
@@ -380,8 +343,7 @@ def all_cases():
     return cases
 
 def compute(cases):
-    values, _ = outputs(dict(kind="steady", gait="quadratic"),
-                        {n: mpf(x) for n, x in DEFAULT.items()})
+    values, _ = outputs(dict(kind="steady", gait="quadratic"), exact_inputs(DEFAULT))
     assert abs(values["v_start"] - mpf("3.016620657688953")) < 1e-15
     assert abs(values["displacement"] - mpf("3.241212215329884")) < 1e-15
     with multiprocessing.Pool(2) as pool:
@@ -407,26 +369,19 @@ def check(name, every):
         header, *rows = [x.rstrip("\n") for x in f if not x.startswith("#")]
     if header != "\t".join(COLUMNS) or not rows:
         sys.exit("%s: not the expected header row, or no data" % name)
+    if any(row.count("\t") != header.count("\t") for row in rows):
+        sys.exit("%s: a row has the wrong number of columns" % name)
     rows = rows[::every]
     for old, new in zip(rows, compute([case_of(row) for row in rows])):
         for column, x, y in zip(COLUMNS, old.split("\t"), new.split("\t")):
             if x != y:
                 sys.exit("%s: %s is %s but should be %s in the row\n%s"
                          % (name, column, x, y, old))
-        if old != new:
-            sys.exit("%s: wrong number of columns in the row\n%s" % (name, old))
     print("%d rows agree" % len(rows))
 
-def main():
+if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", metavar="FILE")
     parser.add_argument("--every", metavar="N", type=int, default=1)
     args = parser.parse_args()
-    if args.check:
-        check(args.check, max(args.every, 1))
-    else:
-        print_table()
-
-
-if __name__ == "__main__":
-    main()
+    check(args.check, max(args.every, 1)) if args.check else print_table()

@@ -11,7 +11,7 @@
 
 #include "numerics/numerics.h"
 
-enum { COLUMNS = 27, LINE = 4096, QUANTITIES = 7, BOUND = 4 };
+enum { COLUMNS = 27, LINE = 4096, QUANTITIES = 7, BOUND = 16 };
 
 struct row {
   char text[LINE];

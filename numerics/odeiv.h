@@ -1,0 +1,54 @@
+/* The general-purpose rival: one period of the crawler by a library ODE solver, GSL's odeiv2, with
+ * adaptive steps and with the changes of mode located on the way. It is what a careful user would
+ * write who has the equation of motion and a good library, and not the exact solver. It is here to be
+ * compared with: the rest of numerics/ never uses it. Unlike the rest it allocates, in
+ * scallop_odeiv_make only. It never prints and holds no state between calls.
+ *
+ *     x1'' = -(m2/M) l'' - (F1 s1 + F2 s2)/M,   x2' = x1' + l'        (the paper, section 2)
+ *
+ * is integrated in (x1, x1') over each smooth piece of the gait. Where a body's velocity is found to
+ * have changed sign, the step is taken again up to the zero (Newton's method on the length of the step,
+ * kept inside a bracket), and the forces decide whether the body reverses, goes on or sticks. The motion
+ * of a stuck body needs no integration: x1' = 0, or x1' = -l'. */
+#ifndef SCALLOP_ODEIV_H
+#define SCALLOP_ODEIV_H
+
+#include "model/model.h"
+
+/* Embedded Runge-Kutta pairs: Fehlberg 4(5), 6 evaluations a step, and Prince-Dormand 8(9), 13. */
+enum scallop_odeiv_stepper { SCALLOP_ODEIV_RKF45, SCALLOP_ODEIV_RK8PD };
+
+struct scallop_odeiv_result {
+  double v_mid, v_end;      /* velocity of both bodies after the extension and after the contraction */
+  double displacement;      /* of the geometric centre over the period                              */
+  long steps;               /* steps tried: accepted, rejected, and taken again to locate an event   */
+  long evaluations;         /* of the equation of motion                                            */
+  long events;              /* velocities that reached zero, and stuck bodies released              */
+};
+
+/* Everything that needs memory, to be made once and used for any number of periods, by one thread at a
+ * time. make returns NULL if stepper is not one of the list or memory is short; destroy takes NULL. */
+struct scallop_odeiv;
+struct scallop_odeiv *scallop_odeiv_make(enum scallop_odeiv_stepper stepper);
+void scallop_odeiv_destroy(struct scallop_odeiv *odeiv);
+
+/* One period from start velocity v0 of both bodies: extension, then contraction, as scallop_period.
+ * Any consistent units; v0 finite; DBL_EPSILON <= tolerance <= 0.1. The error that each step may make is
+ * tolerance * (1 + |y|), y being x1/L and x1' tau/L (tau the duration of the phase), so the tolerance is
+ * relative to L and L/tau and not to a velocity that passes through zero. Events are located to a
+ * velocity of tolerance/10 or to rounding.
+ * Worst error seen in a velocity: 3.6 tolerance (L/(T min(alpha, 1 - alpha)) + |v|), and T times that
+ * in the displacement; tests/test_odeiv.c holds both to a bound.
+ * SCALLOP_EDOMAIN: a bad crawler, v0 or tolerance. SCALLOP_ERANGE: a scaled quantity or a result over- or
+ * underflows. SCALLOP_ECONVERGE: the step size shrank to nothing, or a million steps were not enough:
+ * the tolerance is too near rounding. *result is untouched on failure. */
+enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler,
+                                      double v0, double tolerance, struct scallop_odeiv_result *result);
+
+/* The same in one call, with make and destroy inside. Also SCALLOP_EDOMAIN for a stepper that is not one
+ * of the list, and SCALLOP_ECONVERGE when memory is short. */
+enum scallop_status scallop_odeiv_period(const struct scallop_crawler *crawler, double v0,
+                                         enum scallop_odeiv_stepper stepper, double tolerance,
+                                         struct scallop_odeiv_result *result);
+
+#endif
