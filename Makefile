@@ -55,6 +55,28 @@ reproduce: setup-plots
 	@$(MAKE) --no-print-directory $(B)/scallop
 	@sh scripts/reproduce.sh $(B)
 
+## bench:      nanoseconds per period and steady state beside GSL's ODE solvers, as ratios of one run
+bench: setup-build
+	@$(MAKE) --no-print-directory $(B)/bench
+	@$(B)/bench
+
+$(B)/bench: $(B)/bench/bench.o $(library)
+	@echo "  LD $@"
+	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+## asan:       the tests under the address and undefined-behaviour sanitizers
+asan:
+	@$(MAKE) --no-print-directory check B=$(B)/asan \
+	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+sources  = $(foreach r,model asymptotics numerics compare tests bench,$(wildcard $(r)/*.c))
+## lint:       clang-tidy, cppcheck and clang-format
+lint:
+	@scripts/setup.sh build tests lint
+	clang-format --dry-run -Werror $(sources) $(foreach r,model asymptotics numerics compare tests,$(wildcard $(r)/*.h))
+	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
+	clang-tidy --quiet $(sources) -- -std=c11 -D_XOPEN_SOURCE=700 -I.
+
 ## clean:      remove build/
 clean:
 	rm -rf $(B)

@@ -136,7 +136,7 @@ static void over_random_crawlers(const struct ledger *l)
   const struct scallop_gait *gait = l->crawler.gait;
   const char *set = "400 quasi-random crawlers, masses and forces within 100:1, sliding to stick-slip";
   char text[120];
-  struct scallop_crawler where;
+  struct scallop_crawler where = scallop_crawler_default();
   double x = largest(equal_forces, gait, &where);
   snprintf(text, sizeof text, "largest |displacement|/L: %s", x <= ZERO ? "below 1e-14" : "above 1e-14");
   enter(l, "equal_forces_do_not_move", "3.1", "displacement", set, true, x <= ZERO, text);

@@ -9,8 +9,10 @@
 static const double ABOVE_NOISE = 100;
 /* The same against a floor that is only seen, not known. */
 static const double ABOVE_FLOOR = 30;
-/* A tail whose overall order is below this, after steeper points, is a floor. */
+/* A tail is a floor if its overall order is below this, or below this share of the steeper orders before it. */
 static const double FLAT = 0.5;
+/* Without an order of at least this anywhere there is no floor to look for. */
+static const double STEEP = 0.1;
 /* Pairwise orders that leave an interval wider than this on either side have not settled. */
 static const double SETTLED = 0.5;
 /* The longest run whose interval is no wider than this on either side is taken, and failing that the narrowest. */
@@ -97,13 +99,14 @@ static void leave_out_floor(struct order_point *points, int count)
   int last = count - 1;
   while (last > 0 && points[last].use != ORDER_USED)
     last--;
-  if (last <= 0 || steep < FLAT)
+  if (last <= 0 || steep < STEEP)
     return;
+  double flat = FLAT * fmin(1, steep);
   int onset = -1, before = -1;
   for (int i = next_used(points, count, 0); i < last; i = next_used(points, count, i + 1)) {
     int j = next_used(points, count, i + 1);
-    bool flat_here = slope_between(&points[i], &points[j]) < FLAT;
-    if (before >= 0 && flat_here && slope_between(&points[i], &points[last]) < FLAT) {
+    bool flat_here = slope_between(&points[i], &points[j]) < flat;
+    if (before >= 0 && flat_here && slope_between(&points[i], &points[last]) < flat) {
       onset = i;
       break;
     }

@@ -107,7 +107,7 @@ const struct scallop_gait scallop_gait_sinusoidal = {
 /* ---- all gaits ---- */
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
-enum { GAITS = sizeof gaits / sizeof *gaits };
+enum { GAITS = sizeof gaits / sizeof gaits[0] };
 
 const struct scallop_gait *scallop_gait_named(const char *name)
 {

@@ -306,7 +306,7 @@ void motion_solve(const struct motion_input *input, double c0, struct motion *mo
         slide(&w);
     }
   }
-  motion->c_end = w.c;
+  motion->c_end = w.c + 0.0; /* no -0 */
 }
 
 struct motion_input motion_input_of(const struct scallop_scaled *s, enum scallop_phase_kind kind)

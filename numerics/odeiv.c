@@ -136,7 +136,8 @@ struct bracket { double lo, hi; };
 /* Both ends of the step are ahead of zero, and the velocity turns between them: if it has a minimum
  * there, look at it. As l'' is monotone in a piece the velocity is convex, so it lies above its
  * tangents, which nearly always settles the matter without a step. */
-static bool dips(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
+static bool dips(struct run *r, const struct point *from, const struct point *to, int body,
+                 struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body), h = to->t - from->t;
   double d0 = ahead_rate(r, from, body), d1 = ahead_rate(r, to, body);
@@ -151,7 +152,8 @@ static bool dips(struct run *r, const struct point *from, const struct point *to
 /* Does a body's velocity fall to zero within the step, and between what times? A body that starts the
  * step at zero has just been let go by the forces, so its zero must come after a turning point; if
  * rounding hides that, a velocity behind zero by more than rounding is an event all the same. */
-static bool crosses(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
+static bool crosses(struct run *r, const struct point *from, const struct point *to, int body,
+                    struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body);
   bool turns = r->turn[body] > from->t && r->turn[body] < to->t;
@@ -234,11 +236,12 @@ static void begin_slide(struct run *r, struct point *from)
 /* One accepted step, not past `end`. */
 static void accepted_step(struct run *r, double end, struct point *from, struct point *to)
 {
-  const gsl_odeiv2_evolve *e = r->tools->evolve;
+  const struct scallop_odeiv *tools = r->tools;
+  const gsl_odeiv2_evolve *e = tools->evolve;
   to->t = from->t;
   to->y[0] = from->y[0];
   to->y[1] = from->y[1];
-  int status = gsl_odeiv2_evolve_apply(r->tools->evolve, r->tools->control, r->tools->step, &r->system, &to->t, end,
+  int status = gsl_odeiv2_evolve_apply(tools->evolve, tools->control, tools->step, &r->system, &to->t, end,
                                        &r->h, to->y);
   r->failed |= status != GSL_SUCCESS || e->count + e->failed_steps > MAX_STEPS;
   from->dydt[0] = e->dydt_in[0];
@@ -331,8 +334,6 @@ static enum scallop_status run_period(struct run *r, const struct scallop_scaled
   for (int kind = 0; kind < 2; kind++) {
     r->eps = s->eps * (s->fraction[kind] * s->fraction[kind]);
     r->c = (kind == SCALLOP_EXTENSION ? v0 : v[SCALLOP_EXTENSION]) * s->fraction[kind];
-    if (!isnormal(r->eps))
-      return SCALLOP_ERANGE;
     run_phase(r, &s->gait->phase[kind]);
     if (r->failed)
       return SCALLOP_ECONVERGE;
@@ -362,7 +363,7 @@ enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct 
   enum scallop_status status = check(crawler, v0, tolerance, &s, &c0);
   if (status != SCALLOP_OK)
     return status;
-  /* the whole piece is the first step tried: the control cuts it down faster than it would grow a small one */
+  /* h: the whole piece is the first step tried, as the control cuts down faster than it grows */
   struct run r = { .tools = odeiv, .mu = { s.mu1, s.mu2 }, .f = { s.f1, s.f2 }, .h = 1,
                    .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON) };
   r.system = (gsl_odeiv2_system){ .function = equation, .dimension = DIMENSION, .params = &r };

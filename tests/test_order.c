@@ -1,0 +1,172 @@
+/* The order estimator: right orders with honest intervals, and a refusal of what cannot be judged. */
+#include "tests/check.h"
+
+#include <stdio.h>
+
+#include "compare/order.h"
+
+enum { MOST = 64 };
+
+static struct order_point points[MOST];
+
+typedef double error_of(double h);
+
+static double cubic(double h) { return 2.385 * h * h * h * (1 + 0.7 * h); }
+static double square_negative(double h) { return -0.31 * h * h * (1 - h); }
+static double constant(double h) { return 0.25 + 0 * h; }
+static double growing(double h) { return 1e-3 / h; }
+static double root(double h) { return sqrt(h); }
+static double changes_sign(double h) { return h * h * (h - 0.3); }
+static double oscillates(double h) { return h * h * (1.5 + sin(40 * log(h))); }
+static double early_kink(double h) { return h > 0.1 ? 0.01 * sqrt(h / 0.1) : h * h; }
+
+/* A reproducible rounding error between -1 and 1 */
+static double jitter(double h) { return fmod(1e7 * fabs(sin(1e5 * h)), 2) - 1; }
+static double at_floor(double h) { return h * h * h * h + 1e-9 * jitter(h); }
+static double only_noise(double h) { return 1e-12 * jitter(h); }
+
+static struct order_fit estimate(error_of *e, int count, double ratio)
+{
+  double h = 1;
+  for (int i = 0; i < count; i++, h /= ratio)
+    points[i] = (struct order_point){ .h = h, .err = e(h) };
+  return order_estimate(points, count);
+}
+
+static void finds_orders(void **state)
+{
+  (void)state;
+  static const struct { error_of *e; double order; } cases[] = {
+    { cubic, 3 }, { square_negative, 2 }, { constant, 0 }, { growing, -1 }, { root, 0.5 }, { changes_sign, 2 },
+    { at_floor, 4 }, { early_kink, 2 }
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+    for (double ratio = 1.3; ratio < 3; ratio += 0.35) {
+      struct order_fit fit = estimate(cases[k].e, 24, ratio);
+      assert_int_equal(fit.state, ORDER_FITTED);
+      CHECK_NEAR(fit.order, cases[k].order, 0.1);
+      assert_true(fit.lo <= cases[k].order + 1e-9 && cases[k].order <= fit.hi + 1e-9);
+      assert_true(fit.used >= 3);
+    }
+}
+
+static void leaves_out_with_a_reason(void **state)
+{
+  (void)state;
+  estimate(at_floor, 24, 2);
+  assert_int_equal(points[0].use, ORDER_USED);
+  for (int i = 8; i < 24; i++) /* h^4 < 1e-9 from here on */
+    assert_int_equal(points[i].use, ORDER_FLOOR);
+  estimate(early_kink, 12, 2);
+  assert_int_equal(points[0].use, ORDER_COARSE);
+  estimate(changes_sign, 12, 2);
+  assert_int_equal(points[0].use, ORDER_BEFORE_SIGN_CHANGE);
+  assert_int_equal(points[11].use, ORDER_USED);
+  estimate(cubic, 6, 2);
+  points[5].err = 0;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_FITTED);
+  assert_int_equal(points[5].use, ORDER_ZERO);
+}
+
+static void known_noise_is_never_fitted(void **state)
+{
+  (void)state;
+  double h = 1;
+  for (int i = 0; i < 20; i++, h /= 2)
+    points[i] = (struct order_point){ .h = h, .err = h * h + 1e-6, .noise = 1e-6 };
+  struct order_fit fit = order_estimate(points, 20);
+  assert_int_equal(fit.state, ORDER_FITTED);
+  CHECK_NEAR(fit.order, 2, 0.02);
+  for (int i = 0; i < 20; i++)
+    assert_true(points[i].use != ORDER_USED || points[i].err > 1e-4);
+}
+
+static void refuses(void **state)
+{
+  (void)state;
+  assert_int_equal(estimate(cubic, 2, 2).state, ORDER_INSUFFICIENT);
+  assert_int_equal(estimate(oscillates, 20, 1.3).state, ORDER_NOT_ASYMPTOTIC);
+  assert_true(estimate(only_noise, 20, 2).state != ORDER_FITTED);
+  estimate(cubic, 6, 2);
+  points[3].err = NAN;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  estimate(cubic, 6, 2);
+  points[3].err = INFINITY;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  estimate(cubic, 6, 2);
+  points[3].h = 0;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  estimate(cubic, 6, 2);
+  points[3].h = points[2].h;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  for (int i = 0; i < 6; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 0, .noise = 1e-16 };
+  assert_int_equal(order_estimate(points, 6).state, ORDER_EXACT);
+  CHECK_EQUAL(order_estimate(points, 6).order, NAN);
+}
+
+static void unsorted_is_sorted(void **state)
+{
+  (void)state;
+  for (int i = 0; i < 10; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -(i * 7 % 10)), .err = cubic(ldexp(1, -(i * 7 % 10))) };
+  struct order_fit fit = order_estimate(points, 10);
+  assert_int_equal(fit.state, ORDER_FITTED);
+  CHECK_NEAR(fit.order, 3, 0.1);
+  assert_true(points[0].h > points[1].h);
+}
+
+static void from_values(void **state)
+{
+  (void)state;
+  /* pi + h^p with ratios that change: 1.5, 2, 1.5, ... */
+  for (double p = 0.5; p <= 4; p += 0.5) {
+    double h = 1;
+    for (int i = 0; i < 9; i++, h /= i % 2 ? 2 : 1.5)
+      points[i] = (struct order_point){ .h = h, .err = 3.14159 + 0.9 * pow(h, p) };
+    int left = order_from_values(points, 9);
+    assert_int_equal(left, 8);
+    struct order_fit fit = order_estimate(points, left);
+    assert_int_equal(fit.state, ORDER_FITTED);
+    CHECK_NEAR(fit.order, p, 0.02);
+    CHECK_NEAR(points[0].err, 0.9, 0.02);
+  }
+  assert_int_equal(order_from_values(points, 2), 0);
+}
+
+static void verdicts(void **state)
+{
+  (void)state;
+  static const struct { error_of *e; int count; double expect; enum order_verdict verdict; } cases[] = {
+    { cubic, 20, 3, ORDER_PASS },       { cubic, 20, 4, ORDER_TOO_LOW },
+    { cubic, 20, 2, ORDER_TOO_HIGH },   { constant, 20, 2, ORDER_TOO_LOW },
+    { growing, 20, 1, ORDER_TOO_LOW },  { cubic, 2, 3, ORDER_VERDICT_INSUFFICIENT },
+    { oscillates, 20, 2, ORDER_VERDICT_NOT_ASYMPTOTIC }, { early_kink, 12, 2, ORDER_PASS },
+    { at_floor, 20, 4, ORDER_PASS },
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct order_fit fit = estimate(cases[k].e, cases[k].count, cases[k].e == oscillates ? 1.3 : 2);
+    assert_string_equal(order_verdict_text(order_judge(&fit, cases[k].expect, 0.1)), order_verdict_text(cases[k].verdict));
+  }
+  /* two usable points, then a floor */
+  static const double floor_errors[] = { 1, 0.06, 1e-5, 1.1e-5, 0.9e-5, 1.2e-5, 1e-5, 0.8e-5 };
+  for (int i = 0; i < 8; i++)
+    points[i] = (struct order_point){ .h = pow(10, -i), .err = floor_errors[i] * (i > 2 && i % 2 ? -1 : 1) };
+  struct order_fit fit = order_estimate(points, 8);
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
+  fit.state = ORDER_INVALID;
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_INVALID);
+  /* an order within the tolerance but an interval far beyond it is no pass */
+  fit = (struct order_fit){ ORDER_FITTED, 2.05, 1.65, 2.45, 4 };
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_NOT_ASYMPTOTIC);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(finds_orders), cmocka_unit_test(leaves_out_with_a_reason),
+    cmocka_unit_test(known_noise_is_never_fitted), cmocka_unit_test(refuses), cmocka_unit_test(unsorted_is_sorted),
+    cmocka_unit_test(from_values), cmocka_unit_test(verdicts)
+  };
+  return cmocka_run_group_tests_name("order", tests, NULL, NULL);
+}
