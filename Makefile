@@ -57,10 +57,10 @@ reproduce: setup-plots
 
 ## bench:      nanoseconds per period and steady state beside GSL's ODE solvers, as ratios of one run
 bench: setup-build
-	@$(MAKE) --no-print-directory $(B)/bench
-	@$(B)/bench
+	@$(MAKE) --no-print-directory $(B)/scallop-bench
+	@$(B)/scallop-bench
 
-$(B)/bench: $(B)/bench/bench.o $(library)
+$(B)/scallop-bench: $(B)/bench/bench.o $(library)
 	@echo "  LD $@"
 	@$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
