@@ -45,20 +45,14 @@ double A_x1_switch(point *p)
          + p->v0 / p->m2 * ((p->F1 - p->F2) / p->lT - 2 * p->F1 / p->l0) * cube(T);
 }
 
-double A_v1_end_from_dT(point *p)
-{
-  return -p->dT * (p->m2 / mass(p) * p->lT / (p->T * p->T) + (p->F1 + p->F2) / mass(p));
-}
+double A_v1_end_from_dT(point *p) { return -p->dT * (p->m2 / mass(p) * p->lT / (p->T * p->T) + (p->F1 + p->F2) / mass(p)); }
 
 double A_v1_end(point *p)
 {
   return p->v0 + drive(p) * p->T - p->v0 * (2 * p->F1 / p->m2) * (1 / p->l0 - 1 / p->lT) * (p->T * p->T);
 }
 
-double A_x1_end_from_dT(point *p)
-{
-  return A_x1_end_from_dT_short(p) - 0.5 * (p->F1 + p->F2) / mass(p) * (p->dT * p->dT);
-}
+double A_x1_end_from_dT(point *p) { return A_x1_end_from_dT_short(p) - 0.5 * (p->F1 + p->F2) / mass(p) * (p->dT * p->dT); }
 
 double A_x1_end_from_dT_short(point *p)
 {
@@ -68,8 +62,7 @@ double A_x1_end_from_dT_short(point *p)
 double A_x1_end(point *p)
 {
   double T = p->T;
-  return -p->m2 / mass(p) * p->l_end + p->v0 * T + 0.5 * drive(p) * (T * T)
-         + p->v0 * 2 * p->F1 / (p->m2 * p->l0) * cube(T);
+  return -p->m2 / mass(p) * p->l_end + p->v0 * T + 0.5 * drive(p) * (T * T) + p->v0 * 2 * p->F1 / (p->m2 * p->l0) * cube(T);
 }
 
 double A_vC_end(point *p) { return A_v1_end(p); }

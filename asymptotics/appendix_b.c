@@ -51,10 +51,7 @@ double B_v2_end_from_dT(point *p)
   return p->m1 / mass(p) * p->dT * p->lT / (p->T * p->T) - (p->F1 + p->F2) / mass(p) * p->dT;
 }
 
-double B_v2_end(point *p)
-{
-  return p->v0 - drive(p) * p->T + p->v0 * (2 * p->F2 / p->m1) * (1 / p->l0 - 1 / p->lT);
-}
+double B_v2_end(point *p) { return p->v0 - drive(p) * p->T + p->v0 * (2 * p->F2 / p->m1) * (1 / p->l0 - 1 / p->lT); }
 
 double B_x2_end(point *p)
 {

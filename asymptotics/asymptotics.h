@@ -1,7 +1,7 @@
 /* asymptotics/: the series of Wagner & Lauga, "Crawling scallop" (arXiv 1303.2669), as published.
  *
  * One function for each formula, printed mistakes included: what a formula is worth is for compare/
- * to decide. Names say where it stands: rest_ section 3.3.1, text_ sections 3.3.2 and 3.3.3, A_ and B_
+ * to decide. Names say where it stands: rest_ section 4.3.1, text_ sections 4.3.2 and 4.3.3, A_ and B_
  * the appendices; equation numbers are the paper's. Never looks at numerics/.
  */
 #ifndef SCALLOP_ASYMPTOTICS_H
@@ -10,20 +10,20 @@
 #include "model/model.h"
 
 /* What the formulas for one phase are functions of. T is the duration of the PHASE here, as in the
- * paper's sections 3.3.1 and 3.3.2 and its appendices. Any consistent units. */
+ * paper's sections 4.3.1 and 4.3.2 and its appendices. Any consistent units. */
 struct scallop_phase_point {
-  double m1, m2, F1, F2;     /* > 0                                                               */
-  double T;                  /* > 0                                                               */
-  double l0, lT;             /* l'' at the start and end of the phase is l0/T^2, lT/T^2           */
-  double l_start, l_end;     /* l at the start and end                                            */
-  double v0;                 /* velocity of both bodies at the start                              */
-  double t1, dT, x_switch;   /* first switching time, lag of the last one, and position there of the
+  double m1, m2, F1, F2;   /* > 0                                                               */
+  double T;                /* > 0                                                               */
+  double l0, lT;           /* l'' at the start and end of the phase is l0/T^2, lT/T^2           */
+  double l_start, l_end;   /* l at the start and end                                            */
+  double v0;               /* velocity of both bodies at the start                              */
+  double t1, dT, x_switch; /* first switching time, lag of the last one, and position there of the
                                 body that turns: read by the formulas that take them as given     */
 };
 
 /* The point of one phase of a crawler; t1, dT and x_switch are nan. */
-struct scallop_phase_point scallop_phase_point(const struct scallop_crawler *crawler,
-                                               enum scallop_phase_kind kind, double v0);
+struct scallop_phase_point scallop_phase_point(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                                               double v0);
 
 /* The same motion with the names of the bodies exchanged: a contraction becomes an extension. The
  * paper prints the formulas from rest for an extension only; this carries them to a contraction. */
@@ -31,16 +31,16 @@ struct scallop_phase_point scallop_exchanged(const struct scallop_phase_point *p
 
 /* What a formula gives. "rear" is the body that turns: 1 in an extension, 2 in a contraction. */
 enum scallop_quantity {
-  SCALLOP_LAG,               /* Delta T                                                            */
-  SCALLOP_FIRST_SWITCH,      /* t_1                                                                */
-  SCALLOP_REAR_AT_FIRST,     /* position of the rear body at t_1, from its start                   */
-  SCALLOP_REAR_AT_LAST,      /* at T - Delta T                                                     */
+  SCALLOP_LAG,           /* Delta T                                                            */
+  SCALLOP_FIRST_SWITCH,  /* t_1                                                                */
+  SCALLOP_REAR_AT_FIRST, /* position of the rear body at t_1, from its start                   */
+  SCALLOP_REAR_AT_LAST,  /* at T - Delta T                                                     */
   SCALLOP_REAR_AT_END,
   SCALLOP_FRONT_AT_END,
-  SCALLOP_CENTRE_AT_END,     /* geometric centre (x1 + x2)/2, from its start                       */
+  SCALLOP_CENTRE_AT_END, /* geometric centre (x1 + x2)/2, from its start                       */
   SCALLOP_VELOCITY_AT_END,
   SCALLOP_VELOCITY_CHANGE,
-  SCALLOP_STEADY_VELOCITY,   /* at the start of the extension                                      */
+  SCALLOP_STEADY_VELOCITY, /* at the start of the extension                                      */
   SCALLOP_STEADY_DISPLACEMENT
 };
 
@@ -51,15 +51,15 @@ struct scallop_formula {
   const char *equation;
   enum scallop_setting setting;
   enum scallop_quantity quantity;
-  int remainder;             /* printed "+ O(T^remainder)"; 0: none is printed                     */
-  double (*phase)(const struct scallop_phase_point *);  /* in a setting of one phase               */
-  double (*steady)(const struct scallop_crawler *);     /* in the steady setting; T is the period  */
+  int remainder; /* printed "+ O(T^remainder)"; 0: none is printed                     */
+  double (*phase)(const struct scallop_phase_point *); /* in a setting of one phase               */
+  double (*steady)(const struct scallop_crawler *);    /* in the steady setting; T is the period  */
 };
 
 /* Every formula, in the paper's order; the last has name NULL. */
 extern const struct scallop_formula scallop_published[];
 
-/* ---- section 3.3.1: from rest ------------------------------------------------------------------ */
+/* ---- section 4.3.1: from rest ------------------------------------------------------------------ */
 double rest_dT_unexpanded(const struct scallop_phase_point *p); /* (13) -(F1-F2) T / (m2 l''(T) - F1 + F2)    */
 double rest_dT(const struct scallop_phase_point *p);            /* (14) -(F1-F2) T^3 / (m2 l_T) + O(T^5)      */
 double rest_x1_switch(const struct scallop_phase_point *p);     /* (15) -(m2/M) l(T) + (F1-F2)/M T^2/2 + O(T^3) */
@@ -68,7 +68,7 @@ double rest_x1_end(const struct scallop_phase_point *p);        /* (19) -(m2/M) 
 double rest_x2_end(const struct scallop_phase_point *p);        /* (20)  (m1/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
 double rest_xC_end(const struct scallop_phase_point *p);        /* (21) (m1-m2)/(2M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
 
-/* ---- sections 3.3.2 and 3.3.3: with a start velocity -------------------------------------------- */
+/* ---- sections 4.3.2 and 4.3.3: with a start velocity -------------------------------------------- */
 double text_extension_velocity_change(const struct scallop_phase_point *p);
 /* (22) (F1-F2)/M T - v0 (2 F1/m2)(1/l0 - 1/lT) T^2 + O(T^3) */
 double text_extension_xC_end(const struct scallop_phase_point *p);
@@ -78,7 +78,7 @@ double text_contraction_velocity_change(const struct scallop_phase_point *p);
 double text_contraction_xC_end(const struct scallop_phase_point *p);
 /* (25) -(m1-m2)/(2M) L + v0 T - (F1-F2)/M T^2/2 + v0 2 F2/(m1 l0) T^3 + O(T^4), L printed l(T) */
 
-/* ---- section 3.3.3: steady state; T is the period ------------------------------------------------ */
+/* ---- section 4.3.3: steady state; T is the period ------------------------------------------------ */
 double text_steady_velocity_l0_lT(const struct scallop_crawler *c);
 /* (26) (F1-F2)(2 alpha-1) m* / (2 T (1/l0 - 1/lT) [alpha^2 F1 m1 + (1-alpha)^2 F2 m2]) + O(T), m* = m1 m2/M */
 double text_steady_velocity(const struct scallop_crawler *c);
@@ -89,8 +89,8 @@ double text_froude(const struct scallop_crawler *c);
 /* section 2: M L / (T^2 (F1 + F2)) */
 
 /* ---- Appendix A: an extension with v0 > 0 --------------------------------------------------------- */
-double A_t1_unexpanded(const struct scallop_phase_point *p);   /* (A.5) v0 M / (m2 l''(0) + F1 + F2)                */
-double A_t1(const struct scallop_phase_point *p);              /* (A.6) v0 M T^2/(m2 l0) [1 - T^2 (F1+F2)/(m2 l0)] + O(T^6) */
+double A_t1_unexpanded(const struct scallop_phase_point *p); /* (A.5) v0 M / (m2 l''(0) + F1 + F2)                */
+double A_t1(const struct scallop_phase_point *p);            /* (A.6) v0 M T^2/(m2 l0) [1 - T^2 (F1+F2)/(m2 l0)] + O(T^6) */
 double A_x1_first_switch(const struct scallop_phase_point *p); /* (A.7) v0 t1/2, t1 given                           */
 double A_dT_unexpanded(const struct scallop_phase_point *p);   /* (A.14)                                            */
 double A_dT_product(const struct scallop_phase_point *p);      /* (A.15) products of factors, + O(T^6)              */
@@ -100,13 +100,13 @@ double A_v1_end_from_dT(const struct scallop_phase_point *p);  /* (A.22) -dT (m2
 double A_v1_end(const struct scallop_phase_point *p);          /* (A.22) v0 + the change of (22), + O(T^3)          */
 double A_x1_end_from_dT(const struct scallop_phase_point *p);  /* (A.23), second line, + O(T^6), dT and x_switch given */
 double A_x1_end_from_dT_short(const struct scallop_phase_point *p); /* (A.23), third line, + O(T^4)                  */
-double A_x1_end(const struct scallop_phase_point *p);          /* (A.23) ... + v0 2 F1/(m2 l0) T^3 + O(T^4)         */
-double A_vC_end(const struct scallop_phase_point *p);          /* (A.24) = (A.22)                                   */
-double A_xC_end(const struct scallop_phase_point *p);          /* (A.25) as (23) but + v0 2 F1/(m2 l0) T^3, + O(T^4) */
+double A_x1_end(const struct scallop_phase_point *p);               /* (A.23) ... + v0 2 F1/(m2 l0) T^3 + O(T^4)         */
+double A_vC_end(const struct scallop_phase_point *p);               /* (A.24) = (A.22)                                   */
+double A_xC_end(const struct scallop_phase_point *p);               /* (A.25) as (23) but + v0 2 F1/(m2 l0) T^3, + O(T^4) */
 
 /* ---- Appendix B: a contraction with v0 > 0; l0 < 0 < lT -------------------------------------------- */
-double B_t1_unexpanded(const struct scallop_phase_point *p);   /* (B.2) v0 M / (-m1 l''(0) + F1 + F2)               */
-double B_t1(const struct scallop_phase_point *p);              /* (B.2) -v0 M T^2/(m1 l0) [1 + T^2 (F1+F2)/(m1 l0)] + O(T^6) */
+double B_t1_unexpanded(const struct scallop_phase_point *p); /* (B.2) v0 M / (-m1 l''(0) + F1 + F2)               */
+double B_t1(const struct scallop_phase_point *p);            /* (B.2) -v0 M T^2/(m1 l0) [1 + T^2 (F1+F2)/(m1 l0)] + O(T^6) */
 double B_x2_first_switch(const struct scallop_phase_point *p); /* (B.3) v0 t1/2 + O(T^2), t1 given                  */
 double B_dT_unexpanded(const struct scallop_phase_point *p);   /* (B.5)                                             */
 double B_dT_product(const struct scallop_phase_point *p);      /* (B.6), products of factors, + O(T^6)              */

@@ -7,11 +7,19 @@ struct scallop_phase_point scallop_phase_point(const struct scallop_crawler *c, 
 {
   const struct scallop_shape *shape = &c->gait->phase[kind];
   bool extension = kind == SCALLOP_EXTENSION;
-  return (struct scallop_phase_point){
-    .m1 = c->m1, .m2 = c->m2, .F1 = c->F1, .F2 = c->F2, .T = scallop_phase_duration(c, kind),
-    .l0 = shape->l0 * c->L, .lT = shape->lT * c->L, .l_start = extension ? 0 : c->L,
-    .l_end = extension ? c->L : 0, .v0 = v0, .t1 = NAN, .dT = NAN, .x_switch = NAN
-  };
+  return (struct scallop_phase_point){ .m1 = c->m1,
+                                       .m2 = c->m2,
+                                       .F1 = c->F1,
+                                       .F2 = c->F2,
+                                       .T = scallop_phase_duration(c, kind),
+                                       .l0 = shape->l0 * c->L,
+                                       .lT = shape->lT * c->L,
+                                       .l_start = extension ? 0 : c->L,
+                                       .l_end = extension ? c->L : 0,
+                                       .v0 = v0,
+                                       .t1 = NAN,
+                                       .dT = NAN,
+                                       .x_switch = NAN };
 }
 
 struct scallop_phase_point scallop_exchanged(const struct scallop_phase_point *p)
@@ -24,14 +32,22 @@ struct scallop_phase_point scallop_exchanged(const struct scallop_phase_point *p
   return q;
 }
 
-#define REST(f, number, quantity, order)                                                                \
-  { #f, number, SCALLOP_AT_REST_START, quantity, order, f, NULL }
-#define EXTENSION(f, number, quantity, order)                                                           \
-  { #f, number, SCALLOP_MOVING_EXTENSION, quantity, order, f, NULL }
-#define CONTRACTION(f, number, quantity, order)                                                         \
-  { #f, number, SCALLOP_MOVING_CONTRACTION, quantity, order, f, NULL }
-#define STEADY(f, number, quantity, order)                                                              \
-  { #f, number, SCALLOP_STEADY, quantity, order, NULL, f }
+#define REST(f, number, quantity, order) \
+  { \
+#f, number, SCALLOP_AT_REST_START, quantity, order, f, NULL \
+  }
+#define EXTENSION(f, number, quantity, order) \
+  { \
+#f, number, SCALLOP_MOVING_EXTENSION, quantity, order, f, NULL \
+  }
+#define CONTRACTION(f, number, quantity, order) \
+  { \
+#f, number, SCALLOP_MOVING_CONTRACTION, quantity, order, f, NULL \
+  }
+#define STEADY(f, number, quantity, order) \
+  { \
+#f, number, SCALLOP_STEADY, quantity, order, NULL, f \
+  }
 
 const struct scallop_formula scallop_published[] = {
   REST(rest_dT_unexpanded, "(13)", SCALLOP_LAG, 0),

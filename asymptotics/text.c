@@ -6,12 +6,9 @@ typedef const struct scallop_crawler crawler;
 
 static double drive(point *p) { return (p->F1 - p->F2) / (p->m1 + p->m2); } /* (F1 - F2)/M */
 
-/* ---- section 3.3.1 ---- */
+/* ---- section 4.3.1 ---- */
 
-double rest_dT_unexpanded(point *p)
-{
-  return -(p->F1 - p->F2) / (p->m2 * p->lT / (p->T * p->T) - p->F1 + p->F2) * p->T;
-}
+double rest_dT_unexpanded(point *p) { return -(p->F1 - p->F2) / (p->m2 * p->lT / (p->T * p->T) - p->F1 + p->F2) * p->T; }
 
 double rest_dT(point *p) { return -(p->F1 - p->F2) / (p->m2 * p->lT) * (p->T * p->T * p->T); }
 
@@ -23,12 +20,9 @@ double rest_x1_end(point *p) { return -p->m2 / (p->m1 + p->m2) * p->l_end + driv
 
 double rest_x2_end(point *p) { return p->m1 / (p->m1 + p->m2) * p->l_end + 0.5 * drive(p) * p->T * p->T; }
 
-double rest_xC_end(point *p)
-{
-  return 0.5 * (p->m1 - p->m2) / (p->m1 + p->m2) * p->l_end + 0.5 * drive(p) * p->T * p->T;
-}
+double rest_xC_end(point *p) { return 0.5 * (p->m1 - p->m2) / (p->m1 + p->m2) * p->l_end + 0.5 * drive(p) * p->T * p->T; }
 
-/* ---- sections 3.3.2 and 3.3.3 ---- */
+/* ---- sections 4.3.2 and 4.3.3 ---- */
 
 double text_extension_velocity_change(point *p)
 {

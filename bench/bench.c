@@ -57,9 +57,13 @@ static double uniform(double low, double high) /* splitmix64 */
 static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum scallop_regime regime)
 {
   double log_eps = regime == SCALLOP_SLIDING ? uniform(-4, -1) : uniform(0, 3);
-  struct scallop_crawler c = { .m1 = exp(uniform(-1, 1)), .m2 = exp(uniform(-1, 1)),
-                               .F1 = exp(uniform(-1, 1)), .F2 = exp(uniform(-1, 1)),
-                               .T = 1, .alpha = uniform(0.2, 0.8), .gait = gait };
+  struct scallop_crawler c = { .m1 = exp(uniform(-1, 1)),
+                               .m2 = exp(uniform(-1, 1)),
+                               .F1 = exp(uniform(-1, 1)),
+                               .F2 = exp(uniform(-1, 1)),
+                               .T = 1,
+                               .alpha = uniform(0.2, 0.8),
+                               .gait = gait };
   c.L = (c.F1 + c.F2) / (c.m1 + c.m2) / exp(log_eps);
   return c;
 }
@@ -128,10 +132,7 @@ static double clock_alone(const struct method *m, int i)
 }
 
 /* The larger error, where nan is larger than all. */
-static double larger(double worst, double error)
-{
-  return isnan(worst) || error <= worst ? worst : error;
-}
+static double larger(double worst, double error) { return isnan(worst) || error <= worst ? worst : error; }
 
 /* Largest relative error in v_end and displacement over the set, and the evaluations it took. */
 static double odeiv_error(const struct method *m, double tolerance, long *evaluations)
@@ -233,8 +234,7 @@ static double median(const struct method *m) { return m->ns[BATCHES / 2]; }
 
 /* ---- the table ---- */
 
-static void print_row(const char *name, const char *gait, const struct method *m,
-                      const struct method *reference)
+static void print_row(const char *name, const char *gait, const struct method *m, const struct method *reference)
 {
   double q1 = m->ns[BATCHES / 4], q3 = m->ns[BATCHES - 1 - BATCHES / 4];
   printf("%s\t%s\t%s\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", name, gait, m->name, median(m), q1, q3, m->error,
@@ -245,8 +245,8 @@ static void print_row(const char *name, const char *gait, const struct method *m
 static void summary(const char *name, const char *gait, const struct method *m, double wanted)
 {
   const struct method *best = median(&m[1]) < median(&m[2]) ? &m[1] : &m[2];
-  printf("# %s %s: the best GSL at error <= %g is %s: %.1f times the exact solver's time", name, gait,
-         best->goal, best->name, median(best) / median(m));
+  printf("# %s %s: the best GSL at error <= %g is %s: %.1f times the exact solver's time", name, gait, best->goal,
+         best->name, median(best) / median(m));
   if (wanted > 0)
     printf(" (target: %g: %s)", wanted, median(best) >= wanted * median(m) ? "met" : "missed");
   printf("\n");
@@ -279,16 +279,17 @@ static void bench_period(const char *name, const struct crawlers *set, double wa
 static void bench_steady(const struct crawlers *set)
 {
   static const double T[STEADY_TIMES] = { 1, 1e-2, 1e-4, 1e-6, 1e-8 };
-  static const char *const name[STEADY_TIMES] = { "steady T=1", "steady T=1e-2", "steady T=1e-4",
-                                                  "steady T=1e-6", "steady T=1e-8" };
+  static const char *const name[STEADY_TIMES] = { "steady T=1", "steady T=1e-2", "steady T=1e-4", "steady T=1e-6",
+                                                  "steady T=1e-8" };
   static struct crawlers sets[STEADY_TIMES];
   struct method m[STEADY_TIMES];
   for (int k = 0; k < STEADY_TIMES; k++) {
     sets[k] = *set;
     for (int i = 0; i < CRAWLERS; i++)
       sets[k].crawler[i].T = T[k];
-    m[k] = (struct method){ .name = "exact", .answer = exact_steady, .set = &sets[k], .tolerance = NAN,
-                            .error = steady_error(&sets[k]) };
+    m[k] = (struct method){
+      .name = "exact", .answer = exact_steady, .set = &sets[k], .tolerance = NAN, .error = steady_error(&sets[k])
+    };
   }
   measure(m, STEADY_TIMES);
   for (int k = 0; k < STEADY_TIMES; k++)
@@ -305,8 +306,7 @@ static void bench_clock(void)
 static void print_head(void)
 {
   printf("# scallop %s: time for one period and for one steady state\n", SCALLOP_VERSION);
-  printf("# %d batches of at least %g ms, methods in turn; sets of %d crawlers\n", BATCHES,
-         1e3 * batch_seconds, CRAWLERS);
+  printf("# %d batches of at least %g ms, methods in turn; sets of %d crawlers\n", BATCHES, 1e3 * batch_seconds, CRAWLERS);
   printf("# ns: median and quartiles over the batches, for one answer\n");
   printf("# error: largest relative difference of v_end and displacement from exact (itself 0);\n");
   printf("#        steady: how far one period moves the steady velocity, relative\n");
@@ -319,9 +319,10 @@ static void print_head(void)
 int main(void)
 {
   static struct crawlers set;
-  const struct { const struct scallop_gait *gait; double wanted; } gaits[] = {
-    { &scallop_gait_quadratic, 50 }, { &scallop_gait_sinusoidal, 30 }
-  };
+  const struct {
+    const struct scallop_gait *gait;
+    double wanted;
+  } gaits[] = { { &scallop_gait_quadratic, 50 }, { &scallop_gait_sinusoidal, 30 } };
   print_head();
   bench_clock();
   for (int i = 0; i < 2; i++) {

@@ -12,13 +12,13 @@ const char *claim_verdict_text(enum claim_verdict verdict);
 
 struct claim_row {
   const char *claim, *equation, *quantity, *gait;
-  const char *conditions;      /* under which it was tested                                        */
-  bool inside;                 /* these are the conditions that the paper assumes                  */
-  double claimed_order;        /* nan: not a claim about an order                                  */
+  const char *conditions; /* under which it was tested                                        */
+  bool inside;            /* these are the conditions that the paper assumes                  */
+  double claimed_order;   /* nan: not a claim about an order                                  */
   struct order_fit fit;
   enum claim_verdict verdict;
-  char measured[120];          /* of a qualitative claim: the figure that decides                  */
-  char reason[200];            /* of a verdict: why; of a refutation in words: an example to paste     */
+  char measured[120]; /* of a qualitative claim: the figure that decides                  */
+  char reason[200];   /* of a verdict: why; of a refutation in words: an example to paste     */
 };
 
 typedef void claim_sink(void *context, const struct claim_row *row);

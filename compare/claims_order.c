@@ -19,30 +19,32 @@ static const double NOISE_ULP = 64;
 struct condition {
   const char *text;
   bool inside;
-  double v0;                   /* in units of sqrt(L (F1 + F2)/M)                                      */
-  bool exchange_forces, mirror_alpha;
+  double v0; /* in units of sqrt(L (F1 + F2)/M)                                      */
+  bool exchange_forces, mirror_alpha, light_1;
 };
 
 static const double SPEED = 0.37;
 
-static const struct condition from_rest[] = {
-  { "v0 = 0, rear body stronger", true, 0, false, false },
-  { "v0 = 0, front body stronger", false, 0, true, false },
-  { .text = NULL }
+static const struct condition extension_from_rest[] = { { "extension from rest, F1 > F2", true, 0, false, false, false },
+                                                        { "extension from rest, F1 < F2", false, 0, true, false, false },
+                                                        { .text = NULL } };
+static const struct condition contraction_from_rest[] = { /* the bodies exchanged */
+                                                          { "contraction from rest, F2 > F1", true, 0, true, false, false },
+                                                          { "contraction from rest, F2 < F1", false, 0, false, false,
+                                                            false },
+                                                          { .text = NULL }
 };
-static const struct condition moving[] = {
-  { "v0 > 0 fixed, F1 > F2", true, SPEED, false, false },
-  { "v0 > 0 fixed, F1 < F2", false, SPEED, true, false },
-  { "v0 < 0 fixed, F1 > F2", false, -SPEED, false, false },
-  { .text = NULL }
-};
-static const struct condition steady[] = {
-  { "alpha > 1/2, F1 > F2", true, 0, false, false },
-  { "alpha < 1/2, F1 < F2", false, 0, true, true },
-  { "alpha < 1/2, F1 > F2", false, 0, false, true },
-  { "alpha > 1/2, F1 < F2", false, 0, true, false },
-  { .text = NULL }
-};
+static const struct condition moving[] = { { "v0 > 0 fixed, F1 > F2", true, SPEED, false, false, false },
+                                           { "v0 > 0 fixed, F1 < F2", false, SPEED, true, false, false },
+                                           { "v0 < 0 fixed, F1 > F2", false, -SPEED, false, false, false },
+                                           { .text = NULL } };
+static const struct condition steady[] = { { "alpha > 1/2, F1 > F2", true, 0, false, false, false },
+                                           { "alpha < 1/2, F1 < F2", false, 0, true, true, false },
+                                           { "alpha < 1/2, F1 > F2", false, 0, false, true, false },
+                                           { "alpha > 1/2, F1 < F2", false, 0, true, false, false },
+                                           { "alpha > 1/2, F1 > F2, m1 a hundredth: body 2 does not turn", false, 0, false,
+                                             false, true },
+                                           { .text = NULL } };
 
 const char *claim_verdict_text(enum claim_verdict verdict)
 {
@@ -54,11 +56,11 @@ const char *claim_verdict_text(enum claim_verdict verdict)
 
 struct subject {
   const struct scallop_formula *formula;
-  struct scallop_crawler crawler;       /* T is set for each point                                       */
+  struct scallop_crawler crawler; /* T is set for each point                                       */
   enum scallop_phase_kind kind;
   double v0;
-  bool magnitude;                       /* the claim is quantity = O(T^n) itself, without a formula      */
-  struct scallop_modes modes[2];        /* of the smallest T that was solved                             */
+  bool magnitude;                /* the claim is quantity = O(T^n) itself, without a formula      */
+  struct scallop_modes modes[2]; /* of the smallest T that was solved                             */
 };
 
 /* The series describes one sequence of modes, that of the smallest T: larger T with another are left out. */
@@ -136,16 +138,18 @@ static void judge(struct claim_row *row)
     row->verdict = CLAIM_SHARPER;
     snprintf(row->reason, sizeof row->reason, "no error above rounding at any T");
   } else if (fit->state != ORDER_FITTED) {
-    static const char *const why[] = { "", "no such switch in this motion", "too few points above rounding",
-                                       "roundoff floor", "the orders do not settle", "" };
+    static const char *const why[] = {
+      "", "no such switch in this motion", "too few points above rounding", "roundoff floor", "the orders do not settle", ""
+    };
     snprintf(row->reason, sizeof row->reason, "%s", why[fit->state]);
   } else if (half_width > 0.25) {
     snprintf(row->reason, sizeof row->reason, "the interval is too wide");
   } else {
     row->verdict = fabs(off) <= TOLERANCE ? CLAIM_HOLDS : off > 0 ? CLAIM_SHARPER : CLAIM_REFUTED;
-    if (row->verdict == CLAIM_REFUTED)
-      snprintf(row->reason, sizeof row->reason, fabs(fit->order) < TOLERANCE ? "the error does not fall"
-               : fit->order < 0 ? "the error grows" : "the error falls more slowly");
+    if (row->verdict == CLAIM_REFUTED && fabs(fit->order) < TOLERANCE)
+      snprintf(row->reason, sizeof row->reason, "the error does not fall");
+    else if (row->verdict != CLAIM_HOLDS)
+      snprintf(row->reason, sizeof row->reason, "the error goes as T^%.0f", fit->order);
   }
 }
 
@@ -154,12 +158,12 @@ static struct subject subject_of(const struct scallop_crawler *crawler, const st
 {
   struct subject s = { .formula = formula, .crawler = *crawler, .kind = kind };
   double M = crawler->m1 + crawler->m2;
-  bool exchange = condition->exchange_forces
-                  != (formula->setting == SCALLOP_AT_REST_START && kind == SCALLOP_CONTRACTION);
-  if (exchange) {
+  if (condition->exchange_forces) {
     s.crawler.F1 = crawler->F2;
     s.crawler.F2 = crawler->F1;
   }
+  if (condition->light_1)
+    s.crawler.m1 = crawler->m1 / 100;
   if (condition->mirror_alpha)
     s.crawler.alpha = 1 - crawler->alpha;
   s.v0 = condition->v0 * sqrt(crawler->L * (crawler->F1 + crawler->F2) / M);
@@ -183,21 +187,28 @@ static void measure(struct claim_row *row, struct subject *s)
 static void claims_of_formula(const struct scallop_crawler *crawler, const struct scallop_formula *f, bool magnitude,
                               claim_sink *sink, void *context)
 {
-  const struct condition *conditions = f->setting == SCALLOP_AT_REST_START ? from_rest
-                                       : f->setting == SCALLOP_STEADY      ? steady : moving;
   int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
-  for (int kind = first; kind <= last; kind++)
+  for (int kind = first; kind <= last; kind++) {
+    const struct condition *conditions = f->setting == SCALLOP_STEADY          ? steady
+                                         : f->setting != SCALLOP_AT_REST_START ? moving
+                                         : kind == SCALLOP_EXTENSION           ? extension_from_rest
+                                                                               : contraction_from_rest;
     for (const struct condition *condition = conditions; condition->text; condition++) {
       struct subject s = subject_of(crawler, f, (enum scallop_phase_kind)kind, condition);
-      struct claim_row row = { .claim = f->name, .equation = f->equation, .gait = crawler->gait->name,
-                               .quantity = formula_quantity_text(f, s.kind), .conditions = condition->text,
-                               .inside = condition->inside, .claimed_order = magnitude ? 2 : f->remainder };
+      struct claim_row row = { .claim = f->name,
+                               .equation = f->equation,
+                               .gait = crawler->gait->name,
+                               .quantity = formula_quantity_text(f, s.kind),
+                               .conditions = condition->text,
+                               .inside = condition->inside,
+                               .claimed_order = magnitude ? 2 : f->remainder };
       s.magnitude = magnitude;
       if (magnitude)
         row.claim = "A_x1_first_switch_size";
       measure(&row, &s);
       sink(context, &row);
     }
+  }
 }
 
 static void claims_of_expansion(const struct scallop_crawler *crawler, claim_sink *sink, void *context)
@@ -205,9 +216,13 @@ static void claims_of_expansion(const struct scallop_crawler *crawler, claim_sin
   for (int velocity = 1; velocity >= 0; velocity--) {
     struct order_point points[STEPS];
     struct subject s = { .crawler = *crawler };
-    struct claim_row row = { .claim = velocity ? "A_dl_near_end" : "A_l_near_end", .equation = velocity ? "(A.11)" : "(A.12)",
-                             .quantity = velocity ? "l'(T-h)" : "l(T-h)", .gait = crawler->gait->name,
-                             .conditions = "h -> 0 at T = 1", .inside = true, .claimed_order = velocity ? 2 : 3 };
+    struct claim_row row = { .claim = velocity ? "A_dl_near_end" : "A_l_near_end",
+                             .equation = velocity ? "(A.11)" : "(A.12)",
+                             .quantity = velocity ? "l'(T-h)" : "l(T-h)",
+                             .gait = crawler->gait->name,
+                             .conditions = "h -> 0 at T = 1",
+                             .inside = true,
+                             .claimed_order = velocity ? 2 : 3 };
     int count = 0;
     for (int k = 8; k < STEPS; k++)
       count += expansion_error(&s, velocity, grid(k), &points[count]);

@@ -26,7 +26,12 @@ static void begin_rows(struct table *t, const char *const *columns)
 
 /* ---- figure 2: positions from rest, symmetric and asymmetric ---- */
 
-struct curve { struct table *table; const char *panel; struct scallop_crawler crawler; double until; };
+struct curve {
+  struct table *table;
+  const char *panel;
+  struct scallop_crawler crawler;
+  double until;
+};
 
 static bool position_row(void *context, const struct scallop_sample *s)
 {
@@ -103,7 +108,7 @@ static double onset_of_sticking(double F1)
 
 static void figure_4(struct table *t)
 {
-  static const char *const columns[] = { "F1_over_F2", "T", "dxC_over_L", "series_dxC_over_L", "dvC_T_over_L",
+  static const char *const columns[] = { "F1_over_F2",          "T", "dxC_over_L", "series_dxC_over_L", "dvC_T_over_L",
                                          "series_dvC_T_over_L", NULL };
   static const double ratios[] = { 2, 10, 40 };
   enum { STEPS = 200 };
@@ -119,7 +124,9 @@ static void figure_4(struct table *t)
       double T = onset * j / STEPS;
       struct scallop_phase_result r = extension_from_rest(ratios[i], T, &c);
       struct scallop_phase_point p = scallop_phase_point(&c, SCALLOP_EXTENSION, 0);
-      const double numbers[] = { ratios[i], T, r.dxC / c.L, rest_xC_end(&p) / c.L, r.v_end * T / c.L, rest_v1_end(&p) * T / c.L };
+      const double numbers[] = { ratios[i],         T,
+                                 r.dxC / c.L,       rest_xC_end(&p) / c.L,
+                                 r.v_end * T / c.L, rest_v1_end(&p) * T / c.L };
       for (int k = 0; k < 6; k++)
         table_number(t, numbers[k]);
     }
@@ -144,7 +151,7 @@ static void velocity_row(struct table *t, const char *panel, const struct scallo
 
 static void figure_5(struct table *t)
 {
-  static const char *const columns[] = { "panel", "alpha", "F2", "F1_over_F2", "mean_velocity", "series_mean_velocity",
+  static const char *const columns[] = { "panel",   "alpha",  "F2", "F1_over_F2", "mean_velocity", "series_mean_velocity",
                                          "v_start", "regime", NULL };
   static const double F1[] = { 2, 4, 10 }, F2[] = { 0.5, 1, 2 };
   table_note(t, "figure 5: mean velocity in the steady state over alpha (A) and over F1/F2 at alpha = 3/4 (B)");
@@ -168,9 +175,10 @@ static void figure_5(struct table *t)
 
 static enum exit_code run(const struct options *options)
 {
-  static const struct { const char *name; void (*write)(struct table *); } figures[] = {
-    { "2", figure_2 }, { "3", figure_3 }, { "4", figure_4 }, { "5", figure_5 }
-  };
+  static const struct {
+    const char *name;
+    void (*write)(struct table *);
+  } figures[] = { { "2", figure_2 }, { "3", figure_3 }, { "4", figure_4 }, { "5", figure_5 } };
   struct table table;
   for (int i = 0; i < 4; i++)
     if (strcmp(options->operand, figures[i].name) == 0) {
@@ -191,10 +199,9 @@ const struct command command_figure = {
   .example = "scallop figure 4 -o figure4.tsv",
   .operand = "2|3|4|5",
   .accepts = accepts,
-  .about =
-    "2: positions in time from rest, with symmetric and asymmetric kinematics. 3: one extension from rest.\n"
-    "4: change of position and velocity over an extension from rest, against its duration up to the onset of\n"
-    "sticking, exact and by the series. 5: mean velocity over alpha and over F1/F2. Normalised as in the paper.\n"
-    "What a caption leaves out is chosen, and the table's header says so after 'assumed'.",
+  .about = "2: positions in time from rest, with symmetric and asymmetric kinematics. 3: one extension from rest.\n"
+           "4: change of position and velocity over an extension from rest, against its duration up to the onset of\n"
+           "sticking, exact and by the series. 5: mean velocity over alpha and over F1/F2. Normalised as in the paper.\n"
+           "What a caption leaves out is chosen, and the table's header says so after 'assumed'.",
   .run = run,
 };

@@ -8,14 +8,20 @@
 
 static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
 static const char *const columns[] = { "h", "err", "pairwise", "use", NULL };
-static const char *const summary_columns[] = { "order", "lo", "hi", "points", "state", "expected", "tolerance", "verdict", NULL };
+static const char *const summary_columns[] = { "order",    "lo",        "hi",      "points", "state",
+                                               "expected", "tolerance", "verdict", NULL };
 
 struct list {
   struct order_point *points;
   int count, room;
 };
 
-struct layout { int h, value, noise, columns; bool values; };
+enum { MESSAGE = 120 };
+
+struct layout {
+  int h, value, noise, columns;
+  bool values;
+};
 
 static bool append(struct list *list, struct order_point point)
 {
@@ -64,15 +70,21 @@ static const char *read_layout(char **cells, int count, struct layout *layout, b
     if (err || value)
       layout->value = i;
     layout->values |= value;
-    if (strcmp(cells[i], "h") == 0)
+    bool h = strcmp(cells[i], "h") == 0, noise = strcmp(cells[i], "noise") == 0;
+    if ((h && layout->h >= 0) || (noise && layout->noise >= 0))
+      return "a column is there twice";
+    if (h)
       layout->h = i;
-    if (strcmp(cells[i], "noise") == 0)
+    if (noise)
       layout->noise = i;
   }
-  return layout->h >= 0 && layout->value >= 0 ? NULL : "the header must name the columns 'h' and 'err' (or 'value')";
+  return layout->h >= 0 && layout->value >= 0
+             ? NULL
+             : "the header must name the columns 'h' and 'err' (or 'value'), separated by blanks or tabs";
 }
 
-static const char *read_line(char *line, struct list *list, struct layout *layout, bool *started)
+/* Takes a line in. Returns NULL, or what is wrong with it, for which message has room. */
+static const char *read_line(char *line, struct list *list, struct layout *layout, bool *started, char message[MESSAGE])
 {
   enum { MOST = 64 };
   char *cells[MOST];
@@ -89,9 +101,15 @@ static const char *read_line(char *line, struct list *list, struct layout *layou
   if (count != layout->columns)
     return "the number of columns changes";
   struct order_point point = { .noise = 0 };
-  if (!read_any(cells[layout->h], &point.h) || !read_any(cells[layout->value], &point.err)
-      || (layout->noise >= 0 && !read_any(cells[layout->noise], &point.noise)))
-    return "not a number";
+  const struct {
+    int column;
+    double *value;
+  } wanted[] = { { layout->h, &point.h }, { layout->value, &point.err }, { layout->noise, &point.noise } };
+  for (int i = 0; i < 3; i++)
+    if (wanted[i].column >= 0 && !read_any(cells[wanted[i].column], wanted[i].value)) {
+      snprintf(message, MESSAGE, "column %d: '%.60s' is not a number", wanted[i].column + 1, cells[wanted[i].column]);
+      return message;
+    }
   return append(list, point) ? NULL : "out of memory";
 }
 
@@ -101,7 +119,7 @@ static enum exit_code read_file(const struct options *options, struct list *list
   const char *name = standard ? "standard input" : options->operand, *wrong = NULL;
   FILE *file = standard ? stdin : fopen(name, "r");
   struct layout layout = { .values = false };
-  char *line = NULL;
+  char *line = NULL, message[MESSAGE];
   size_t size = 0;
   ssize_t length;
   long number = 0;
@@ -110,8 +128,12 @@ static enum exit_code read_file(const struct options *options, struct list *list
     return EXIT_FILE;
   }
   while (!wrong && (length = getline(&line, &size, file)) >= 0) {
-    number++;
-    wrong = memchr(line, '\0', (size_t)length) ? "this is not a text file" : read_line(line, list, &layout, &started);
+    if (number++ == 0 && strncmp(line, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0) {
+      length -= (ssize_t)strlen(BYTE_ORDER_MARK);
+      memmove(line, line + strlen(BYTE_ORDER_MARK), (size_t)length + 1);
+    }
+    wrong = memchr(line, '\0', (size_t)length) ? "this is not a text file"
+                                               : read_line(line, list, &layout, &started, message);
   }
   bool failed = ferror(file);
   int error = errno;
@@ -150,8 +172,8 @@ static void write_points(struct table *table, const struct list *list, const str
 static void write_summary(struct table *table, const struct order_fit *fit, const struct options *o, const char *verdict)
 {
   if (o->format == FORMAT_TSV) {
-    table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi,
-               fit->used, state_text(fit->state));
+    table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
+               state_text(fit->state));
     if (o->has_expect)
       table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, verdict);
     return;
@@ -195,6 +217,10 @@ static enum exit_code run(const struct options *options)
   free(list.points);
   if (!table_close(&table))
     return EXIT_FILE;
+  if (fit.state == ORDER_INVALID && !options->has_expect) {
+    complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
+    return EXIT_UNSOLVED;
+  }
   return options->has_expect && verdict != ORDER_PASS ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
@@ -204,12 +230,11 @@ const struct command command_order = {
   .example = "scallop order errors.txt --expect 2",
   .operand = "FILE",
   .accepts = accepts,
-  .about =
-    "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
-    "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
-    "comes from three successive refinements each (Richardson). Lines that begin with # are passed over.\n"
-    "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
-    "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
-    "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid.",
+  .about = "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
+           "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
+           "comes from three successive refinements each (Richardson). Lines that begin with # are passed over.\n"
+           "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
+           "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
+           "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid.",
   .run = run,
 };

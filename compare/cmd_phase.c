@@ -1,27 +1,28 @@
+#include <math.h>
 #include <stdio.h>
 
 #include "compare/points.h"
 
-static const char *const accepts[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", "phase", "v0", "points",
-                                       "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",    "m2", "F1",     "F2",     "L",      "T",      "alpha", "gait",
+                                       "phase", "v0", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const extra[] = { "phase", "v0", NULL };
 static const char *const columns[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", "regime", "modes", "status", NULL };
 
-static bool row(struct table *table, const struct options *point, const char *status)
+static const char *row(struct table *table, const struct options *point, const char *refused)
 {
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
-  enum scallop_status solved = status ? SCALLOP_EDOMAIN
-                                      : scallop_phase(&point->crawler, point->phase, point->v0, &r);
-  point_parameters(table, point);
-  table_text(table, point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  table_number(table, point->v0);
-  if (solved < 0) {
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : scallop_phase(&point->crawler, point->phase, point->v0, &r);
+  const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
+  point_parameters(table, point, refused);
+  table_text(table, refused ? "-" : point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  table_number(table, refused ? NAN : point->v0);
+  if (why) {
     point_blank(table, 6);
     table_text(table, "-");
     table_text(table, "-");
-    table_text(table, status ? status : scallop_status_text(solved));
-    return false;
+    table_text(table, why);
+    return why;
   }
   const double numbers[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
   for (int i = 0; i < 6; i++)
@@ -30,24 +31,20 @@ static bool row(struct table *table, const struct options *point, const char *st
   scallop_modes_text(&r.modes, modes);
   table_text(table, modes);
   table_text(table, "ok");
-  return true;
+  return NULL;
 }
 
-static enum exit_code run(const struct options *options)
-{
-  return for_each_point(options, extra, columns, row);
-}
+static enum exit_code run(const struct options *options) { return for_each_point(options, extra, columns, row); }
 
 const struct command command_phase = {
   .name = "phase",
   .summary = "one extension or contraction phase from a start velocity, exactly",
   .example = "scallop phase --phase extension --v0 2.5",
   .accepts = accepts,
-  .about =
-    "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-    "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
-    "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
-    "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
-    "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.",
+  .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
+           "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
+           "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
+           "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
+           "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.",
   .run = run,
 };

@@ -4,15 +4,16 @@
 #include "compare/exact.h"
 #include "compare/points.h"
 
-static const char *const accepts[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", "v0", "points", "format",
-                                       "digits", "output", "quiet", NULL };
-static const char *const columns[] = { "formula", "equation", "phase", "quantity", "remainder", "published", "exact", "error", NULL };
+static const char *const accepts[] = { "m1", "m2",     "F1",     "F2",     "L",      "T",     "alpha", "gait",
+                                       "v0", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
+                                       "published", "exact",    "error", NULL };
 static const char *const extra[] = { "v0", NULL };
 
 /* A formula at a point, and what the exact motion has there. */
 struct value {
   const struct scallop_formula *formula;
-  const char *phase;                 /* "extension", "contraction" or "period"                        */
+  const char *phase; /* "extension", "contraction" or "period"                        */
   const char *quantity;
   double published, exact;
 };
@@ -75,17 +76,18 @@ static void skip_value(void *context, const struct value *v) { (void)context, (v
 static void write_published(void *context, const struct value *v) { table_number(context, v->published); }
 
 /* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
-static bool row(struct table *table, const struct options *point, const char *status)
+static const char *row(struct table *table, const struct options *point, const char *refused)
 {
-  enum scallop_status solved = status ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
-  point_parameters(table, point);
-  table_number(table, point->has_v0 ? point->v0 : NAN);
-  if (solved < 0)
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
+  const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
+  point_parameters(table, point, refused);
+  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
+  if (why)
     point_blank(table, table->count - table->at - 1);
   else
     each_value(point, write_published, table);
-  table_text(table, solved < 0 ? (status ? status : scallop_status_text(solved)) : "ok");
-  return solved >= 0;
+  table_text(table, why ? why : "ok");
+  return why;
 }
 
 static enum exit_code run_points(const struct options *options)
@@ -124,9 +126,11 @@ static enum exit_code run(const struct options *options)
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: series");
   table_parameters(&table, options);
-  if (options->has_v0)
-    table_note(&table, "v0: %.17g", options->v0);
-  else
+  if (options->has_v0) {
+    char v0[NUMBER_TEXT];
+    number_text(v0, options->v0, 0);
+    table_note(&table, "v0: %s", v0);
+  } else
     table_note(&table, "v0: the exact steady velocity at the start of each phase");
   table_columns(&table, columns);
   table_begin_rows(&table);
@@ -139,11 +143,10 @@ const struct command command_series = {
   .summary = "the paper's formulas as published, beside the exact values",
   .example = "scallop series --T 0.1 --v0 2.5",
   .accepts = accepts,
-  .about =
-    "T is the period; the formulas of one phase are evaluated for its duration, alpha T or (1 - alpha) T.\n"
-    "Formulas from rest start from rest; the others start with --v0, and without it with the exact steady velocity\n"
-    "of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the appendices); phase;\n"
-    "quantity; the remainder as printed; published, exact and error = published - exact.\n"
-    "With --points: one row for each point, the published value of every formula in a column of its own.",
+  .about = "T is the period; the formulas of one phase are evaluated for its duration, alpha T or (1 - alpha) T.\n"
+           "Formulas from rest start from rest; the others start with --v0, and without it with the exact steady velocity\n"
+           "of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the appendices); phase;\n"
+           "quantity; the remainder as printed; published, exact and error = published - exact.\n"
+           "With --points: one row for each point, the published value of every formula in a column of its own.",
   .run = run,
 };

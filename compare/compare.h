@@ -15,19 +15,22 @@ enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSO
 /* One command: `scallop NAME`. */
 struct command {
   const char *name;
-  const char *summary;         /* one line                                                        */
-  const char *example;         /* what `--help` shows first                                       */
-  const char *operand;         /* "FILE", or NULL if there is none                                */
-  const char *const *accepts;  /* names of the options it takes, NULL-terminated                  */
-  const char *about;           /* what the columns mean                                           */
+  const char *summary;                    /* one line                                                        */
+  const char *example;                    /* what `--help` shows first                                       */
+  const char *operand;                    /* "FILE", or NULL if there is none                                */
+  const char *const *accepts;             /* names of the options it takes, NULL-terminated                  */
+  const char *about;                      /* what the columns mean                                           */
   const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                      */
   enum exit_code (*run)(const struct options *);
 };
 
-extern const struct command command_phase, command_steady, command_trajectory, command_series,
-    command_claims, command_order, command_figure;
+extern const struct command command_phase, command_steady, command_trajectory, command_series, command_claims, command_order,
+    command_figure;
 /* All commands, NULL-terminated. */
 extern const struct command *const commands[];
+
+/* What some programs write at the head of a UTF-8 file. */
+#define BYTE_ORDER_MARK "\xef\xbb\xbf"
 
 /* "scallop NAME: message" on stderr. */
 void complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -72,8 +72,11 @@ double published_value(const struct scallop_formula *formula, const struct scall
 
 const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  static const char *const of_contraction[] = { "dT", "t1", "x2(t1)", "x2(T-dT)", "x2(T)", "x1(T)", "x_C(T)", "v(T)", "v(T)-v0" };
-  static const char *const of_extension[] = { "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0" };
+  static const char *const of_contraction[] = { "dT",    "t1",     "x2(t1)", "x2(T-dT)", "x2(T)",
+                                                "x1(T)", "x_C(T)", "v(T)",   "v(T)-v0" };
+  static const char *const of_extension[] = {
+    "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0"
+  };
   if (f->setting == SCALLOP_STEADY)
     return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
   return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];

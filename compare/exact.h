@@ -9,7 +9,7 @@ struct exact_phase {
   enum scallop_phase_kind kind;
   double v0;
   struct scallop_phase_result phase;
-  double at_first, at_last;    /* position of the rear body, from its start, at the first and at the last change of mode */
+  double at_first, at_last; /* position of the rear body, from its start, at the first and at the last change of mode */
 };
 
 enum scallop_status exact_phase_solve(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,

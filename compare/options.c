@@ -1,5 +1,6 @@
 #include "compare/options.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stddef.h>
@@ -9,8 +10,8 @@
 #include "compare/compare.h"
 
 struct description {
-  const char *name;             /* without the dashes                                              */
-  const char *placeholder;      /* NULL: a flag                                                    */
+  const char *name;        /* without the dashes                                              */
+  const char *placeholder; /* NULL: a flag                                                    */
   const char *help;
   const char *(*set)(struct options *, const char *name, const char *text);
 };
@@ -53,7 +54,10 @@ static const char *not_allowed(const char *text, const char *allowed)
 
 static double *crawler_field(struct scallop_crawler *c, const char *name)
 {
-  const struct { const char *name; double *field; } fields[] = {
+  const struct {
+    const char *name;
+    double *field;
+  } fields[] = {
     { "m1", &c->m1 }, { "m2", &c->m2 }, { "F1", &c->F1 },       { "F2", &c->F2 },
     { "L", &c->L },   { "T", &c->T },   { "alpha", &c->alpha },
   };
@@ -87,8 +91,7 @@ static const char *set_crawler_number(struct options *o, const char *name, const
   struct scallop_crawler candidate = scallop_crawler_default();
   double *field = crawler_field(&candidate, name);
   if (!read_number(text, field))
-    return not_allowed(text, strcmp(name, "alpha") == 0 ? "a number between 0 and 1, both excluded"
-                                                        : "a finite number > 0");
+    return not_allowed(text, strcmp(name, "alpha") == 0 ? "a number between 0 and 1, both excluded" : "a finite number > 0");
   if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
   *crawler_field(&o->crawler, name) = *field;
@@ -195,7 +198,8 @@ const char *options_set_parameter(struct options *o, const char *name, const cha
   return describe(name)->set(o, name, text);
 }
 
-static int distance(const char *a, const char *b) /* Levenshtein */
+/* Levenshtein's, upper and lower case being the same */
+static int distance(const char *a, const char *b)
 {
   enum { LONGEST = 40 };
   int row[LONGEST + 1];
@@ -208,7 +212,7 @@ static int distance(const char *a, const char *b) /* Levenshtein */
     int diagonal = row[0];
     row[0] = (int)i;
     for (size_t j = 1; j <= m; j++) {
-      int substitute = diagonal + (a[i - 1] != b[j - 1]);
+      int substitute = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
       int insert = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
       diagonal = row[j];
       row[j] = substitute < insert ? substitute : insert;
@@ -217,12 +221,15 @@ static int distance(const char *a, const char *b) /* Levenshtein */
   return row[m];
 }
 
+bool likely(const char *word, const char *name) { return distance(word, name) <= (strlen(name) > 3 ? 1 : 0); }
+
 const char *nearest(const char *word, const char *const *names)
 {
   const char *best = NULL;
-  int least = (int)strlen(word) / 2 + 1;
+  size_t length = strlen(word);
+  int least = length > 0 ? (int)length / 3 + 1 : 0;
   for (; *names; names++) {
-    int d = distance(word, *names);
+    int d = length > 2 && strncmp(word, *names, length) == 0 ? 0 : distance(word, *names);
     if (d <= least && (!best || d < least)) {
       best = *names;
       least = d;
@@ -248,20 +255,21 @@ static bool refuse(int *code)
 static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
 {
   char *argument = arguments[*i];
-  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + strspn(argument, "-");
+  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
+  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + (two_dashes ? 2 : 0);
   char *equals = strchr(name, '='), *text = NULL;
-  if (equals && argument[1] == '-') {
+  if (equals && two_dashes) {
     *equals = '\0';
     text = equals + 1;
   }
   const struct description *d = accepted(o->command, name) ? describe(name) : NULL;
-  if (!d || (argument[1] != '-' && strcmp(argument, "-o") != 0)) {
-    const char *near = nearest(name, o->command->accepts);
+  if (!d || (!two_dashes && strcmp(argument, "-o") != 0)) {
+    const char *near = nearest(name + strspn(name, "-"), o->command->accepts);
     bool elsewhere = describe(name) != NULL;
-    complain(o->command->name, "%s option '%s'%s%s%s; see scallop %s --help",
+    complain(o->command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
              elsewhere ? "this command does not take the" : "unknown", argument,
-             near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "",
-             near && !elsewhere ? "'?" : "", o->command->name);
+             near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "", near && !elsewhere ? "'?" : "",
+             o->command->name);
     return refuse(code);
   }
   if (d->placeholder && !text) {
@@ -283,9 +291,12 @@ static bool read_option(struct options *o, int count, char **arguments, int *i, 
 
 bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
 {
-  *o = (struct options){ .command = command, .start = "rest",
+  *o = (struct options){ .command = command,
+                         .start = "rest",
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
-                         .periods = 10, .samples = 40, .tolerance = 0.1 };
+                         .periods = 10,
+                         .samples = 40,
+                         .tolerance = 0.1 };
   for (int i = 0; i < count; i++) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
       options_help(stdout, command);
@@ -298,12 +309,12 @@ bool options_read(struct options *o, const struct command *command, int count, c
     } else if (command->operand && !o->operand) {
       o->operand = arguments[i];
     } else {
-      complain(command->name, "unexpected argument '%s'; see scallop %s --help", arguments[i], command->name);
+      complain(command->name, "unexpected argument '%s' (see scallop %s --help)", arguments[i], command->name);
       return refuse(code);
     }
   }
   if (command->operand && !o->operand) {
-    complain(command->name, "%s is missing: scallop %s %s", command->operand, command->name, command->operand);
+    complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
     return refuse(code);
   }
   return true;
@@ -311,9 +322,9 @@ bool options_read(struct options *o, const struct command *command, int count, c
 
 void options_help(FILE *to, const struct command *command)
 {
-  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n",
-          command->example, command->name, command->operand ? " " : "",
-          command->operand ? command->operand : "", command->summary, command->about);
+  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n", command->example,
+          command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
+          command->about);
   for (const char *const *name = command->accepts; *name; name++) {
     const struct description *d = describe(*name);
     char left[40];
@@ -322,5 +333,7 @@ void options_help(FILE *to, const struct command *command)
   }
   fprintf(to, "  %-18s %s\n", "--help", "this text");
   if (command->defaults)
-    fputs("The crawler's defaults are others here; the table's header tells them.\n", to);
+    fprintf(to, "Defaults here: m1 = %g, m2 = %g, F1 = %g, F2 = %g, L = %g, alpha = %g.\n", command->defaults->m1,
+            command->defaults->m2, command->defaults->F1, command->defaults->F2, command->defaults->L,
+            command->defaults->alpha);
 }

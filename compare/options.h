@@ -16,17 +16,17 @@ struct options {
   struct scallop_crawler crawler;
   enum scallop_phase_kind phase;
   double v0;
-  const char *start;            /* trajectory: "rest", "steady" or a number                        */
-  double start_velocity;        /* that number                                                     */
-  const char *points;           /* file name, "-" for standard input, or NULL                      */
+  const char *start;     /* trajectory: "rest", "steady" or a number                        */
+  double start_velocity; /* that number                                                     */
+  const char *points;    /* file name, "-" for standard input, or NULL                      */
   const char *operand;
-  const char *output;           /* NULL: standard output                                           */
+  const char *output; /* NULL: standard output                                           */
   enum format format;
-  long digits;                  /* significant digits; 0: as many as read back exactly             */
+  long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
   bool has_expect, has_v0, quiet;
-  bool has_parameter;           /* any of the crawler's parameters was given                       */
+  bool has_parameter; /* any of the crawler's parameters was given                       */
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it
@@ -42,6 +42,9 @@ double crawler_parameter(const struct scallop_crawler *crawler, const char *name
 bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);
 
 void options_help(FILE *to, const struct command *command);
+
+/* Is word a slip for name: the same but for upper and lower case, or, if name is long, one letter off? */
+bool likely(const char *word, const char *name);
 
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
 const char *nearest(const char *word, const char *const *names);

@@ -136,7 +136,9 @@ static void leave_out_before_sign_change(struct order_point *points, int count)
       points[i].use = ORDER_BEFORE_SIGN_CHANGE;
 }
 
-struct line { double slope, half_width; };
+struct line {
+  double slope, half_width;
+};
 
 /* Least squares of log|err| over log h on the used points from first on, and the half-width of the interval. */
 static struct line fit_line(const struct order_point *points, int count, int first)
@@ -185,7 +187,8 @@ static void note_pairwise(struct order_point *points, int count)
 {
   for (int i = 0; i < count; i++)
     points[i].pairwise = i + 1 < count && points[i].err != 0 && points[i + 1].err != 0
-                           ? slope_between(&points[i], &points[i + 1]) : NAN;
+                             ? slope_between(&points[i], &points[i + 1])
+                             : NAN;
 }
 
 static enum order_state too_few(const struct order_point *points, int count)
@@ -284,8 +287,8 @@ int order_from_values(struct order_point *points, int count)
 
 const char *order_verdict_text(enum order_verdict verdict)
 {
-  static const char *const text[] = { "pass", "too-low", "too-high", "floor-limited", "not-asymptotic",
-                                      "insufficient", "invalid" };
+  static const char *const text[] = { "pass",           "too-low",      "too-high", "floor-limited",
+                                      "not-asymptotic", "insufficient", "invalid" };
   return text[verdict];
 }
 

@@ -25,16 +25,16 @@ struct order_point {
 
 enum order_state {
   ORDER_FITTED,
-  ORDER_INVALID,          /* h not positive, repeated or not finite; err not finite                    */
-  ORDER_INSUFFICIENT,     /* fewer than three usable points                                            */
-  ORDER_FLOOR_LIMITED,    /* fewer than three usable points, the others being at a roundoff floor      */
-  ORDER_NOT_ASYMPTOTIC,   /* the pairwise orders do not settle                                         */
-  ORDER_EXACT             /* every error is zero or within its noise                                   */
+  ORDER_INVALID,        /* h not positive, repeated or not finite; err not finite                    */
+  ORDER_INSUFFICIENT,   /* fewer than three usable points                                            */
+  ORDER_FLOOR_LIMITED,  /* fewer than three usable points, the others being at a roundoff floor      */
+  ORDER_NOT_ASYMPTOTIC, /* the pairwise orders do not settle                                         */
+  ORDER_EXACT           /* every error is zero or within its noise                                   */
 };
 
 struct order_fit {
   enum order_state state;
-  double order, lo, hi;   /* fitted, and its interval; nan unless there were three usable points        */
+  double order, lo, hi; /* fitted, and its interval; nan unless there were three usable points        */
   int used;
 };
 
@@ -48,8 +48,13 @@ struct order_fit order_estimate(struct order_point *points, int count);
 int order_from_values(struct order_point *points, int count);
 
 enum order_verdict {
-  ORDER_PASS, ORDER_TOO_LOW, ORDER_TOO_HIGH, ORDER_VERDICT_FLOOR_LIMITED, ORDER_VERDICT_NOT_ASYMPTOTIC,
-  ORDER_VERDICT_INSUFFICIENT, ORDER_VERDICT_INVALID
+  ORDER_PASS,
+  ORDER_TOO_LOW,
+  ORDER_TOO_HIGH,
+  ORDER_VERDICT_FLOOR_LIMITED,
+  ORDER_VERDICT_NOT_ASYMPTOTIC,
+  ORDER_VERDICT_INSUFFICIENT,
+  ORDER_VERDICT_INVALID
 };
 const char *order_verdict_text(enum order_verdict verdict);
 

@@ -9,7 +9,7 @@ enum { COLUMNS = 256, STATUS = 320 };
 
 struct reader {
   FILE *file;
-  const char *name;              /* of the file, for messages                                       */
+  const char *name; /* of the file, for messages                                       */
   char *line;
   size_t size;
   long line_number;
@@ -17,13 +17,13 @@ struct reader {
   int columns;
 };
 
-void point_parameters(struct table *table, const struct options *point)
+void point_parameters(struct table *table, const struct options *point, const char *refused)
 {
   for (const char *const *name = crawler_parameters; *name; name++)
     if (strcmp(*name, "gait") == 0)
-      table_text(table, point->crawler.gait->name);
+      table_text(table, refused ? "-" : point->crawler.gait->name);
     else
-      table_number(table, crawler_parameter(&point->crawler, *name));
+      table_number(table, refused ? NAN : crawler_parameter(&point->crawler, *name));
 }
 
 void point_blank(struct table *table, int count)
@@ -35,8 +35,12 @@ void point_blank(struct table *table, int count)
 /* The next line without its end, comments and empty lines passed over. False at the end of the file. */
 static bool next_line(struct reader *r, ssize_t *length)
 {
+  const size_t mark = strlen(BYTE_ORDER_MARK);
   while ((*length = getline(&r->line, &r->size, r->file)) >= 0) {
-    r->line_number++;
+    if (r->line_number++ == 0 && strncmp(r->line, BYTE_ORDER_MARK, mark) == 0) {
+      *length -= (ssize_t)mark;
+      memmove(r->line, r->line + mark, (size_t)*length + 1);
+    }
     while (*length > 0 && (r->line[*length - 1] == '\n' || r->line[*length - 1] == '\r'))
       r->line[--*length] = '\0';
     if (*length > 0 && r->line[0] != '#')
@@ -56,11 +60,25 @@ static const char *known_parameter(const char *name, const char *const *extra)
   return NULL;
 }
 
+/* A known parameter that this name, which is none, was probably meant to be; names of one letter are not judged. */
+static const char *meant(const char *name, const char *const *extra)
+{
+  for (int list = 0; list < 2; list++)
+    for (const char *const *p = list == 0 ? crawler_parameters : extra; *p; p++)
+      if (strlen(*p) > 1 && likely(name, *p))
+        return *p;
+  return NULL;
+}
+
 static enum exit_code read_header(struct reader *r, const char *command, const char *const *extra)
 {
   ssize_t length;
   bool useful = false;
   if (!next_line(r, &length)) {
+    if (ferror(r->file)) {
+      complain(command, "cannot read %s: %s", r->name, strerror(errno));
+      return EXIT_FILE;
+    }
     complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
     return EXIT_USAGE;
   }
@@ -82,6 +100,11 @@ static enum exit_code read_header(struct reader *r, const char *command, const c
         complain(command, "%s:%ld: the column '%s' is there twice", r->name, r->line_number, parameter);
         return EXIT_USAGE;
       }
+    const char *near = parameter ? NULL : meant(cell, extra);
+    if (near) {
+      complain(command, "%s:%ld: unknown column '%.80s': did you mean '%s'?", r->name, r->line_number, cell, near);
+      return EXIT_USAGE;
+    }
     r->parameter[r->columns++] = parameter;
     useful |= parameter != NULL;
     cell = tab ? tab + 1 : NULL;
@@ -130,7 +153,7 @@ static enum exit_code solve_rows(struct reader *r, struct table *table, const st
     struct options point = *options;
     const char *wrong = read_row(r, &point, length, status);
     rows++;
-    if (!row(table, &point, wrong))
+    if (row(table, &point, wrong))
       unsolved++;
   }
   if (ferror(r->file)) {
@@ -158,22 +181,22 @@ static bool begin(struct table *table, const struct options *options, const char
   return true;
 }
 
-static enum exit_code one_point(const struct options *options, const char *const *extra,
-                                const char *const *columns, point_row *row)
+static enum exit_code one_point(const struct options *options, const char *const *extra, const char *const *columns,
+                                point_row *row)
 {
   struct table table;
   if (!begin(&table, options, extra, columns))
     return EXIT_FILE;
-  bool solved = row(&table, options, NULL);
+  const char *why = row(&table, options, NULL);
   if (!table_close(&table))
     return EXIT_FILE;
-  if (!solved)
-    complain(options->command->name, "this point could not be solved: the column 'status' says why");
-  return solved ? EXIT_DONE : EXIT_UNSOLVED;
+  if (why)
+    complain(options->command->name, "this point could not be solved: %s", why);
+  return why ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-enum exit_code for_each_point(const struct options *options, const char *const *extra,
-                              const char *const *columns, point_row *row)
+enum exit_code for_each_point(const struct options *options, const char *const *extra, const char *const *columns,
+                              point_row *row)
 {
   if (!options->points)
     return one_point(options, extra, columns, row);

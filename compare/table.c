@@ -2,33 +2,79 @@
 
 #include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "compare/compare.h"
 
-static const char *where(const struct table *t)
+static const char *where(const struct table *t) { return t->options->output ? t->options->output : "standard output"; }
+
+/* The unfinished file, for a signal that ends the process. */
+static const char *volatile unfinished;
+
+static void give_up(int signal_number)
 {
-  return t->aside ? t->options->output : "standard output";
+  if (unfinished)
+    unlink(unfinished);
+  signal(signal_number, SIG_DFL);
+  raise(signal_number);
+}
+
+static void watch(const char *aside)
+{
+  static const int signals[] = { SIGINT, SIGTERM, SIGHUP };
+  unfinished = aside;
+  for (int i = 0; aside && i < 3; i++)
+    if (signal(signals[i], give_up) == SIG_IGN) /* under nohup the terminal may go */
+      signal(signals[i], SIG_IGN);
+}
+
+static void forget_names(struct table *t)
+{
+  free(t->aside);
+  free(t->target);
+  t->aside = t->target = NULL;
+}
+
+/* Opens a file beside the one it will become. The target is found through any link. */
+static bool open_aside(struct table *t, const char *output)
+{
+  enum { ENDING = 32 };
+  struct stat there;
+  t->target = realpath(output, NULL);
+  if (!t->target)
+    t->target = strdup(output);
+  if (!t->target)
+    return false;
+  size_t size = strlen(t->target) + ENDING;
+  t->aside = malloc(size);
+  if (!t->aside)
+    return false;
+  snprintf(t->aside, size, "%s.%ld.part", t->target, (long)getpid());
+  t->file = fopen(t->aside, "w");
+  if (t->file && stat(t->target, &there) == 0)
+    (void)fchmod(fileno(t->file), there.st_mode & 07777); /* what the file replaces could be read by the same people */
+  return t->file != NULL;
 }
 
 bool table_open(struct table *t, const struct options *options)
 {
+  struct stat there;
   *t = (struct table){ .file = stdout, .options = options };
   if (!options->output)
     return true;
-  size_t size = strlen(options->output) + 32;
-  t->aside = malloc(size);
-  if (t->aside) {
-    snprintf(t->aside, size, "%s.%ld.part", options->output, (long)getpid());
-    t->file = fopen(t->aside, "w");
-  }
-  if (!t->aside || !t->file) {
+  bool plain = stat(options->output, &there) != 0 || S_ISREG(there.st_mode);
+  if (!plain) /* a pipe or a device: nothing to rename onto */
+    t->file = fopen(options->output, "w");
+  if (plain ? !open_aside(t, options->output) : !t->file) {
     complain(options->command->name, "cannot write %s: %s", options->output, strerror(errno));
-    free(t->aside);
+    forget_names(t);
     return false;
   }
+  watch(t->aside);
   return true;
 }
 
@@ -44,16 +90,22 @@ void table_note(struct table *t, const char *format, ...)
   va_end(arguments);
 }
 
-/* Shortest of 15, 16 or 17 digits that reads back to the same double. */
-static void print_number(FILE *file, double x, long digits)
+void number_text(char text[NUMBER_TEXT], double x, long digits)
 {
-  char text[40];
   for (int precision = digits > 0 ? (int)digits : 15;; precision++) {
-    snprintf(text, sizeof text, "%.*g", precision, x);
+    snprintf(text, NUMBER_TEXT, "%.*g", precision, x);
     if (digits > 0 || precision == 17 || strtod(text, NULL) == x || isnan(x))
       break;
   }
-  fputs(isnan(x) ? "nan" : text, file);
+  if (isnan(x)) /* of either sign */
+    memcpy(text, "nan", 4);
+}
+
+static void print_number(FILE *file, double x, long digits)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, x, digits);
+  fputs(text, file);
 }
 
 void table_parameters(struct table *t, const struct options *o)
@@ -138,6 +190,8 @@ void table_text(struct table *t, const char *text)
       fprintf(t->file, "\\%c", c);
     else if (c < 0x20)
       fputc(' ', t->file);
+    else if (c > 0x7e) /* somebody's bytes in a message: not to make the table unreadable */
+      fputc('?', t->file);
     else
       fputc(c, t->file);
   }
@@ -150,12 +204,12 @@ bool table_close(struct table *t)
 {
   bool written = fflush(t->file) == 0 && !ferror(t->file);
   int error = errno;
+  if (t->file != stdout && fclose(t->file) != 0 && written) {
+    written = false;
+    error = errno;
+  }
   if (t->aside) {
-    if (fclose(t->file) != 0 && written) {
-      written = false;
-      error = errno;
-    }
-    if (written && rename(t->aside, t->options->output) != 0) {
+    if (written && rename(t->aside, t->target) != 0) {
       written = false;
       error = errno;
     }
@@ -164,17 +218,18 @@ bool table_close(struct table *t)
   }
   if (!written)
     complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(error));
-  free(t->aside);
-  t->aside = NULL;
+  watch(NULL);
+  forget_names(t);
   return written;
 }
 
 void table_abandon(struct table *t)
 {
-  if (t->aside) {
+  if (t->file != stdout)
     fclose(t->file);
+  if (t->aside) {
     remove(t->aside);
-    free(t->aside);
-    t->aside = NULL;
+    watch(NULL);
+    forget_names(t);
   }
 }

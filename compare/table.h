@@ -9,14 +9,18 @@
 
 #include "compare/options.h"
 
-enum { TABLE_COLUMNS = 64 };
+enum { TABLE_COLUMNS = 64, NUMBER_TEXT = 40 };
+
+/* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. */
+void number_text(char text[NUMBER_TEXT], double x, long digits);
 
 struct table {
   FILE *file;
   const struct options *options;
-  char *aside;                       /* the name while it is written, NULL on standard output */
+  char *target; /* the file it becomes, through any link               */
+  char *aside;  /* the name while it is written, NULL on standard output */
   const char *columns[TABLE_COLUMNS];
-  int count, at;                     /* columns; the next one in this row                     */
+  int count, at; /* columns; the next one in this row                     */
 };
 
 /* Opens the output named by options. False: the message is on stderr, exit with EXIT_FILE. */

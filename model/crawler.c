@@ -17,22 +17,24 @@ const char *scallop_status_text(enum scallop_status status)
 
 struct scallop_crawler scallop_crawler_default(void)
 {
-  return (struct scallop_crawler){ .m1 = 1, .m2 = 1, .F1 = 4, .F2 = 1, .L = 10, .T = 1,
-                                   .alpha = 0.75, .gait = &scallop_gait_quadratic };
+  return (struct scallop_crawler){
+    .m1 = 1, .m2 = 1, .F1 = 4, .F2 = 1, .L = 10, .T = 1, .alpha = 0.75, .gait = &scallop_gait_quadratic
+  };
 }
 
-static enum scallop_status complain(struct scallop_complaint *complaint, const char *name,
-                                    double given, const char *allowed)
+static enum scallop_status complain(struct scallop_complaint *complaint, const char *name, double given, const char *allowed)
 {
   if (complaint)
     *complaint = (struct scallop_complaint){ name, given, allowed };
   return SCALLOP_EDOMAIN;
 }
 
-enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
-                                          struct scallop_complaint *complaint)
+enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler, struct scallop_complaint *complaint)
 {
-  const struct { const char *name; double value; } positive[] = {
+  const struct {
+    const char *name;
+    double value;
+  } positive[] = {
     { "m1", crawler->m1 }, { "m2", crawler->m2 }, { "F1", crawler->F1 },
     { "F2", crawler->F2 }, { "L", crawler->L },   { "T", crawler->T },
   };
@@ -51,6 +53,17 @@ double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallo
   return (kind == SCALLOP_EXTENSION ? crawler->alpha : 1 - crawler->alpha) * crawler->T;
 }
 
+/* T^2 F/(M L). Where a step in between leaves the normal range, with the exponents apart. */
+static double inverse_froude(double T, double F, double M, double L)
+{
+  double a = T / L, b = F / M, c = b * T;
+  if (isnormal(a) && isnormal(b) && isnormal(c))
+    return a * c;
+  int eT, eF, eM, eL;
+  T = frexp(T, &eT), F = frexp(F, &eF), M = frexp(M, &eM), L = frexp(L, &eL);
+  return ldexp((T / L) * (F / M * T), 2 * eT + eF - eM - eL);
+}
+
 enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled)
 {
   enum scallop_status status = scallop_crawler_check(crawler, NULL);
@@ -64,14 +77,14 @@ enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct 
     .f1 = crawler->F1 / F,
     .f2 = crawler->F2 / F,
     .delta = (crawler->F1 - crawler->F2) / F,
-    .eps = (crawler->T / crawler->L) * (F / M * crawler->T),
+    .eps = inverse_froude(crawler->T, F, M, crawler->L),
     .fraction = { crawler->alpha, 1 - crawler->alpha },
     .velocity = crawler->L / crawler->T,
     .gait = crawler->gait,
   };
   double a = s.fraction[SCALLOP_EXTENSION], b = s.fraction[SCALLOP_CONTRACTION];
-  const double must_be_normal[] = { s.mu1, s.mu2, s.f1, s.f2, s.eps, s.eps * (a * a), s.eps * (b * b),
-                                    s.velocity, s.velocity / a, s.velocity / b };
+  const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,       s.f2,           s.eps,
+                                    s.eps * (a * a), s.eps * (b * b), s.velocity, s.velocity / a, s.velocity / b };
   for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
     if (!isnormal(must_be_normal[i]))
       return SCALLOP_ERANGE;

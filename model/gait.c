@@ -6,10 +6,7 @@
 
 #define PI 3.14159265358979323846
 
-static double time_offset(const struct scallop_piece *p, double u)
-{
-  return p->anchor == SCALLOP_FROM_START ? u : -u;
-}
+static double time_offset(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : -u; }
 
 /* ---- pieces on which l' is linear ---- */
 
@@ -30,29 +27,23 @@ static double linear_acceleration(const struct scallop_piece *p, double u)
   return p->acceleration;
 }
 
-static double linear_when(const struct scallop_piece *p, double a)
-{
-  return a == p->acceleration ? p->begin : NAN;
-}
+static double linear_when(const struct scallop_piece *p, double a) { return a == p->acceleration ? p->begin : NAN; }
 
-const struct scallop_curve scallop_curve_linear = {
-  linear_length, linear_velocity, linear_acceleration, linear_when
-};
+const struct scallop_curve scallop_curve_linear = { linear_length, linear_velocity, linear_acceleration, linear_when, NULL };
 
-#define LINEAR(from, to, anchored, sign, slope)                                                     \
-  { .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true,        \
-    .acceleration = (slope), .curve = &scallop_curve_linear }
+#define LINEAR(from, to, anchored, sign, slope) \
+  { \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true, .acceleration = (slope), \
+    .curve = &scallop_curve_linear \
+  }
 
-static const struct scallop_piece quadratic_extension[] = {
-  LINEAR(0, 0.5, SCALLOP_FROM_START, 1, 4), LINEAR(0.5, 0, SCALLOP_FROM_END, 1, -4)
-};
-static const struct scallop_piece quadratic_contraction[] = {
-  LINEAR(0, 0.5, SCALLOP_FROM_START, -1, -4), LINEAR(0.5, 0, SCALLOP_FROM_END, -1, 4)
-};
+static const struct scallop_piece quadratic_extension[] = { LINEAR(0, 0.5, SCALLOP_FROM_START, 1, 4),
+                                                            LINEAR(0.5, 0, SCALLOP_FROM_END, 1, -4) };
+static const struct scallop_piece quadratic_contraction[] = { LINEAR(0, 0.5, SCALLOP_FROM_START, -1, -4),
+                                                              LINEAR(0.5, 0, SCALLOP_FROM_END, -1, 4) };
 
 const struct scallop_gait scallop_gait_quadratic = {
-  "quadratic",
-  { { quadratic_extension, 2, 4, -4, 2, 1 }, { quadratic_contraction, 2, -4, 4, 2, -1 } }
+  "quadratic", { { quadratic_extension, 2, 4, -4, 2, 1 }, { quadratic_contraction, 2, -4, 4, 2, -1 } }
 };
 
 /* ---- half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep
@@ -64,16 +55,28 @@ static double sine_length(const struct scallop_piece *p, double u)
   return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (h * h);
 }
 
-static double sine_velocity(const struct scallop_piece *p, double u)
+static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
 {
-  return p->direction * (0.5 * PI) * sin(PI * u);
+  /* near u = 1/2 from there, so that l'' is exactly 0 where the two pieces meet */
+  bool late = u > 0.25;
+  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
+  double sense = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
+  *velocity = p->direction * (0.5 * PI) * (late ? c : s);
+  *acceleration = sense * (0.5 * PI * PI) * (late ? s : c);
 }
 
-/* cos(pi u), exactly zero at u = 1/2 where the two pieces meet */
+static double sine_velocity(const struct scallop_piece *p, double u)
+{
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return velocity;
+}
+
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  double cosine = u > 0.25 ? sin(PI * (0.5 - u)) : cos(PI * u);
-  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI) * cosine;
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return acceleration;
 }
 
 static double sine_when(const struct scallop_piece *p, double a)
@@ -84,25 +87,23 @@ static double sine_when(const struct scallop_piece *p, double a)
   return cosine > 0.5 ? acos(cosine) / PI : 0.5 - asin(cosine) / PI;
 }
 
-static const struct scallop_curve sine = { sine_length, sine_velocity, sine_acceleration, sine_when };
+static const struct scallop_curve sine = { sine_length, sine_velocity, sine_acceleration, sine_when, sine_rates };
 
-#define SINE(from, to, anchored, sign)                                                              \
-  { .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &sine }
+#define SINE(from, to, anchored, sign) \
+  { \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &sine \
+  }
 
-static const struct scallop_piece sinusoidal_extension[] = {
-  SINE(0, 0.5, SCALLOP_FROM_START, 1), SINE(0.5, 0, SCALLOP_FROM_END, 1)
-};
-static const struct scallop_piece sinusoidal_contraction[] = {
-  SINE(0, 0.5, SCALLOP_FROM_START, -1), SINE(0.5, 0, SCALLOP_FROM_END, -1)
-};
+static const struct scallop_piece sinusoidal_extension[] = { SINE(0, 0.5, SCALLOP_FROM_START, 1),
+                                                             SINE(0.5, 0, SCALLOP_FROM_END, 1) };
+static const struct scallop_piece sinusoidal_contraction[] = { SINE(0, 0.5, SCALLOP_FROM_START, -1),
+                                                               SINE(0.5, 0, SCALLOP_FROM_END, -1) };
 
 #define SINE_L0 (0.5 * PI * PI)
 
-const struct scallop_gait scallop_gait_sinusoidal = {
-  "sinusoidal",
-  { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1 },
-    { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1 } }
-};
+const struct scallop_gait scallop_gait_sinusoidal = { "sinusoidal",
+                                                      { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1 },
+                                                        { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1 } } };
 
 /* ---- all gaits ---- */
 
@@ -117,10 +118,7 @@ const struct scallop_gait *scallop_gait_named(const char *name)
   return NULL;
 }
 
-const char *scallop_gait_name(int i)
-{
-  return i >= 0 && i < GAITS ? gaits[i]->name : NULL;
-}
+const char *scallop_gait_name(int i) { return i >= 0 && i < GAITS ? gaits[i]->name : NULL; }
 
 /* The piece that holds time s, and the offset of s from its anchor. */
 static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)
@@ -134,8 +132,8 @@ static const struct scallop_piece *piece_at(const struct scallop_shape *shape, d
   return NULL;
 }
 
-void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s,
-                     double *length, double *velocity, double *acceleration)
+void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,
+                     double *velocity, double *acceleration)
 {
   double u;
   const struct scallop_shape *shape = &gait->phase[kind];

@@ -16,10 +16,10 @@
  * Above zero: done, and there is something to know. */
 enum scallop_status {
   SCALLOP_OK = 0,
-  SCALLOP_INTERVAL = 1,     /* the steady states fill an interval; both ends are returned   */
-  SCALLOP_EDOMAIN = -1,     /* a parameter is outside its domain                            */
-  SCALLOP_ERANGE = -2,      /* a scaled quantity overflows, or underflows and loses digits  */
-  SCALLOP_ECONVERGE = -3    /* an iteration ended without an answer                         */
+  SCALLOP_INTERVAL = 1,  /* the steady states fill an interval; both ends are returned   */
+  SCALLOP_EDOMAIN = -1,  /* a parameter is outside its domain                            */
+  SCALLOP_ERANGE = -2,   /* a scaled quantity overflows, or underflows and loses digits  */
+  SCALLOP_ECONVERGE = -3 /* an iteration ended without an answer                         */
 };
 const char *scallop_status_text(enum scallop_status status);
 
@@ -40,27 +40,29 @@ struct scallop_curve {
   double (*velocity)(const struct scallop_piece *, double u);     /* l'(u)                         */
   double (*acceleration)(const struct scallop_piece *, double u); /* l''(u)                        */
   double (*when)(const struct scallop_piece *, double a);         /* u with l''(u) = a, nan if none */
+  /* l' and l'' at once where that is cheaper, or NULL; the same values as from the two above        */
+  void (*rates)(const struct scallop_piece *, double u, double *velocity, double *acceleration);
 };
 
 /* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
  * is monotone inside the piece; pieces follow each other without a gap and cover the phase. */
 struct scallop_piece {
-  double begin, end;           /* offsets from the anchor, in the order of time, within [0, 1]     */
+  double begin, end; /* offsets from the anchor, in the order of time, within [0, 1]     */
   enum scallop_anchor anchor;
-  int direction;               /* sign of l': +1 or -1                                             */
-  bool jump;                   /* l' jumps where the piece begins                                  */
-  bool linear;                 /* l' is linear: l'(u) = velocity + acceleration * (time - anchor)  */
-  double velocity;             /* linear pieces: l' at the anchor                                  */
-  double acceleration;         /* linear pieces: l''                                               */
+  int direction;       /* sign of l': +1 or -1                                             */
+  bool jump;           /* l' jumps where the piece begins                                  */
+  bool linear;         /* l' is linear: l'(u) = velocity + acceleration * (time - anchor)  */
+  double velocity;     /* linear pieces: l' at the anchor                                  */
+  double acceleration; /* linear pieces: l''                                               */
   const struct scallop_curve *curve;
 };
 
-struct scallop_shape {         /* one phase of a gait, duration 1, amplitude 1                      */
+struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1                      */
   const struct scallop_piece *pieces;
   int count;
-  double l0, lT;               /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
-  double peak;                 /* max |l'|                                                         */
-  double net;                  /* time with l' > 0 minus time with l' < 0: +1 or -1 for most        */
+  double l0, lT; /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
+  double peak;   /* max |l'|                                                         */
+  double net;    /* time with l' > 0 minus time with l' < 0: +1 or -1 for most        */
 };
 
 struct scallop_gait {
@@ -79,8 +81,8 @@ const char *scallop_gait_name(int i);
 
 /* l, l' and l'' of one phase at s = t/tau in [0, 1], from its start. length: l itself, so 0 at the
  * start of an extension and 1 at the start of a contraction. Any of the three may be NULL. */
-void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s,
-                     double *length, double *velocity, double *acceleration);
+void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,
+                     double *velocity, double *acceleration);
 
 /* ---- crawler ------------------------------------------------------------------------------- */
 
@@ -96,15 +98,14 @@ struct scallop_crawler {
 /* m1 = m2 = 1, F1 = 4, F2 = 1, L = 10, T = 1, alpha = 3/4, quadratic. */
 struct scallop_crawler scallop_crawler_default(void);
 
-struct scallop_complaint {  /* what is wrong with a crawler: "F1 = -3: a finite number > 0" */
+struct scallop_complaint { /* what is wrong with a crawler: "F1 = -3: a finite number > 0" */
   const char *name;
   double given;
   const char *allowed;
 };
 
 /* SCALLOP_OK, or SCALLOP_EDOMAIN with the first bad parameter in *complaint (may be NULL). */
-enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
-                                          struct scallop_complaint *complaint);
+enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler, struct scallop_complaint *complaint);
 
 /* Duration of a phase: alpha T or (1 - alpha) T. */
 double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallop_phase_kind kind);
@@ -112,13 +113,13 @@ double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallo
 /* The crawler in units of L, T and F1 + F2. Differences that can be small (F1 - F2, 2 alpha - 1)
  * are formed from the inputs, where they are exact or correctly rounded, and never again. */
 struct scallop_scaled {
-  double mu1, mu2;         /* m1/M, m2/M                                            */
-  double mu_difference;    /* (m1 - m2)/M                                           */
-  double f1, f2;           /* F1/(F1 + F2), F2/(F1 + F2)                            */
-  double delta;            /* (F1 - F2)/(F1 + F2)                                   */
-  double eps;              /* T^2 (F1 + F2)/(M L) = 1/Froude                        */
-  double fraction[2];      /* alpha, 1 - alpha                                      */
-  double velocity;         /* L/T                                                   */
+  double mu1, mu2;      /* m1/M, m2/M                                            */
+  double mu_difference; /* (m1 - m2)/M                                           */
+  double f1, f2;        /* F1/(F1 + F2), F2/(F1 + F2)                            */
+  double delta;         /* (F1 - F2)/(F1 + F2)                                   */
+  double eps;           /* T^2 (F1 + F2)/(M L) = 1/Froude                        */
+  double fraction[2];   /* alpha, 1 - alpha                                      */
+  double velocity;      /* L/T                                                   */
   const struct scallop_gait *gait;
 };
 
@@ -126,7 +127,8 @@ struct scallop_scaled {
  * those of either phase alone, is not a normal number. */
 enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled);
 
-/* The paper's kinematic length, section 3.3.3: l_0 l_T / (2 (l_T - l_0)), for amplitude L.
+/* The paper's kinematic length, section 4.3.3: l_0 l_T / (2 (l_T - l_0)) of an extension, for amplitude L, and
+ * minus that of a contraction, whose l_0 and l_T have the other sign.
  * L for the quadratic gait, pi^2 L / 8 for the sinusoidal one. */
 double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L);
 

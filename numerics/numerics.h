@@ -6,7 +6,8 @@
  * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where
  * c meets (m2/M) l' or -(m1/M) l'. A stuck body glues c to its curve. docs/theory.md has the rest.
  *
- * This room never prints, allocates, exits or holds state, and never looks at asymptotics/.
+ * This room never prints, exits or holds state, and never looks at asymptotics/. The solver allocates
+ * nothing; the general-purpose rival in odeiv.h, which is there to be compared with, does.
  */
 #ifndef SCALLOP_NUMERICS_H
 #define SCALLOP_NUMERICS_H
@@ -18,10 +19,12 @@
 enum { SCALLOP_MODES_KEPT = 24, SCALLOP_MODES_TEXT = 3 * SCALLOP_MODES_KEPT + 8 };
 
 /* A mode is the pair of directions of body 1 and body 2: each -1, 0 (stuck) or +1. */
-struct scallop_mode { signed char s1, s2; };
+struct scallop_mode {
+  signed char s1, s2;
+};
 
-struct scallop_modes {      /* the modes of one phase in order; those past SCALLOP_MODES_KEPT are   */
-  int count;                /* counted and not kept                                                */
+struct scallop_modes { /* the modes of one phase in order; those past SCALLOP_MODES_KEPT are   */
+  int count;           /* counted and not kept                                                */
   struct scallop_mode kept[SCALLOP_MODES_KEPT];
 };
 
@@ -38,20 +41,20 @@ struct scallop_interval {
   const struct scallop_piece *piece;
   double u_begin, u_end;
   struct scallop_mode mode;
-  double c_begin, c_end;    /* velocity of the centre of mass                                       */
-  double c_slope;           /* its rate of change, when no body is stuck                            */
-  double glue;              /* a stuck body: c = glue * l'; 0 when no body is stuck                 */
-  double x_begin;           /* how far the centre of mass has come since the phase began            */
+  double c_begin, c_end; /* velocity of the centre of mass                                       */
+  double c_slope;        /* its rate of change, when no body is stuck                            */
+  double glue;           /* a stuck body: c = glue * l'; 0 when no body is stuck                 */
+  double x_begin;        /* how far the centre of mass has come since the phase began            */
 };
 typedef void scallop_visitor(void *context, const struct scallop_interval *interval);
 
 /* ---- one phase ------------------------------------------------------------------------------- */
 
 struct scallop_phase_result {
-  double t1;                /* first change of mode after the start; nan if there is none            */
-  double dT;                /* from the last change of mode to the end of the phase; nan if none     */
-  double v_end;             /* velocity of both bodies at the end                                    */
-  double dx1, dx2, dxC;     /* displacements of body 1, body 2 and the geometric centre (x1 + x2)/2  */
+  double t1;            /* first change of mode after the start; nan if there is none            */
+  double dT;            /* from the last change of mode to the end of the phase; nan if none     */
+  double v_end;         /* velocity of both bodies at the end                                    */
+  double dx1, dx2, dxC; /* displacements of body 1, body 2 and the geometric centre (x1 + x2)/2  */
   enum scallop_regime regime;
   struct scallop_modes modes;
 };
@@ -59,35 +62,34 @@ struct scallop_phase_result {
 /* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
  * Relative accuracy: a few ulp of each result, times its condition number.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
-enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                                  double v0, struct scallop_phase_result *result);
+enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                  struct scallop_phase_result *result);
 
 /* The same phase as its intervals of constant mode, in the order of time; visit is called for each.
  * Intervals of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
-enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                                            double v0, scallop_visitor *visit, void *context);
+enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                            scallop_visitor *visit, void *context);
 
 /* ---- one period, and the steady state -------------------------------------------------------- */
 
 struct scallop_period_result {
-  double v_start, v_mid;    /* velocity at the start of the extension and of the contraction         */
-  double v_end;             /* velocity after the period: the period map                             */
-  double displacement;      /* of the geometric centre over the period                               */
-  double multiplier;        /* d v_end / d v_start, in [0, 1); from the right where it has two sides */
-  double balance;           /* mean friction force over the period / (F1 + F2): 0 when steady        */
+  double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
+  double v_end;          /* velocity after the period: the period map                             */
+  double displacement;   /* of the geometric centre over the period                               */
+  double multiplier;     /* d v_end / d v_start, in [0, 1); from the right where it has two sides */
+  double balance;        /* mean friction force over the period / (F1 + F2): 0 when steady        */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };
 
 /* The period map P(v0): extension, then contraction. Statuses as scallop_phase. */
-enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
-                                   struct scallop_period_result *result);
+enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result);
 
 struct scallop_steady_result {
-  double froude;            /* M L / (T^2 (F1 + F2))                                                 */
-  double mean_velocity;     /* displacement / T                                                      */
+  double froude;        /* M L / (T^2 (F1 + F2))                                                 */
+  double mean_velocity; /* displacement / T                                                      */
   struct scallop_period_result period;
-  double v_low, v_high;     /* the steady start velocities: equal unless SCALLOP_INTERVAL            */
+  double v_low, v_high; /* the steady start velocities: equal unless SCALLOP_INTERVAL            */
 };
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period
@@ -95,14 +97,13 @@ struct scallop_steady_result {
  * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others the roots
  * can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
-enum scallop_status scallop_steady(const struct scallop_crawler *crawler,
-                                   struct scallop_steady_result *result);
+enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
 /* ---- trajectories ---------------------------------------------------------------------------- */
 
 struct scallop_sample {
-  double t;                 /* from the start of the first period                                    */
-  double x1, x2, xC;        /* xC = (x1 + x2)/2; x1 = x2 = 0 at t = 0, where l = 0                   */
+  double t;          /* from the start of the first period                                    */
+  double x1, x2, xC; /* xC = (x1 + x2)/2; x1 = x2 = 0 at t = 0, where l = 0                   */
   double v1, v2;
   double l;
 };
@@ -112,8 +113,9 @@ typedef bool scallop_sampler(void *context, const struct scallop_sample *sample)
 /* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times
  * t = (n + j/samples) T, and once more at the very end. Velocity and position at the period starts
  * are carried in compensated arithmetic: their error does not grow with the number of periods.
- * Statuses as scallop_phase; SCALLOP_EDOMAIN also for periods or samples < 1. */
-enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods,
-                                       long samples, scallop_sampler *sampler, void *context);
+ * Statuses as scallop_phase; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after
+ * the samples before, where a position overflows. */
+enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
+                                       scallop_sampler *sampler, void *context);
 
 #endif

@@ -18,25 +18,25 @@ struct scallop_odeiv {
 
 /* One end of a step. Units throughout: L, and the duration of the phase. */
 struct point {
-  double t;                 /* since the phase began                                                */
-  double y[DIMENSION];      /* velocity and position of body 1                                      */
+  double t;            /* since the phase began                                                */
+  double y[DIMENSION]; /* velocity and position of body 1                                      */
   double dydt[DIMENSION];
-  double v2;                /* velocity of body 2                                                   */
+  double v2; /* velocity of body 2                                                   */
 };
 
 struct run {
   struct scallop_odeiv *tools;
   gsl_odeiv2_system system;
   const struct scallop_piece *piece;
-  double mu[2], f[2];       /* of body 1 and body 2; sums are 1                                     */
-  double eps;               /* tau^2 (F1 + F2)/(M L)                                                */
-  double close;             /* a velocity that counts as zero when an event is located              */
-  double t, y[DIMENSION];   /* where we are, as in struct point                                     */
-  double c;                 /* velocity of the centre of mass where l' may jump: c does not         */
-  double h;                 /* what the step control suggests                                       */
-  int sign[2];              /* the mode                                                             */
-  double drag;              /* eps (f1 s1 + f2 s2)                                                  */
-  double turn[2];           /* when the velocity of each body turns in this mode; nan if never      */
+  double mu[2], f[2];     /* of body 1 and body 2; sums are 1                                     */
+  double eps;             /* tau^2 (F1 + F2)/(M L)                                                */
+  double close;           /* a velocity that counts as zero when an event is located              */
+  double t, y[DIMENSION]; /* where we are, as in struct point                                     */
+  double c;               /* velocity of the centre of mass where l' may jump: c does not         */
+  double h;               /* what the step control suggests                                       */
+  int sign[2];            /* the mode                                                             */
+  double drag;            /* eps (f1 s1 + f2 s2)                                                  */
+  double turn[2];         /* when the velocity of each body turns in this mode; nan if never      */
   long steps, evaluations, events;
   bool failed;
 };
@@ -44,15 +44,9 @@ struct run {
 /* ---- the equation of motion ---- */
 
 /* Time since the phase began, for an offset from the piece's anchor; and the other way round. */
-static double flip(const struct scallop_piece *p, double t)
-{
-  return p->anchor == SCALLOP_FROM_START ? t : 1 - t;
-}
+static double flip(const struct scallop_piece *p, double t) { return p->anchor == SCALLOP_FROM_START ? t : 1 - t; }
 
-static double gait_velocity(const struct run *r, double t)
-{
-  return r->piece->curve->velocity(r->piece, flip(r->piece, t));
-}
+static double gait_velocity(const struct run *r, double t) { return r->piece->curve->velocity(r->piece, flip(r->piece, t)); }
 
 static double gait_acceleration(const struct run *r, double t)
 {
@@ -124,20 +118,20 @@ static void step_to(struct run *r, const struct point *from, double t, struct po
   to->t = t;
   to->y[0] = from->y[0];
   to->y[1] = from->y[1];
-  int status = gsl_odeiv2_step_apply(r->tools->step, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
-                                     &r->system);
+  int status = gsl_odeiv2_step_apply(r->tools->step, from->t, t - from->t, to->y, error, from->dydt, to->dydt, &r->system);
   r->failed |= status != GSL_SUCCESS;
   to->v2 = to->y[0] + gait_velocity(r, t);
   r->steps++;
 }
 
-struct bracket { double lo, hi; };
+struct bracket {
+  double lo, hi;
+};
 
 /* Both ends of the step are ahead of zero, and the velocity turns between them: if it has a minimum
  * there, look at it. As l'' is monotone in a piece the velocity is convex, so it lies above its
  * tangents, which nearly always settles the matter without a step. */
-static bool dips(struct run *r, const struct point *from, const struct point *to, int body,
-                 struct bracket *at)
+static bool dips(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body), h = to->t - from->t;
   double d0 = ahead_rate(r, from, body), d1 = ahead_rate(r, to, body);
@@ -152,8 +146,7 @@ static bool dips(struct run *r, const struct point *from, const struct point *to
 /* Does a body's velocity fall to zero within the step, and between what times? A body that starts the
  * step at zero has just been let go by the forces, so its zero must come after a turning point; if
  * rounding hides that, a velocity behind zero by more than rounding is an event all the same. */
-static bool crosses(struct run *r, const struct point *from, const struct point *to, int body,
-                    struct bracket *at)
+static bool crosses(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body);
   bool turns = r->turn[body] > from->t && r->turn[body] < to->t;
@@ -168,8 +161,7 @@ static bool crosses(struct run *r, const struct point *from, const struct point 
 }
 
 /* The zero of the cubic through velocities and rates at both ends: a first guess, inside the bracket. */
-static double guess(const struct run *r, const struct point *from, const struct point *to, int body,
-                    struct bracket at)
+static double guess(const struct run *r, const struct point *from, const struct point *to, int body, struct bracket at)
 {
   double h = to->t - from->t, g0 = ahead(r, from, body), d0 = h * ahead_rate(r, from, body);
   double g1 = ahead(r, to, body), d1 = h * ahead_rate(r, to, body);
@@ -241,8 +233,7 @@ static void accepted_step(struct run *r, double end, struct point *from, struct 
   to->t = from->t;
   to->y[0] = from->y[0];
   to->y[1] = from->y[1];
-  int status = gsl_odeiv2_evolve_apply(tools->evolve, tools->control, tools->step, &r->system, &to->t, end,
-                                       &r->h, to->y);
+  int status = gsl_odeiv2_evolve_apply(tools->evolve, tools->control, tools->step, &r->system, &to->t, end, &r->h, to->y);
   r->failed |= status != GSL_SUCCESS || e->count + e->failed_steps > MAX_STEPS;
   from->dydt[0] = e->dydt_in[0];
   from->dydt[1] = e->dydt_in[1];
@@ -355,8 +346,8 @@ static enum scallop_status check(const struct scallop_crawler *crawler, double v
   return isfinite(*c0) && (*c0 != 0 || v0 == 0) ? SCALLOP_OK : SCALLOP_ERANGE;
 }
 
-enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler,
-                                      double v0, double tolerance, struct scallop_odeiv_result *result)
+enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler, double v0,
+                                      double tolerance, struct scallop_odeiv_result *result)
 {
   struct scallop_scaled s;
   double c0, v[2];
@@ -364,8 +355,9 @@ enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct 
   if (status != SCALLOP_OK)
     return status;
   /* h: the whole piece is the first step tried, as the control cuts down faster than it grows */
-  struct run r = { .tools = odeiv, .mu = { s.mu1, s.mu2 }, .f = { s.f1, s.f2 }, .h = 1,
-                   .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON) };
+  struct run r = {
+    .tools = odeiv, .mu = { s.mu1, s.mu2 }, .f = { s.f1, s.f2 }, .h = 1, .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON)
+  };
   r.system = (gsl_odeiv2_system){ .function = equation, .dimension = DIMENSION, .params = &r };
   if (gsl_odeiv2_control_init(odeiv->control, tolerance, tolerance, 1, 0) != GSL_SUCCESS)
     return SCALLOP_ECONVERGE;
@@ -373,9 +365,12 @@ enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct 
   if (status != SCALLOP_OK)
     return status;
   double unit = crawler->L / crawler->T;
-  struct scallop_odeiv_result answer = { .v_mid = v[0] * unit, .v_end = v[1] * unit,
+  struct scallop_odeiv_result answer = { .v_mid = v[0] * unit,
+                                         .v_end = v[1] * unit,
                                          .displacement = r.y[1] * crawler->L, /* l is back where it was */
-                                         .steps = r.steps, .evaluations = r.evaluations, .events = r.events };
+                                         .steps = r.steps,
+                                         .evaluations = r.evaluations,
+                                         .events = r.events };
   if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
     return SCALLOP_ERANGE;
   *result = answer;

@@ -19,11 +19,11 @@
 enum scallop_odeiv_stepper { SCALLOP_ODEIV_RKF45, SCALLOP_ODEIV_RK8PD };
 
 struct scallop_odeiv_result {
-  double v_mid, v_end;      /* velocity of both bodies after the extension and after the contraction */
-  double displacement;      /* of the geometric centre over the period                              */
-  long steps;               /* steps tried: accepted, rejected, and taken again to locate an event   */
-  long evaluations;         /* of the equation of motion                                            */
-  long events;              /* velocities that reached zero, and stuck bodies released              */
+  double v_mid, v_end; /* velocity of both bodies after the extension and after the contraction */
+  double displacement; /* of the geometric centre over the period                              */
+  long steps;          /* steps tried: accepted, rejected, and taken again to locate an event   */
+  long evaluations;    /* of the equation of motion                                            */
+  long events;         /* velocities that reached zero, and stuck bodies released              */
 };
 
 /* Everything that needs memory, to be made once and used for any number of periods, by one thread at a
@@ -43,8 +43,8 @@ void scallop_odeiv_destroy(struct scallop_odeiv *odeiv);
  * SCALLOP_EDOMAIN: a bad crawler, v0 or tolerance. SCALLOP_ERANGE: a scaled quantity or a result over- or
  * underflows. SCALLOP_ECONVERGE: the step size shrank to nothing, or a million steps were not enough:
  * the tolerance is too near rounding. *result is untouched on failure. */
-enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler,
-                                      double v0, double tolerance, struct scallop_odeiv_result *result);
+enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler, double v0,
+                                      double tolerance, struct scallop_odeiv_result *result);
 
 /* The same in one call, with make and destroy inside. Also SCALLOP_EDOMAIN for a stepper that is not one
  * of the list, and SCALLOP_ECONVERGE when memory is short. */

@@ -32,8 +32,8 @@ void period_solve(const struct scallop_scaled *s, double c_start, struct period 
   period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
 }
 
-void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled,
-                   const struct period *p, struct scallop_period_result *result)
+void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *p,
+                   struct scallop_period_result *result)
 {
   double unit = scaled->velocity;
   bool at_rest = false, sticks = p->phase[0].sticks || p->phase[1].sticks;
@@ -46,13 +46,14 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
     .displacement = p->travel * crawler->L,
     .multiplier = p->forgets ? 0 : 1 + scaled->eps * p->balance_slope,
     .balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance,
-    .regime = at_rest ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING,
+    .regime = at_rest  ? SCALLOP_AT_REST
+              : sticks ? SCALLOP_STICK_SLIP
+                       : SCALLOP_SLIDING,
     .modes = { p->phase[0].modes, p->phase[1].modes },
   };
 }
 
-enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
-                                   struct scallop_period_result *result)
+enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result)
 {
   struct scallop_scaled scaled;
   enum scallop_status status = scallop_scale(crawler, &scaled);
@@ -65,7 +66,11 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
     return SCALLOP_ERANGE;
   struct period period;
   period_solve(&scaled, c_start, &period);
-  period_result(crawler, &scaled, &period, result);
-  result->v_start = v0;
+  struct scallop_period_result answer;
+  period_result(crawler, &scaled, &period, &answer);
+  answer.v_start = v0;
+  if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
+    return SCALLOP_ERANGE;
+  *result = answer;
   return SCALLOP_OK;
 }

@@ -5,17 +5,17 @@
 #include "numerics/motion.h"
 
 struct period {
-  double c_start, c_mid, c_end;  /* in L/T                                                            */
-  double travel;                 /* of the centre of mass, in L                                       */
-  double balance;                /* (c_end - c_start)/eps, formed without that subtraction            */
-  double noise;                  /* what rounding can do to balance                                   */
-  double balance_slope;          /* d balance / d c_start <= 0, unless it forgets                         */
-  bool forgets;                  /* a body was stuck: c_end does not depend on c_start */
+  double c_start, c_mid, c_end; /* in L/T                                                            */
+  double travel;                /* of the centre of mass, in L                                       */
+  double balance;               /* (c_end - c_start)/eps, formed without that subtraction            */
+  double noise;                 /* what rounding can do to balance                                   */
+  double balance_slope;         /* d balance / d c_start <= 0, unless it forgets                         */
+  bool forgets;                 /* a body was stuck: c_end does not depend on c_start */
   struct motion phase[2];
 };
 
 void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
-void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled,
-                   const struct period *period, struct scallop_period_result *result);
+void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *period,
+                   struct scallop_period_result *result);
 
 #endif

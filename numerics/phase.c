@@ -31,8 +31,8 @@ void scallop_modes_text(const struct scallop_modes *modes, char *text)
 
 /* Scales, and runs the motion; unit is the velocity L/tau. */
 static enum scallop_status run(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                               struct scallop_scaled *scaled, double *unit, struct motion *motion,
-                               scallop_visitor *visit, void *context)
+                               struct scallop_scaled *scaled, double *unit, struct motion *motion, scallop_visitor *visit,
+                               void *context)
 {
   enum scallop_status status = scallop_scale(crawler, scaled);
   if (status != SCALLOP_OK)
@@ -48,8 +48,8 @@ static enum scallop_status run(const struct scallop_crawler *crawler, enum scall
   return SCALLOP_OK;
 }
 
-enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                                            double v0, scallop_visitor *visit, void *context)
+enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                            scallop_visitor *visit, void *context)
 {
   struct scallop_scaled scaled;
   struct motion motion;
@@ -57,8 +57,8 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
   return run(crawler, kind, v0, &scaled, &unit, &motion, visit, context);
 }
 
-enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                                  double v0, struct scallop_phase_result *result)
+enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                  struct scallop_phase_result *result)
 {
   struct scallop_scaled scaled;
   struct motion motion;
@@ -66,17 +66,20 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
   enum scallop_status status = run(crawler, kind, v0, &scaled, &unit, &motion, NULL, NULL);
   if (status != SCALLOP_OK)
     return status;
-  *result = (struct scallop_phase_result){
+  struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,
     .v_end = motion.c_end * unit,
-    .dx1 = (motion.travel - scaled.mu2 * stroke) * crawler->L,
-    .dx2 = (motion.travel + scaled.mu1 * stroke) * crawler->L,
+    .dx1 = motion.never_moved[0] ? 0 : (motion.travel - scaled.mu2 * stroke) * crawler->L,
+    .dx2 = motion.never_moved[1] ? 0 : (motion.travel + scaled.mu1 * stroke) * crawler->L,
     .dxC = (motion.travel + 0.5 * scaled.mu_difference * stroke) * crawler->L,
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
-              : motion.sticks                                 ? SCALLOP_STICK_SLIP
+              : motion.sticks                                ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,
     .modes = motion.modes,
   };
+  if (!isfinite(answer.v_end) || !isfinite(answer.dx1) || !isfinite(answer.dx2) || !isfinite(answer.dxC))
+    return SCALLOP_ERANGE;
+  *result = answer;
   return SCALLOP_OK;
 }

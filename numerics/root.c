@@ -8,14 +8,19 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-enum { NEWTON_STEPS = 8, BRENT_STEPS = 200, BRENT_STATE = 128 };
+enum { STEPS = 8, BRENT_STEPS = 200, BRENT_STATE = 128 };
+static const double ENOUGH = 1e-10;
 
-struct problem { root_function *f; const void *context; };
+struct problem {
+  root_function *f;
+  const void *context;
+};
 
 static double value(double u, void *params)
 {
   const struct problem *p = params;
-  return p->f(p->context, u, NULL);
+  double slope;
+  return p->f(p->context, u, &slope);
 }
 
 /* GSL's Brent solver on a state of our own, so that nothing is allocated. */
@@ -38,32 +43,45 @@ static double brent(struct problem *problem, double a, double b)
   return gsl_root_fsolver_root(&solver);
 }
 
-double root_between(root_function *f, const void *context, double a, double b)
+/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. */
+static double inverse_cubic_step(const struct root_end *p, const struct root_end *before)
 {
-  double slope_a, slope_b;
-  double fa = f(context, a, &slope_a), fb = f(context, b, &slope_b);
-  if (fa == 0)
-    return a;
-  if (fb == 0)
-    return b;
-  /* f'' has the sign of (slope_b - slope_a)/(b - a) */
-  double curvature = b > a ? slope_b - slope_a : slope_a - slope_b;
-  bool from_a = fa * curvature > 0;
-  double u = from_a ? a : b, fu = from_a ? fa : fb, slope = from_a ? slope_a : slope_b;
+  double d = p->f - before->f, steep = 1 / p->slope;
+  double e = (before->u - p->u + d * steep) / (d * d), g = (1 / before->slope - steep) / d;
+  return -p->f * (steep - p->f * (3 * e + g - p->f * ((g + 2 * e) / d)));
+}
+
+static double clamp(double u, double a, double b)
+{
   double lo = a < b ? a : b, hi = a < b ? b : a;
-  for (int i = 0; i < NEWTON_STEPS; i++) {
-    double next = fmin(fmax(u - fu / slope, lo), hi);
-    double step = fabs(next - u);
-    u = next;
-    /* quadratic convergence: after a step below sqrt(ulp) the next one is below the last digit */
-    fu = f(context, u, &slope);
-    if (fu == 0 || slope == 0)
-      return u;
-    if (step <= 1e-9 * fabs(u))
-      return fmin(fmax(u - fu / slope, lo), hi);
+  return u < lo ? lo : u > hi ? hi : u;
+}
+
+double root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
+{
+  if (a.f == 0 || b.f == 0)
+    return a.f == 0 ? a.u : b.u;
+  bool from_a = (a.f > 0) == ((b.slope - a.slope > 0) == (b.u > a.u)); /* f f'' > 0 there */
+  struct root_end before = from_a ? a : b, p = before;
+  p.u = clamp(before.u - before.f / before.slope, a.u, b.u);
+  double last_step = p.u - before.u;
+  for (int i = 0; i < STEPS; i++) {
+    p.f = f(context, p.u, &p.slope);
+    if (p.f == 0 || p.f == before.f || p.slope == 0)
+      break;
+    double step = inverse_cubic_step(&p, &before);
+    double next = clamp(p.u + step, a.u, b.u);
+    /* the next error is of the order of both steps squared, relative to u */
+    if (fabs(step * last_step) <= ENOUGH * (p.u * p.u))
+      return next;
+    before = p;
+    last_step = next - p.u;
+    p.u = next;
   }
+  if (p.f == 0)
+    return p.u;
   struct problem problem = { f, context };
-  u = brent(&problem, a, b);
-  fu = f(context, u, &slope);
-  return slope != 0 ? fmin(fmax(u - fu / slope, lo), hi) : u;
+  p.u = brent(&problem, a.u, b.u);
+  p.f = f(context, p.u, &p.slope);
+  return p.slope != 0 ? clamp(p.u - p.f / p.slope, a.u, b.u) : p.u;
 }

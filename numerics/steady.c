@@ -6,7 +6,9 @@
 
 enum { STEPS = 500 };
 
-struct bracket { double lo, hi; };
+struct bracket {
+  double lo, hi;
+};
 
 /* Above the highest curve both bodies always move forward, below the lowest always backward. */
 static struct bracket surely(const struct scallop_scaled *s)
@@ -69,33 +71,33 @@ static struct bracket steady_states(const struct scallop_scaled *s, double c)
   return (struct bracket){ c, c };
 }
 
-/* Newton's method on the balance, kept inside a bracket that is halved when Newton is slow. Once a
- * body has been stuck the map forgets where it began, and its value is the next guess. */
+/* Newton's method on the balance, kept inside a bracket that is halved whenever two steps did not halve
+ * the balance. Once a body has been stuck the map forgets where it began, and its value is the next guess. Ends
+ * where the balance is nothing but rounding, where a step changes nothing, or where the bracket holds no
+ * further number. */
 static enum scallop_status find_root(const struct scallop_scaled *s, struct period *p)
 {
   struct bracket b = surely(s);
-  double c = first_guess(s), width = b.hi - b.lo;
+  double c = first_guess(s), last = INFINITY, before = INFINITY;
   c = isnan(c) ? 0 : fmin(fmax(c, b.lo), b.hi);
   for (int i = 0; i < STEPS; i++) {
     period_solve(s, c, p);
     double balance = p->forgets ? p->c_end - c : p->balance;
+    double next = p->forgets ? p->c_end : c - balance / p->balance_slope;
     if (balance == 0 || (!p->forgets && p->balance_slope == 0 && fabs(balance) <= p->noise))
       return SCALLOP_OK;
-    *(balance > 0 ? &b.lo : &b.hi) = c;
-    double next = p->forgets ? p->c_end : c - balance / p->balance_slope;
-    bool last = !p->forgets && (fabs(balance) <= p->noise || fabs(next - c) <= 2 * DBL_EPSILON * fabs(c));
-    if (!(next >= b.lo && next <= b.hi))
-      next = b.lo + (b.hi - b.lo) / 2;
-    if (i % 4 == 3) {
-      if (b.hi - b.lo > width / 4 && !last)
-        next = b.lo + (b.hi - b.lo) / 2;
-      width = b.hi - b.lo;
-    }
-    if (last || next == c || (i > 8 && (next == b.lo || next == b.hi))) {
+    if (!p->forgets && (fabs(balance) <= p->noise || fabs(next - c) <= 2 * DBL_EPSILON * fabs(c))) {
       period_solve(s, next, p);
       return SCALLOP_OK;
     }
-    c = next;
+    *(balance > 0 ? &b.lo : &b.hi) = c;
+    double middle = b.lo + (b.hi - b.lo) / 2;
+    bool slow = fabs(balance) > before / 2;
+    before = last;
+    last = fabs(balance);
+    c = slow || !(next > b.lo && next < b.hi) ? middle : next;
+    if (!(c > b.lo && c < b.hi))
+      return SCALLOP_OK;
   }
   return SCALLOP_ECONVERGE;
 }
@@ -114,7 +116,9 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   at = steady_states(&scaled, period.c_start);
   if (at.lo < at.hi)
     period_solve(&scaled, fmin(fmax(0, at.lo), at.hi), &period);
-  struct scallop_steady_result answer = { .froude = 1 / scaled.eps, .v_low = at.lo * scaled.velocity, .v_high = at.hi * scaled.velocity };
+  struct scallop_steady_result answer = { .froude = 1 / scaled.eps,
+                                          .v_low = at.lo * scaled.velocity,
+                                          .v_high = at.hi * scaled.velocity };
   period_result(crawler, &scaled, &period, &answer.period);
   answer.mean_velocity = answer.period.displacement / crawler->T;
   if (!isfinite(answer.mean_velocity))

@@ -4,7 +4,9 @@
 #include "numerics/period.h"
 
 /* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
-struct sum { double high, low; };
+struct sum {
+  double high, low;
+};
 
 static void add(struct sum *s, double x)
 {
@@ -20,11 +22,11 @@ struct recorder {
   const struct scallop_scaled *scaled;
   scallop_sampler *sampler;
   void *context;
-  long samples, next;        /* samples in a period; the next one to take                             */
+  long samples, next; /* samples in a period; the next one to take                             */
   double period_number;
   enum scallop_phase_kind kind;
-  double x_start;            /* of the centre of mass when the phase began, in L                       */
-  bool stopped;
+  double x_start; /* of the centre of mass when the phase began, in L                       */
+  bool stopped, overflow;
 };
 
 /* The state at offset u of an interval; x: of the centre of mass, from where x1 = x2 = l = 0. */
@@ -42,11 +44,12 @@ static struct scallop_sample state_at(const struct recorder *r, const struct sca
   }
   x += r->x_start + i->x_begin;
   length += (r->kind == SCALLOP_EXTENSION) == (p->anchor == SCALLOP_FROM_END) ? 1 : 0;
-  return (struct scallop_sample){
-    .x1 = (x - s->mu2 * length) * L, .x2 = (x + s->mu1 * length) * L,
-    .xC = (x + 0.5 * s->mu_difference * length) * L,
-    .v1 = (c - s->mu2 * velocity) * unit, .v2 = (c + s->mu1 * velocity) * unit, .l = length * L
-  };
+  return (struct scallop_sample){ .x1 = (x - s->mu2 * length) * L,
+                                  .x2 = (x + s->mu1 * length) * L,
+                                  .xC = (x + 0.5 * s->mu_difference * length) * L,
+                                  .v1 = (c - s->mu2 * velocity) * unit,
+                                  .v2 = (c + s->mu1 * velocity) * unit,
+                                  .l = length * L };
 }
 
 static void record(void *context, const struct scallop_interval *interval)
@@ -62,13 +65,18 @@ static void record(void *context, const struct scallop_interval *interval)
       return;
     struct scallop_sample sample = state_at(r, interval, from_start ? in_phase : 1 - in_phase);
     sample.t = (r->period_number + at) * r->crawler->T;
+    r->overflow = !isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.t);
+    if (r->overflow) {
+      r->stopped = true;
+      return;
+    }
     r->stopped = !r->sampler(r->context, &sample);
     r->next++;
   }
 }
 
-enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods,
-                                       long samples, scallop_sampler *sampler, void *context)
+enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
+                                       scallop_sampler *sampler, void *context)
 {
   struct scallop_scaled scaled;
   enum scallop_status status = scallop_scale(crawler, &scaled);
@@ -80,8 +88,7 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 };
   if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
     return SCALLOP_ERANGE;
-  struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context,
-                        .samples = samples };
+  struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
   struct motion_input input[2] = { motion_input_of(&scaled, SCALLOP_EXTENSION),
                                    motion_input_of(&scaled, SCALLOP_CONTRACTION) };
   for (long n = 0; n < periods && !r.stopped; n++) {
@@ -103,10 +110,17 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     else
       add(&c, scaled.eps * p.balance);
   }
+  double position = value(&x) * crawler->L, velocity = value(&c) * unit;
+  if (r.overflow || (!r.stopped && !isfinite(position)))
+    return SCALLOP_ERANGE;
   if (!r.stopped) {
-    double position = value(&x) * crawler->L, velocity = value(&c) * unit;
-    struct scallop_sample end = { .t = (double)periods * crawler->T, .x1 = position, .x2 = position,
-                                  .xC = position, .v1 = velocity, .v2 = velocity, .l = 0 };
+    struct scallop_sample end = { .t = (double)periods * crawler->T,
+                                  .x1 = position,
+                                  .x2 = position,
+                                  .xC = position,
+                                  .v1 = velocity,
+                                  .v2 = velocity,
+                                  .l = 0 };
     sampler(context, &end);
   }
   return SCALLOP_OK;

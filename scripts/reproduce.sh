@@ -14,6 +14,7 @@ echo
 echo "Tables in data/, plots in $build/plots/."
 echo
 echo "The paper's claims, each for both gaits (data/claims.tsv has them all):"
+echo "  holds: the error falls as claimed; sharper: faster; refuted: slower, or not at all"
 printf '  %-34s %6s %8s %8s %10s\n' "" holds sharper refuted undecided
 for inside in yes no; do
   label="under the paper's conditions"

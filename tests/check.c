@@ -14,10 +14,10 @@ bool check_relative(double got, double wanted, double tolerance)
   return check_near(got, wanted, tolerance * fabs(wanted));
 }
 
-void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind,
-                const char *file, int line)
+void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind, const char *file,
+                int line)
 {
-  print_error("%s = %.17g, wanted %.17g: off by %.3g, %s tolerance %.3g\n", expression, got, wanted,
-              got - wanted, kind, tolerance);
+  print_error("%s = %.17g, wanted %.17g: off by %.3g, %s tolerance %.3g\n", expression, got, wanted, got - wanted, kind,
+              tolerance);
   _fail(file, line);
 }

@@ -15,27 +15,27 @@
 
 #include <cmocka.h>
 
-bool check_near(double got, double wanted, double tolerance);           /* |got - wanted| <= tolerance */
-bool check_relative(double got, double wanted, double tolerance);       /* ... <= tolerance |wanted|   */
+bool check_near(double got, double wanted, double tolerance);     /* |got - wanted| <= tolerance */
+bool check_relative(double got, double wanted, double tolerance); /* ... <= tolerance |wanted|   */
 
-void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind,
-                const char *file, int line);
+void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind, const char *file,
+                int line);
 
 #define CHECK_NEAR(got, wanted, tolerance) CHECK_WITH(check_near, "absolute", got, wanted, tolerance)
 #define CHECK_RELATIVE(got, wanted, tolerance) CHECK_WITH(check_relative, "relative", got, wanted, tolerance)
 #define CHECK_EQUAL(got, wanted) CHECK_NEAR(got, wanted, 0.0)
-#define CHECK_AT_MOST(got, bound)                                                                       \
-  do {                                                                                                  \
-    double check_got = (got), check_bound = (bound);                                                    \
-    if (!(check_got <= check_bound))                                                                    \
-      check_fail(#got, check_got, check_bound, 0, "at most", __FILE__, __LINE__);                       \
+#define CHECK_AT_MOST(got, bound) \
+  do { \
+    double check_got = (got), check_bound = (bound); \
+    if (!(check_got <= check_bound)) \
+      check_fail(#got, check_got, check_bound, 0, "at most", __FILE__, __LINE__); \
   } while (0)
 
-#define CHECK_WITH(compare, kind, got, wanted, tolerance)                                               \
-  do {                                                                                                  \
-    double check_got = (got), check_wanted = (wanted), check_tolerance = (tolerance);                   \
-    if (!compare(check_got, check_wanted, check_tolerance))                                             \
-      check_fail(#got, check_got, check_wanted, check_tolerance, kind, __FILE__, __LINE__);             \
+#define CHECK_WITH(compare, kind, got, wanted, tolerance) \
+  do { \
+    double check_got = (got), check_wanted = (wanted), check_tolerance = (tolerance); \
+    if (!compare(check_got, check_wanted, check_tolerance)) \
+      check_fail(#got, check_got, check_wanted, check_tolerance, kind, __FILE__, __LINE__); \
   } while (0)
 
 #endif

@@ -15,7 +15,7 @@ for command in "$scratch"/*.cmd; do
   sed "s|build/scallop|$1|g" "$command" >"$scratch/run.sh"
   sh "$scratch/run.sh" >"$scratch/got" 2>"$scratch/errors"
   if diff "${command%.cmd}.shown" "$scratch/got" >"$scratch/difference"; then
-  XX
+    printf 'ok readme: %s\n' "$(cat "$command")"
   else
     printf 'FAIL readme: %s\n' "$(cat "$command")"
     cat "$scratch/difference" "$scratch/errors"

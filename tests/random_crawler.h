@@ -7,10 +7,13 @@
 #include <stdint.h>
 
 #include "numerics/numerics.h"
+#include "tests/check.h"
 
 /* ---- numbers ---- */
 
-struct random { uint64_t state; };
+struct random {
+  uint64_t state;
+};
 
 /* splitmix64 (Steele, Lea & Flood 2014) */
 static inline uint64_t random_bits(struct random *r)
@@ -38,72 +41,76 @@ static inline int random_below(struct random *r, int n) { return (int)(random_bi
 /* trapezoid: l' rises over the first quarter, is constant, and falls over the last eighth. Height
  * 16/13 makes the area 1. The middle piece does not touch its anchor, so it has a length of its own:
  * l(1/4) = 2/13. */
-static inline double plateau_length(const struct scallop_piece *p, double u)
-{
-  return p->direction * (16 * u - 2) / 13;
-}
+static inline double plateau_length(const struct scallop_piece *p, double u) { return p->direction * (16 * u - 2) / 13; }
 static inline double plateau_velocity(const struct scallop_piece *p, double u) { return (void)u, p->velocity; }
 static inline double plateau_acceleration(const struct scallop_piece *p, double u) { return (void)p, (void)u, 0; }
 static inline double plateau_when(const struct scallop_piece *p, double a) { return a == 0 ? p->begin : NAN; }
 
-static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration,
-                                              plateau_when };
+static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when, NULL };
 
-#define TRAPEZOID(sign)                                                                             \
-  { .begin = 0, .end = 0.25, .direction = (sign), .linear = true, .acceleration = (sign) * 64. / 13, \
-    .curve = &scallop_curve_linear },                                                               \
-  { .begin = 0.25, .end = 0.875, .direction = (sign), .linear = true, .velocity = (sign) * 16. / 13, \
-    .curve = &plateau },                                                                            \
-  { .begin = 0.125, .end = 0, .anchor = SCALLOP_FROM_END, .direction = (sign), .linear = true,      \
-    .acceleration = (sign) * -128. / 13, .curve = &scallop_curve_linear }
+#define TRAPEZOID(sign) \
+  { .begin = 0, \
+    .end = 0.25, \
+    .direction = (sign), \
+    .linear = true, \
+    .acceleration = (sign)*64. / 13, \
+    .curve = &scallop_curve_linear }, \
+      { .begin = 0.25, .end = 0.875, .direction = (sign), .linear = true, .velocity = (sign)*16. / 13, .curve = &plateau }, \
+  { \
+    .begin = 0.125, .end = 0, .anchor = SCALLOP_FROM_END, .direction = (sign), .linear = true, \
+    .acceleration = (sign) * -128. / 13, .curve = &scallop_curve_linear \
+  }
 
 static const struct scallop_piece trapezoid_extension[] = { TRAPEZOID(1) };
 static const struct scallop_piece trapezoid_contraction[] = { TRAPEZOID(-1) };
-static const struct scallop_gait trapezoid_gait = {
-  "trapezoid",
-  { { trapezoid_extension, 3, 64. / 13, -128. / 13, 16. / 13, 1 },
-    { trapezoid_contraction, 3, -64. / 13, 128. / 13, 16. / 13, -1 } }
-};
+static const struct scallop_gait trapezoid_gait = { "trapezoid",
+                                                    { { trapezoid_extension, 3, 64. / 13, -128. / 13, 16. / 13, 1 },
+                                                      { trapezoid_contraction, 3, -64. / 13, 128. / 13, 16. / 13, -1 } } };
 
 /* minimum jerk: l = 10 s^3 - 15 s^4 + 6 s^5, symmetric about s = 1/2. l''' = 0 at (3 - sqrt 3)/6
  * from either end, where the pieces are split so that l'' is monotone in each. l'' = 0 at both ends. */
+static inline double jerk_sign(const struct scallop_piece *p)
+{
+  return p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
+}
 static inline double jerk_length(const struct scallop_piece *p, double u)
 {
-  double l = u * u * u * (10 - u * (15 - 6 * u));
-  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * l;
+  return jerk_sign(p) * (u * u * u * (10 - u * (15 - 6 * u)));
 }
 static inline double jerk_velocity(const struct scallop_piece *p, double u)
 {
   double root = u * (1 - u);
   return p->direction * 30 * (root * root);
 }
-static inline double jerk_acceleration(const struct scallop_piece *p, double u)
-{
-  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * 60 * u * (1 - u) * (1 - 2 * u);
-}
-/* By bisection: slow, and right to the last digit. */
+static inline double jerk_bend(double u) { return 60 * u * (1 - u) * (1 - 2 * u); }
+static inline double jerk_acceleration(const struct scallop_piece *p, double u) { return jerk_sign(p) * jerk_bend(u); }
+/* By bisection: slow, right to the last digit, and the same for both directions. */
 static inline double jerk_when(const struct scallop_piece *p, double a)
 {
-  double below = p->begin, above = p->end;
-  if (jerk_acceleration(p, below) > jerk_acceleration(p, above)) {
+  double below = p->begin, above = p->end, level = jerk_sign(p) * a;
+  if (jerk_bend(below) > jerk_bend(above)) {
     below = p->end;
     above = p->begin;
   }
-  if (!(jerk_acceleration(p, below) <= a && a <= jerk_acceleration(p, above)))
+  if (!(jerk_bend(below) <= level && level <= jerk_bend(above)))
     return NAN;
+  if (level == jerk_bend(below))
+    return below;
   for (double mid; (mid = 0.5 * (below + above)) != below && mid != above;)
-    *(jerk_acceleration(p, mid) <= a ? &below : &above) = mid;
-  return below;
+    *(jerk_bend(mid) < level ? &below : &above) = mid;
+  return above;
 }
 
-static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when };
+static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when, NULL };
 
 #define JERK_TURN 0.21132486540518711775
-#define JERK(from, to, anchored, sign)                                                              \
-  { .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &jerk_curve }
-#define MINIMUM_JERK(sign)                                                                          \
-  JERK(0, JERK_TURN, SCALLOP_FROM_START, sign), JERK(JERK_TURN, 0.5, SCALLOP_FROM_START, sign),     \
-  JERK(0.5, JERK_TURN, SCALLOP_FROM_END, sign), JERK(JERK_TURN, 0, SCALLOP_FROM_END, sign)
+#define JERK(from, to, anchored, sign) \
+  { \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &jerk_curve \
+  }
+#define MINIMUM_JERK(sign) \
+  JERK(0, JERK_TURN, SCALLOP_FROM_START, sign), JERK(JERK_TURN, 0.5, SCALLOP_FROM_START, sign), \
+      JERK(0.5, JERK_TURN, SCALLOP_FROM_END, sign), JERK(JERK_TURN, 0, SCALLOP_FROM_END, sign)
 
 static const struct scallop_piece jerk_extension[] = { MINIMUM_JERK(1) };
 static const struct scallop_piece jerk_contraction[] = { MINIMUM_JERK(-1) };
@@ -112,9 +119,11 @@ static const struct scallop_gait minimum_jerk_gait = {
 };
 
 /* sawtooth: l' = +1, then -1; it jumps between the phases. */
-#define SAWTOOTH(sign)                                                                              \
-  { .begin = 0, .end = 1, .direction = (sign), .jump = true, .linear = true, .velocity = (sign),    \
-    .curve = &scallop_curve_linear }
+#define SAWTOOTH(sign) \
+  { \
+    .begin = 0, .end = 1, .direction = (sign), .jump = true, .linear = true, .velocity = (sign), \
+    .curve = &scallop_curve_linear \
+  }
 
 static const struct scallop_piece sawtooth_extension[] = { SAWTOOTH(1) };
 static const struct scallop_piece sawtooth_contraction[] = { SAWTOOTH(-1) };
@@ -123,19 +132,23 @@ static const struct scallop_gait sawtooth_gait = {
 };
 
 enum { SMOOTH_GAITS = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */
-static const struct scallop_gait *const every_gait[ALL_GAITS] = {
-  &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait, &minimum_jerk_gait, &sawtooth_gait
-};
+static const struct scallop_gait *const every_gait[ALL_GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                                                  &trapezoid_gait, &minimum_jerk_gait, &sawtooth_gait };
 
 /* ---- crawlers ---- */
 
-enum family {
-  ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD, EQUAL_FORCES, NEARLY_EQUAL_FORCES, ALPHA_EDGE, FAMILIES
-};
+enum family { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD, EQUAL_FORCES, NEARLY_EQUAL_FORCES, ALPHA_EDGE, FAMILIES };
 
 static inline double crawler_eps(const struct scallop_crawler *c)
 {
   return c->T * c->T * (c->F1 + c->F2) / ((c->m1 + c->m2) * c->L);
+}
+
+/* For the report of a failure. */
+static inline void print_crawler(const struct scallop_crawler *c)
+{
+  print_error("m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g T=%.17g alpha=%.17g %s\n", c->m1, c->m2, c->F1, c->F2, c->L, c->T,
+              c->alpha, c->gait->name);
 }
 
 /* Scales the forces so that eps is the one wanted. */
@@ -146,15 +159,13 @@ static inline void set_eps(struct scallop_crawler *c, double eps)
   c->F2 *= factor;
 }
 
-static inline struct scallop_crawler random_crawler(struct random *r, enum family family,
-                                                    const struct scallop_gait *gait)
+static inline struct scallop_crawler random_crawler(struct random *r, enum family family, const struct scallop_gait *gait)
 {
   double edge = family == EXTREME_RATIOS ? 1e3 : 5; /* the ratios are up to its square */
-  struct scallop_crawler c = {
-    random_decades(r, 1 / edge, edge), random_decades(r, 1 / edge, edge), random_decades(r, 1 / edge, edge),
-    random_decades(r, 1 / edge, edge), random_between(r, 0.5, 20), random_between(r, 0.3, 2),
-    random_between(r, 0.05, 0.95), gait
-  };
+  struct scallop_crawler c = { random_decades(r, 1 / edge, edge), random_decades(r, 1 / edge, edge),
+                               random_decades(r, 1 / edge, edge), random_decades(r, 1 / edge, edge),
+                               random_between(r, 0.5, 20),        random_between(r, 0.3, 2),
+                               random_between(r, 0.05, 0.95),     gait };
   if (family == EQUAL_FORCES)
     c.F2 = c.F1;
   if (family == NEARLY_EQUAL_FORCES)
@@ -173,8 +184,13 @@ static inline struct scallop_crawler random_crawler(struct random *r, enum famil
 static inline double random_start(struct random *r, const struct scallop_crawler *c, enum scallop_phase_kind kind)
 {
   double tau = scallop_phase_duration(c, kind), M = c->m1 + c->m2;
-  const double sizes[] = { 0, 2 * c->L / tau, c->m1 / M * c->L / tau, c->m2 / M * c->L / tau,
-                           tau * (c->F1 + c->F2) / M, 1e-9 * c->L / tau, 5 * c->L / tau };
+  const double sizes[] = { 0,
+                           2 * c->L / tau,
+                           c->m1 / M * c->L / tau,
+                           c->m2 / M * c->L / tau,
+                           tau * (c->F1 + c->F2) / M,
+                           1e-9 * c->L / tau,
+                           5 * c->L / tau };
   return sizes[random_below(r, sizeof sizes / sizeof *sizes)] * random_between(r, -1, 1);
 }
 

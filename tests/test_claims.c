@@ -42,7 +42,11 @@ static const struct claim_row *find(const char *claim, const char *gait, const c
 static void orders_inside(void **state)
 {
   (void)state;
-  static const struct { const char *claim; double quadratic, sinusoidal; enum claim_verdict verdicts[2]; } known[] = {
+  static const struct {
+    const char *claim;
+    double quadratic, sinusoidal;
+    enum claim_verdict verdicts[2];
+  } known[] = {
     { "rest_dT", 5, 5, { CLAIM_HOLDS, CLAIM_HOLDS } },
     { "rest_v1_end", 3, 3, { CLAIM_HOLDS, CLAIM_HOLDS } },
     { "rest_xC_end", 6, 6, { CLAIM_SHARPER, CLAIM_SHARPER } },
@@ -79,7 +83,8 @@ static void steady_outside(void **state)
   struct scallop_steady_result s;
   assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
   double a = c.alpha, b = 1 - a, reduced = c.m1 * c.m2 / (c.m1 + c.m2);
-  CHECK_RELATIVE(s.period.displacement, (c.F1 - c.F2) * (2 * a - 1) * c.L * reduced / (a * a * c.F2 * c.m2 + b * b * c.F1 * c.m1), 1e-13);
+  CHECK_RELATIVE(s.period.displacement,
+                 (c.F1 - c.F2) * (2 * a - 1) * c.L * reduced / (a * a * c.F2 * c.m2 + b * b * c.F1 * c.m1), 1e-13);
 }
 
 static void every_row_is_decided(void **state)
@@ -101,7 +106,10 @@ static void every_row_is_decided(void **state)
 static void words(void **state)
 {
   (void)state;
-  static const struct { const char *claim; enum claim_verdict quadratic, sinusoidal; } known[] = {
+  static const struct {
+    const char *claim;
+    enum claim_verdict quadratic, sinusoidal;
+  } known[] = {
     { "equal_forces_do_not_move", CLAIM_HOLDS, CLAIM_HOLDS },
     { "symmetric_timing_does_not_move", CLAIM_HOLDS, CLAIM_HOLDS },
     { "motion_always_settles", CLAIM_HOLDS, CLAIM_HOLDS },
@@ -130,7 +138,8 @@ static void example_moves_backward(void **state)
     struct scallop_crawler c = { .L = 1, .gait = scallop_gait_named(row->gait) };
     struct scallop_steady_result s;
     assert_int_equal(sscanf(row->reason, "scallop steady --m1 %lf --m2 %lf --F1 %lf --F2 %lf --L 1 --T %lf --alpha %lf",
-                            &c.m1, &c.m2, &c.F1, &c.F2, &c.T, &c.alpha), 6);
+                            &c.m1, &c.m2, &c.F1, &c.F2, &c.T, &c.alpha),
+                     6);
     assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
     assert_int_equal(s.period.regime, SCALLOP_SLIDING);
     assert_true(s.period.displacement * (c.F1 - c.F2) * (2 * c.alpha - 1) < 0);
@@ -140,9 +149,8 @@ static void example_moves_backward(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(orders_inside), cmocka_unit_test(steady_outside), cmocka_unit_test(every_row_is_decided),
-    cmocka_unit_test(words), cmocka_unit_test(example_moves_backward)
-  };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(orders_inside), cmocka_unit_test(steady_outside),
+                                      cmocka_unit_test(every_row_is_decided), cmocka_unit_test(words),
+                                      cmocka_unit_test(example_moves_backward) };
   return cmocka_run_group_tests_name("claims", tests, fill, NULL);
 }

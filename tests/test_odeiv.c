@@ -28,8 +28,12 @@ static double spread(double low, double high) { return exp(uniform(log(low), log
 /* Both orders of the forces and of the masses, both signs of 2 alpha - 1, eps from 1e-3 to 1e3. */
 static struct scallop_crawler any_crawler(const char *gait)
 {
-  struct scallop_crawler c = { .m1 = spread(0.2, 5), .m2 = spread(0.2, 5), .F1 = spread(0.2, 5),
-                               .F2 = spread(0.2, 5), .L = spread(0.01, 100), .alpha = uniform(0.05, 0.95),
+  struct scallop_crawler c = { .m1 = spread(0.2, 5),
+                               .m2 = spread(0.2, 5),
+                               .F1 = spread(0.2, 5),
+                               .F2 = spread(0.2, 5),
+                               .L = spread(0.01, 100),
+                               .alpha = uniform(0.05, 0.95),
                                .gait = scallop_gait_named(gait) };
   c.T = sqrt(spread(1e-3, 1e3) * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
   return c;
@@ -86,8 +90,8 @@ static void agrees(void **state)
     backward += exact.displacement < 0;
     reversed += v0 * exact.v_end < 0;
   }
-  print_message("%s: %d sliding, %d stick-slip, %d at rest; %d backward, %d turned round\n", gait, regimes[0],
-                regimes[1], regimes[2], backward, reversed);
+  print_message("%s: %d sliding, %d stick-slip, %d at rest; %d backward, %d turned round\n", gait, regimes[0], regimes[1],
+                regimes[2], backward, reversed);
   print_message("%s: worst %.2g of the bound\n", gait, worst_share);
   for (int i = 0; i < 3; i++)
     assert_true(regimes[i] >= 10);
@@ -107,8 +111,7 @@ static void tolerance_controls_error(void **state)
   assert_int_equal(scallop_period(&c, 1.317, &exact), SCALLOP_OK);
   for (int stepper = 0; stepper < 2; stepper++) {
     for (int i = 0; i < 3; i++) {
-      assert_int_equal(scallop_odeiv_period(&c, 1.317, (enum scallop_odeiv_stepper)stepper, tolerance[i], &r),
-                       SCALLOP_OK);
+      assert_int_equal(scallop_odeiv_period(&c, 1.317, (enum scallop_odeiv_stepper)stepper, tolerance[i], &r), SCALLOP_OK);
       error[stepper][i] = fabs(r.v_end - exact.v_end);
     }
     CHECK_AT_MOST(error[stepper][1], 1e-2 * error[stepper][0]);
@@ -137,9 +140,13 @@ static void dip_within_a_step(void **state)
  * locating its events takes over a hundred steps. A crawler from a random search. */
 static void light_body(void **state)
 {
-  struct scallop_crawler c = { .m1 = 330326390.34026927, .m2 = 1.1252853324524996e-09,
-                               .F1 = 234226.26838151389, .F2 = 280.42533842860473, .L = 1,
-                               .T = 92.04635526320547, .alpha = 0.78442465681124307,
+  struct scallop_crawler c = { .m1 = 330326390.34026927,
+                               .m2 = 1.1252853324524996e-09,
+                               .F1 = 234226.26838151389,
+                               .F2 = 280.42533842860473,
+                               .L = 1,
+                               .T = 92.04635526320547,
+                               .alpha = 0.78442465681124307,
                                .gait = &scallop_gait_sinusoidal };
   const double v0 = -0.02662866572576535;
   struct scallop_period_result exact;
@@ -180,8 +187,8 @@ static void any_units(void **state)
   (void)state;
   c.gait = &scallop_gait_sinusoidal;
   const double force = mass * length / time / time;
-  d = (struct scallop_crawler){ c.m1 * mass, c.m2 * mass, c.F1 * force, c.F2 * force, c.L * length,
-                                c.T * time, c.alpha, c.gait };
+  d = (struct scallop_crawler){ c.m1 * mass,  c.m2 * mass, c.F1 * force, c.F2 * force,
+                                c.L * length, c.T * time,  c.alpha,      c.gait };
   double v0 = 0.731, v0_there = v0 * length / time;
   assert_int_equal(scallop_odeiv_period(&c, v0, SCALLOP_ODEIV_RKF45, 1e-9, &a), SCALLOP_OK);
   assert_int_equal(scallop_odeiv_period(&d, v0_there, SCALLOP_ODEIV_RKF45, 1e-9, &b), SCALLOP_OK);
@@ -210,8 +217,7 @@ static void workspace_forgets(void **state)
   scallop_odeiv_destroy(odeiv);
 }
 
-static void refused(const struct scallop_crawler *c, double v0, int stepper, double tolerance,
-                    enum scallop_status wanted)
+static void refused(const struct scallop_crawler *c, double v0, int stepper, double tolerance, enum scallop_status wanted)
 {
   struct scallop_odeiv_result r, before;
   memset(&r, 0x5a, sizeof r);
@@ -254,7 +260,7 @@ static double rough_acceleration(const struct scallop_piece *p, double u)
 static void no_convergence(void **state)
 {
   const struct scallop_curve *linear = &scallop_curve_linear;
-  const struct scallop_curve rough = { linear->length, linear->velocity, rough_acceleration, linear->when };
+  const struct scallop_curve rough = { linear->length, linear->velocity, rough_acceleration, linear->when, NULL };
   const struct scallop_piece piece = { .begin = 0, .end = 1, .direction = 1, .velocity = 1, .curve = &rough };
   const struct scallop_shape shape = { .pieces = &piece, .count = 1, .l0 = 1, .lT = -1, .peak = 1, .net = 1 };
   const struct scallop_gait gait = { "rough", { shape, shape } };
@@ -272,8 +278,12 @@ static void extremes_end(void **state)
   seed = 1736;
   worst_share = 0;
   for (int i = 0; i < EXTREMES; i++) {
-    struct scallop_crawler c = { .m1 = spread(1e-9, 1e9), .m2 = spread(1e-9, 1e9), .F1 = spread(1e-9, 1e9),
-                                 .F2 = spread(1e-9, 1e9), .L = 1, .T = spread(1e-12, 1e12),
+    struct scallop_crawler c = { .m1 = spread(1e-9, 1e9),
+                                 .m2 = spread(1e-9, 1e9),
+                                 .F1 = spread(1e-9, 1e9),
+                                 .F2 = spread(1e-9, 1e9),
+                                 .L = 1,
+                                 .T = spread(1e-12, 1e12),
                                  .alpha = i % 3 ? uniform(0, 1) : spread(1e-9, 1e-3),
                                  .gait = scallop_gait_named(scallop_gait_name(i % 2)) };
     double v0 = i % 5 ? uniform(-1, 1) * spread(1e-9, 1e9) / c.T : 0;

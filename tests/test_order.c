@@ -36,10 +36,11 @@ static struct order_fit estimate(error_of *e, int count, double ratio)
 static void finds_orders(void **state)
 {
   (void)state;
-  static const struct { error_of *e; double order; } cases[] = {
-    { cubic, 3 }, { square_negative, 2 }, { constant, 0 }, { growing, -1 }, { root, 0.5 }, { changes_sign, 2 },
-    { at_floor, 4 }, { early_kink, 2 }
-  };
+  static const struct {
+    error_of *e;
+    double order;
+  } cases[] = { { cubic, 3 },  { square_negative, 2 }, { constant, 0 }, { growing, -1 },
+                { root, 0.5 }, { changes_sign, 2 },    { at_floor, 4 }, { early_kink, 2 } };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
     for (double ratio = 1.3; ratio < 3; ratio += 0.35) {
       struct order_fit fit = estimate(cases[k].e, 24, ratio);
@@ -137,11 +138,20 @@ static void from_values(void **state)
 static void verdicts(void **state)
 {
   (void)state;
-  static const struct { error_of *e; int count; double expect; enum order_verdict verdict; } cases[] = {
-    { cubic, 20, 3, ORDER_PASS },       { cubic, 20, 4, ORDER_TOO_LOW },
-    { cubic, 20, 2, ORDER_TOO_HIGH },   { constant, 20, 2, ORDER_TOO_LOW },
-    { growing, 20, 1, ORDER_TOO_LOW },  { cubic, 2, 3, ORDER_VERDICT_INSUFFICIENT },
-    { oscillates, 20, 2, ORDER_VERDICT_NOT_ASYMPTOTIC }, { early_kink, 12, 2, ORDER_PASS },
+  static const struct {
+    error_of *e;
+    int count;
+    double expect;
+    enum order_verdict verdict;
+  } cases[] = {
+    { cubic, 20, 3, ORDER_PASS },
+    { cubic, 20, 4, ORDER_TOO_LOW },
+    { cubic, 20, 2, ORDER_TOO_HIGH },
+    { constant, 20, 2, ORDER_TOO_LOW },
+    { growing, 20, 1, ORDER_TOO_LOW },
+    { cubic, 2, 3, ORDER_VERDICT_INSUFFICIENT },
+    { oscillates, 20, 2, ORDER_VERDICT_NOT_ASYMPTOTIC },
+    { early_kink, 12, 2, ORDER_PASS },
     { at_floor, 20, 4, ORDER_PASS },
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -163,10 +173,12 @@ static void verdicts(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(finds_orders), cmocka_unit_test(leaves_out_with_a_reason),
-    cmocka_unit_test(known_noise_is_never_fitted), cmocka_unit_test(refuses), cmocka_unit_test(unsorted_is_sorted),
-    cmocka_unit_test(from_values), cmocka_unit_test(verdicts)
-  };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(finds_orders),
+                                      cmocka_unit_test(leaves_out_with_a_reason),
+                                      cmocka_unit_test(known_noise_is_never_fitted),
+                                      cmocka_unit_test(refuses),
+                                      cmocka_unit_test(unsorted_is_sorted),
+                                      cmocka_unit_test(from_values),
+                                      cmocka_unit_test(verdicts) };
   return cmocka_run_group_tests_name("order", tests, NULL, NULL);
 }

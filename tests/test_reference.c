@@ -22,7 +22,10 @@ static const char *const quantities[QUANTITIES] = { "t1", "dT", "v_end", "dxC", 
 
 static char header[LINE];
 static const char *names[COLUMNS];
-static struct { double worst; char where[200]; } worst[QUANTITIES];
+static struct {
+  double worst;
+  char where[200];
+} worst[QUANTITIES];
 
 static int split(char *line, const char **cells)
 {
@@ -69,8 +72,8 @@ static void compare(const struct row *r, int q, double got, double L)
   double share = tolerance > 0 ? fabs(got - wanted) / tolerance : 0;
   if (share > worst[q].worst) {
     worst[q].worst = share;
-    snprintf(worst[q].where, sizeof worst[q].where, "%s %s, off by %.2g of %.17g, cond %g", family,
-             cell(r, "", "gait"), got - wanted, wanted, cond);
+    snprintf(worst[q].where, sizeof worst[q].where, "%s %s, off by %.2g of %.17g, cond %g", family, cell(r, "", "gait"),
+             got - wanted, wanted, cond);
   }
   if (!check_near(got, wanted, tolerance)) {
     print_error("%s %s %s:", family, cell(r, "", "kind"), cell(r, "", "gait"));
@@ -92,9 +95,10 @@ static void check_modes(const struct row *r, const struct scallop_modes *modes, 
 
 static void check_row(const struct row *r)
 {
-  struct scallop_crawler c = { number(r, "", "m1"), number(r, "", "m2"), number(r, "", "F1"), number(r, "", "F2"),
-                               number(r, "", "L"),  number(r, "", "T"),  number(r, "", "alpha"),
-                               scallop_gait_named(cell(r, "", "gait")) };
+  struct scallop_crawler c = { number(r, "", "m1"),    number(r, "", "m2"),
+                               number(r, "", "F1"),    number(r, "", "F2"),
+                               number(r, "", "L"),     number(r, "", "T"),
+                               number(r, "", "alpha"), scallop_gait_named(cell(r, "", "gait")) };
   if (strcmp(cell(r, "", "kind"), "steady") == 0) {
     struct scallop_steady_result s;
     assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);

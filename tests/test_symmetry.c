@@ -1,0 +1,550 @@
+/* What must be true of any solver of this model, whatever the numbers: units, mirror images, exchanged
+ * bodies, a monotone and nonexpansive period map with one fixed point (or an interval of them where l'
+ * jumps).
+ *
+ * ULP below is DBL_EPSILON. Where two routes round differently the bound is BOUND ulp of the result or
+ * of its condition number (sum over the inputs p of |p dq/dp|, by differences), whichever is larger. */
+#include "tests/check.h"
+
+#include <float.h>
+
+#include "numerics/numerics.h"
+#include "tests/random_crawler.h"
+
+enum { BOUND = 8, CRAWLERS = 600 };
+#define ULP DBL_EPSILON
+
+static struct scallop_phase_result phase_of(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+{
+  struct scallop_phase_result r;
+  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
+  return r;
+}
+
+static struct scallop_period_result period_of(const struct scallop_crawler *c, double v0)
+{
+  struct scallop_period_result r;
+  assert_int_equal(scallop_period(c, v0, &r), SCALLOP_OK);
+  return r;
+}
+
+static struct scallop_steady_result steady_of(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result r;
+  assert_int_equal(scallop_steady(c, &r), SCALLOP_OK);
+  return r;
+}
+
+static double velocity_unit(const struct scallop_crawler *c) { return c->L / c->T; }
+
+/* What rounding does to a steady velocity, in units of a roundoff: it is itself rounded, and it is the
+ * root of the balance, whose terms are of the size of (F1 - F2)/(F1 + F2) and, where the bodies change
+ * direction both ways, of min(1, eps). */
+static double steady_size(const struct scallop_crawler *c, const struct scallop_steady_result *s)
+{
+  double eps = crawler_eps(c), delta = fabs(c->F1 - c->F2) / (c->F1 + c->F2);
+  double v = fmax(fabs(s->period.v_start), fabs(s->period.v_mid)), step = 1e-3 * fmax(v, eps * velocity_unit(c));
+  double fall = period_of(c, s->period.v_start - step).balance - period_of(c, s->period.v_start + step).balance;
+  return fmax(v, (delta + fmin(1, eps)) * 2 * step / fall);
+}
+
+/* The same for the displacement, the integral of velocities; where a body sticks, they follow l'. */
+static double displacement_size(const struct scallop_crawler *c, const struct scallop_steady_result *s)
+{
+  return c->T * steady_size(c, s) + (s->period.regime == SCALLOP_SLIDING ? 0 : c->L);
+}
+
+static void same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
+{
+  char text[2][SCALLOP_MODES_TEXT];
+  scallop_modes_text(a, text[0]);
+  scallop_modes_text(b, text[1]);
+  assert_string_equal(text[0], text[1]);
+}
+
+/* The crawler under test, if for_crawlers was left by a failure. */
+static struct scallop_crawler under_test;
+
+static int name_the_culprit(void **state)
+{
+  (void)state;
+  if (under_test.gait)
+    print_crawler(&under_test);
+  under_test.gait = NULL;
+  return 0;
+}
+
+typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
+
+/* Every family and every gait with a continuous l'. */
+static void for_crawlers(uint64_t seed, crawler_test *test)
+{
+  struct random r = { seed };
+  for (int family = 0; family < FAMILIES; family++)
+    for (int n = 0; n < CRAWLERS; n++) {
+      under_test = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
+      test(&r, &under_test);
+    }
+  under_test.gait = NULL;
+}
+
+/* ---- units ---- */
+
+struct units {
+  double mass, length, time;
+};
+
+static struct scallop_crawler in_units(const struct scallop_crawler *c, const struct units *u)
+{
+  double force = u->mass * u->length / (u->time * u->time);
+  return (struct scallop_crawler){ c->m1 * u->mass,  c->m2 * u->mass, c->F1 * force, c->F2 * force,
+                                   c->L * u->length, c->T * u->time,  c->alpha,      c->gait };
+}
+
+/* Powers of two change no digit. */
+static void binary_units(struct random *r, const struct scallop_crawler *c)
+{
+  struct units u = { ldexp(1, random_below(r, 41) - 20), ldexp(1, random_below(r, 41) - 20),
+                     ldexp(1, random_below(r, 41) - 20) };
+  struct scallop_crawler d = in_units(c, &u);
+  double speed = u.length / u.time, v0 = random_start(r, c, SCALLOP_EXTENSION);
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_phase_result a = phase_of(c, (enum scallop_phase_kind)kind, v0);
+    struct scallop_phase_result b = phase_of(&d, (enum scallop_phase_kind)kind, v0 * speed);
+    CHECK_EQUAL(b.t1, a.t1 * u.time);
+    CHECK_EQUAL(b.dT, a.dT * u.time);
+    CHECK_EQUAL(b.v_end, a.v_end * speed);
+    CHECK_EQUAL(b.dx1, a.dx1 * u.length);
+    CHECK_EQUAL(b.dx2, a.dx2 * u.length);
+    CHECK_EQUAL(b.dxC, a.dxC * u.length);
+    same_modes(&a.modes, &b.modes);
+  }
+  struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
+  CHECK_EQUAL(b.froude, a.froude);
+  CHECK_EQUAL(b.mean_velocity, a.mean_velocity * speed);
+  CHECK_EQUAL(b.v_low, a.v_low * speed);
+  CHECK_EQUAL(b.period.v_mid, a.period.v_mid * speed);
+  CHECK_EQUAL(b.period.displacement, a.period.displacement * u.length);
+  CHECK_EQUAL(b.period.multiplier, a.period.multiplier);
+  CHECK_EQUAL(b.period.balance, a.period.balance);
+}
+
+/* v_end and dx1 of a phase, or v_start and displacement of the steady state */
+static double quantity(const struct scallop_crawler *c, double v0, int q)
+{
+  if (q < 2) {
+    struct scallop_phase_result r = phase_of(c, SCALLOP_EXTENSION, v0);
+    return q == 0 ? r.v_end : r.dx1;
+  }
+  struct scallop_steady_result s = steady_of(c);
+  return q == 2 ? s.period.v_start : s.period.displacement;
+}
+
+static double condition(const struct scallop_crawler *c, double v0, int q)
+{
+  const double step = 1e-6;
+  double sum = 0, v[2] = { v0 * (1 + step), v0 * (1 - step) };
+  for (int i = 0; i < 7; i++) {
+    double value[2];
+    for (int side = 0; side < 2; side++) {
+      struct scallop_crawler d = *c;
+      double *const input[] = { &d.m1, &d.m2, &d.F1, &d.F2, &d.L, &d.T, &d.alpha };
+      *input[i] *= side == 0 ? 1 + step : 1 - step;
+      value[side] = quantity(&d, v0, q);
+    }
+    sum += fabs(value[0] - value[1]) / (2 * step);
+  }
+  return sum + fabs(quantity(c, v[0], q) - quantity(c, v[1], q)) / (2 * step);
+}
+
+/* dx1 = x - (m2/M) L is a difference, and so is what the steady state balances. */
+static double least_size(const struct scallop_crawler *c, double value, int q)
+{
+  if (q < 2)
+    return q == 0 ? fabs(value) : c->m2 / (c->m1 + c->m2) * c->L;
+  struct scallop_steady_result s = steady_of(c);
+  return q == 2 ? steady_size(c, &s) : displacement_size(c, &s);
+}
+
+/* Other factors round every input, a force four times. */
+static void any_units(struct random *r, const struct scallop_crawler *c)
+{
+  struct units u = { random_decades(r, 1e-3, 1e3), random_decades(r, 1e-3, 1e3), random_decades(r, 1e-3, 1e3) };
+  struct scallop_crawler d = in_units(c, &u);
+  double speed = u.length / u.time, v0 = random_start(r, c, SCALLOP_EXTENSION);
+  for (int q = 0; q < 4; q++) {
+    double wanted = quantity(c, v0, q), unit = q % 2 == 0 ? speed : u.length;
+    CHECK_NEAR(quantity(&d, v0 * speed, q) / unit, wanted,
+               4 * BOUND * ULP * fmax(least_size(c, wanted, q), condition(c, v0, q)));
+  }
+}
+
+static void units_of_powers_of_two(void **state)
+{
+  (void)state;
+  for_crawlers(11, binary_units);
+}
+
+/* EQUAL_FORCES and its like would not stay equal: the families without them, one by one. */
+static void units_of_any_size(void **state)
+{
+  (void)state;
+  struct random r = { 12 };
+  const enum family families[] = { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD };
+  for (int n = 0; n < 4 * CRAWLERS; n++) {
+    under_test = random_crawler(&r, families[n % 4], every_gait[n / 4 % SMOOTH_GAITS]);
+    any_units(&r, &under_test);
+  }
+  under_test.gait = NULL;
+}
+
+/* ---- mirror and exchange ---- */
+
+static struct scallop_crawler exchanged(const struct scallop_crawler *c)
+{
+  struct scallop_crawler d = *c;
+  d.m1 = c->m2;
+  d.m2 = c->m1;
+  d.F1 = c->F2;
+  d.F2 = c->F1;
+  return d;
+}
+
+/* x -> -x makes body 1 of body 2; l stays. Negation rounds nothing. */
+static void mirrored(struct random *r, const struct scallop_crawler *c)
+{
+  struct scallop_crawler d = exchanged(c);
+  double v0 = random_start(r, c, SCALLOP_CONTRACTION);
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_phase_result a = phase_of(c, (enum scallop_phase_kind)kind, v0);
+    struct scallop_phase_result b = phase_of(&d, (enum scallop_phase_kind)kind, -v0);
+    CHECK_EQUAL(b.v_end, -a.v_end);
+    CHECK_EQUAL(b.dx1, -a.dx2);
+    CHECK_EQUAL(b.dx2, -a.dx1);
+    CHECK_EQUAL(b.dxC, -a.dxC);
+    CHECK_EQUAL(b.t1, a.t1);
+    CHECK_EQUAL(b.dT, a.dT);
+    assert_int_equal(a.modes.count, b.modes.count);
+    for (int i = 0; i < a.modes.count; i++) {
+      assert_int_equal(b.modes.kept[i].s1, -a.modes.kept[i].s2);
+      assert_int_equal(b.modes.kept[i].s2, -a.modes.kept[i].s1);
+    }
+  }
+  struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
+  CHECK_NEAR(b.period.v_start, -a.period.v_start, BOUND * ULP * steady_size(c, &a));
+  CHECK_NEAR(b.period.displacement, -a.period.displacement, BOUND * ULP * displacement_size(c, &a));
+}
+
+/* Calling body 1 body 2 turns an extension into a contraction: l' -> -l'. */
+static void relabelled(struct random *r, const struct scallop_crawler *given)
+{
+  struct scallop_crawler c = *given;
+  c.alpha = (1 + random_below(r, 1023)) / 1024.; /* 1 - alpha is exact */
+  struct scallop_crawler d = exchanged(&c);
+  d.alpha = 1 - c.alpha;
+  double v0 = random_start(r, &c, SCALLOP_EXTENSION);
+  struct scallop_phase_result a = phase_of(&c, SCALLOP_EXTENSION, v0), b = phase_of(&d, SCALLOP_CONTRACTION, v0);
+  CHECK_EQUAL(b.v_end, a.v_end);
+  CHECK_EQUAL(b.dx1, a.dx2);
+  CHECK_EQUAL(b.dxC, a.dxC);
+  CHECK_EQUAL(b.t1, a.t1);
+  CHECK_EQUAL(b.dT, a.dT);
+  struct scallop_steady_result s = steady_of(&c), t = steady_of(&d);
+  CHECK_NEAR(t.period.v_mid, s.period.v_start, BOUND * ULP * steady_size(&c, &s));
+  CHECK_NEAR(t.period.displacement, s.period.displacement, BOUND * ULP * displacement_size(&c, &s));
+}
+
+static void mirror_image(void **state)
+{
+  (void)state;
+  for_crawlers(13, mirrored);
+}
+static void bodies_exchanged(void **state)
+{
+  (void)state;
+  for_crawlers(14, relabelled);
+}
+
+/* ---- the period map ---- */
+
+static double largest_velocity(const struct scallop_crawler *c, double v0)
+{
+  double tau = fmin(scallop_phase_duration(c, SCALLOP_EXTENSION), scallop_phase_duration(c, SCALLOP_CONTRACTION));
+  return fmax(fabs(v0), 2 * c->L / tau);
+}
+
+static void map_is_monotone_and_nonexpansive(struct random *r, const struct scallop_crawler *c)
+{
+  double a = random_start(r, c, SCALLOP_EXTENSION), b = random_start(r, c, SCALLOP_CONTRACTION);
+  double noise = BOUND * ULP * largest_velocity(c, fmax(fabs(a), fabs(b)));
+  double apart = fabs(b - a), after = (b > a ? 1 : -1) * (period_of(c, b).v_end - period_of(c, a).v_end);
+  CHECK_AT_MOST(-after, noise);
+  CHECK_AT_MOST(after, apart + noise);
+}
+
+static long differences, sharp_differences;
+
+/* The balance carries (P(v) - v)/eps without cancellation, so it is what is differenced. The difference
+ * lies between the derivatives within the step; where these differ, at a kink, the check is weak, hence
+ * the count. */
+static void multiplier_is_the_derivative(struct random *r, const struct scallop_crawler *c)
+{
+  double v0 = random_start(r, c, SCALLOP_EXTENSION), unit = velocity_unit(c), eps = crawler_eps(c);
+  double step = 1e-5 * fmax(fabs(v0), eps * unit), spread = 0;
+  v0 += copysign(3 * step, v0); /* off the kink at 0 */
+  struct scallop_period_result at = period_of(c, v0), end = period_of(c, v0 + step);
+  double slope = (end.balance - at.balance) / ((v0 + step - v0) / unit);
+  for (int k = 1; k <= 4; k++)
+    spread = fmax(spread, fabs(period_of(c, v0 + step * k / 4).multiplier - at.multiplier) / eps);
+  double terms = 1 + fabs(slope) * largest_velocity(c, v0) / unit; /* what a rounding of c does to the balance */
+  double noise = BOUND * ULP * (terms * unit / step + 1 / eps);
+  CHECK_NEAR((at.multiplier - 1) / eps, slope, 2 * spread + noise);
+  CHECK_AT_MOST(-at.multiplier, 0);
+  CHECK_AT_MOST(at.multiplier, 1);
+  differences++;
+  sharp_differences += 2 * spread + noise < 1e-3 * fmax(1, 1e-3 / eps);
+}
+
+static void period_map(void **state)
+{
+  (void)state;
+  for_crawlers(15, map_is_monotone_and_nonexpansive);
+}
+
+static void multiplier(void **state)
+{
+  (void)state;
+  for_crawlers(16, multiplier_is_the_derivative);
+  print_message("%ld of %ld differences sharp\n", sharp_differences, differences);
+  assert_true(sharp_differences > differences / 2);
+}
+
+/* A start above every l' by more than friction takes off in a period loses all that friction takes. */
+static void fast_start(struct random *r, const struct scallop_crawler *c)
+{
+  double eps = crawler_eps(c), a = fmin(c->alpha, 1 - c->alpha);
+  double v0 = (2 / a + 2 * eps + random_between(r, 0, 1)) * velocity_unit(c);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    struct scallop_period_result p = period_of(c, sign * v0);
+    CHECK_RELATIVE(p.balance, -sign, BOUND * ULP);
+    CHECK_EQUAL(p.multiplier, 1);
+    assert_int_equal(p.regime, SCALLOP_SLIDING);
+  }
+}
+
+static void above_every_curve(void **state)
+{
+  (void)state;
+  for_crawlers(17, fast_start);
+}
+
+/* At a kink: m1 = m2, F1 = F2, eps of the phase 1/16, the start such that the rear body comes to rest
+ * for an instant at the middle of the extension, where l' peaks. To the right it never turns back. */
+static void multiplier_at_grazing_is_the_right_one(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 0.25, 0.25, 1, 1, 0.5, &scallop_gait_quadratic };
+  double v0 = 2.0625, step = 0x1p-12;
+  struct scallop_period_result at = period_of(&c, v0), right = period_of(&c, v0 + step);
+  CHECK_NEAR(at.multiplier, (right.v_end - at.v_end) / step, 64 * ULP / step);
+}
+
+/* ---- the steady state ---- */
+
+static void steady_is_a_fixed_point(struct random *r, const struct scallop_crawler *c)
+{
+  (void)r;
+  struct scallop_steady_result s = steady_of(c);
+  const struct scallop_period_result *p = &s.period;
+  double v = fmax(fabs(p->v_start), fabs(p->v_mid)), eps = crawler_eps(c);
+  /* the balance changes sign within BOUND ulp of v_start, however steep it is there */
+  double before = period_of(c, p->v_start - BOUND * ULP * v).balance;
+  double behind = period_of(c, p->v_start + BOUND * ULP * v).balance;
+  CHECK_AT_MOST(-before, BOUND * ULP);
+  CHECK_AT_MOST(behind, BOUND * ULP);
+  bool steep = before - behind > 1e-3; /* a plateau of l': a rounding of v decides on much of the phase */
+  if (!steep)
+    CHECK_NEAR(p->balance, 0, before - behind + BOUND * ULP);
+  /* c is rounded to a curve at every change of mode */
+  int rounded = 1 + p->modes[0].count + p->modes[1].count;
+  CHECK_NEAR(p->v_end, p->v_start, rounded * BOUND * ULP * fmax(v, eps * velocity_unit(c)));
+  CHECK_EQUAL(s.v_low, s.v_high);
+  CHECK_EQUAL(s.v_low, p->v_start);
+  CHECK_RELATIVE(s.froude, 1 / eps, BOUND * ULP);
+  CHECK_RELATIVE(s.mean_velocity, p->displacement / c->T, BOUND * ULP);
+  struct scallop_period_result again = period_of(c, p->v_start);
+  CHECK_NEAR(again.v_mid, p->v_mid, BOUND * ULP * v);
+  CHECK_NEAR(again.displacement, p->displacement, BOUND * ULP * (v * c->T + fabs(p->displacement)));
+}
+
+/* Whatever the start, the iteration of the map ends there: uniqueness, and the map and the balance
+ * agree. n is such that multiplier^n is below an ulp. */
+static void steady_is_reached(struct random *r, const struct scallop_crawler *given)
+{
+  struct scallop_crawler c = *given;
+  c.alpha = fmin(fmax(c.alpha, 0.02), 0.98);
+  set_eps(&c, random_decades(r, 0.3, 60));
+  struct scallop_steady_result s = steady_of(&c);
+  double far = 3 * largest_velocity(&c, 0) + crawler_eps(&c) * velocity_unit(&c);
+  const double starts[] = { 0, -far, far, random_between(r, -far, far) };
+  double settled = 1 - s.period.multiplier;
+  for (int k = 0; k < 4; k++) {
+    double v = starts[k];
+    long limit = 2000 + (long)(40 / settled), n = 0;
+    for (double old = INFINITY; n < limit && v != old; n++) {
+      old = v;
+      v = period_of(&c, v).v_end;
+    }
+    CHECK_NEAR(v, s.period.v_start, BOUND * ULP * largest_velocity(&c, 0) / settled);
+  }
+}
+
+/* alpha = 1/2: half a period later all is reversed, v(t + T/2) = -v(t). F1 = F2: c = 0 solves it. */
+static void symmetric_goes_nowhere(struct random *r, const struct scallop_crawler *given)
+{
+  (void)r;
+  struct scallop_crawler c = *given;
+  c.alpha = 0.5;
+  struct scallop_steady_result s = steady_of(&c);
+  CHECK_NEAR(s.period.v_mid, -s.period.v_start, BOUND * ULP * steady_size(&c, &s));
+  CHECK_NEAR(s.period.displacement, 0, BOUND * ULP * displacement_size(&c, &s));
+  c = *given;
+  c.F2 = c.F1;
+  s = steady_of(&c);
+  CHECK_EQUAL(s.period.v_start, 0);
+  CHECK_EQUAL(s.period.v_mid, 0);
+  CHECK_EQUAL(s.period.displacement, 0);
+  assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+}
+
+/* Where a root finder that keeps its bracket badly has gone wrong: Newton's method jumps between the two
+ * ends of the bracket (the balance is piecewise linear), or is thrown off a root it has found. */
+static void awkward_fixed_points(void **state)
+{
+  (void)state;
+  const struct scallop_crawler awkward[] = {
+    { 0.8600653530882657, 0.091638556541162694, 0.14221223671773683, 0.6712699065680231, 15.404457108972549,
+      1.6337619364041711, 0.64779187280096906, &trapezoid_gait },
+    { 2.0207504562843486, 0.24696599292836602, 1.4616632709221586, 4.8513944284664561, 10.847848234780091,
+      0.00018661733411097476, 0.757337499771089, &trapezoid_gait },
+    { 1.005555104355869, 0.34464279269686077, 0.20340021387305435, 1.9351561748532251, 6.2489810736853961,
+      0.00042542337761461294, 0.13370486197499587, &scallop_gait_sinusoidal },
+  };
+  for (size_t k = 0; k < sizeof awkward / sizeof *awkward; k++) {
+    under_test = awkward[k];
+    steady_is_a_fixed_point(NULL, &under_test);
+  }
+  under_test.gait = NULL;
+}
+
+static void fixed_point(void **state)
+{
+  (void)state;
+  for_crawlers(18, steady_is_a_fixed_point);
+}
+static void reached_from_anywhere(void **state)
+{
+  (void)state;
+  for_crawlers(19, steady_is_reached);
+}
+static void no_displacement(void **state)
+{
+  (void)state;
+  for_crawlers(20, symmetric_goes_nowhere);
+}
+
+/* ---- intervals of steady states ---- */
+
+static void interval_is(const struct scallop_crawler *c, double low, double high)
+{
+  struct scallop_steady_result s;
+  double unit = velocity_unit(c), size = fmax(fabs(low), fabs(high)) + crawler_eps(c);
+  assert_int_equal(scallop_steady(c, &s), SCALLOP_INTERVAL);
+  CHECK_NEAR(s.v_low / unit, low, BOUND * ULP * size);
+  CHECK_NEAR(s.v_high / unit, high, BOUND * ULP * size);
+  CHECK_NEAR(s.period.v_start, fmin(fmax(0, s.v_low), s.v_high), 0);
+  CHECK_NEAR(s.period.balance, 0, ULP);
+  for (int k = 1; k < 8; k++) {
+    double v = (low + (high - low) * k / 8) * unit;
+    CHECK_NEAR(period_of(c, v).v_end, v, BOUND * ULP * size * unit);
+  }
+  double outside = (high - low) / 64;
+  assert_true(period_of(c, (high + outside) * unit).v_end < (high + outside) * unit);
+  assert_true(period_of(c, (low - outside) * unit).v_end > (low - outside) * unit);
+}
+
+/* Velocities in L/T. The curves are at mu2/alpha, -mu1/alpha in extension (rate: eps delta) and at
+ * mu1/(1 - alpha), -mu2/(1 - alpha) in contraction (rate: -eps delta). With F1 = F2 c stays where it
+ * is between all four. With alpha = 1/2 it goes by eps delta/2 and back. */
+static void sawtooth_interval(void **state)
+{
+  (void)state;
+  struct random r = { 21 };
+  for (int n = 0; n < 8 * CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, &sawtooth_gait);
+    double M = c.m1 + c.m2, mu1 = c.m1 / M, mu2 = c.m2 / M, a = c.alpha, b = 1 - c.alpha;
+    if (n % 2 == 0) {
+      c.F2 = c.F1;
+      interval_is(&c, -fmin(mu1 / a, mu2 / b), fmin(mu2 / a, mu1 / b));
+      continue;
+    }
+    c.alpha = 0.5;
+    set_eps(&c, random_decades(&r, 1e-6, 2 * fmin(mu1, mu2)));
+    double swing = 0.5 * crawler_eps(&c) * (c.F1 - c.F2) / (c.F1 + c.F2), room = 2 * fmin(mu1, mu2);
+    interval_is(&c, -room - fmin(swing, 0), room - fmax(swing, 0));
+  }
+}
+
+/* l' = 9/8 for three quarters of a phase and then 5/8, with the default F1 = 4, F2 = 1, alpha = 3/4 and
+ * m1 = m2. Between the curves 5/12 and 3/4 of the two speeds in extension both bodies go forward in the
+ * slow quarter, and friction takes there 2 (4/5) (3/4)/4 = 3/10: all of the drive (3/5)(2 alpha - 1), for
+ * every start. c goes up by 0.3375 eps, down by 0.1875 eps, and by 0.15 eps in the contraction. */
+#define TWO_SPEEDS(sign) \
+  { .begin = 0, \
+    .end = 0.75, \
+    .direction = (sign), \
+    .jump = true, \
+    .linear = true, \
+    .velocity = (sign)*1.125, \
+    .curve = &scallop_curve_linear }, \
+  { \
+    .begin = 0.25, .end = 0, .anchor = SCALLOP_FROM_END, .direction = (sign), .jump = true, .linear = true, \
+    .velocity = (sign)*0.625, .curve = &scallop_curve_linear \
+  }
+
+static const struct scallop_piece two_speed_extension[] = { TWO_SPEEDS(1) };
+static const struct scallop_piece two_speed_contraction[] = { TWO_SPEEDS(-1) };
+static const struct scallop_gait two_speed_gait = {
+  "two-speed", { { two_speed_extension, 2, 0, 0, 1.125, 1 }, { two_speed_contraction, 2, 0, 0, 1.125, -1 } }
+};
+
+static void two_speed_interval(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 4, 1, 2560, 1, 0.75, &two_speed_gait };
+  double eps = 0x1p-10;
+  interval_is(&c, 5. / 12 - 0.15 * eps, 0.75 - 0.3375 * eps);
+}
+
+#define TEST(name) cmocka_unit_test_teardown(name, name_the_culprit)
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    TEST(units_of_powers_of_two),
+    TEST(units_of_any_size),
+    TEST(mirror_image),
+    TEST(bodies_exchanged),
+    TEST(period_map),
+    TEST(multiplier),
+    TEST(above_every_curve),
+    TEST(multiplier_at_grazing_is_the_right_one),
+    TEST(fixed_point),
+    TEST(reached_from_anywhere),
+    TEST(awkward_fixed_points),
+    TEST(no_displacement),
+    TEST(sawtooth_interval),
+    TEST(two_speed_interval),
+  };
+  return cmocka_run_group_tests_name("symmetry", tests, NULL, NULL);
+}
