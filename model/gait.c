@@ -55,33 +55,37 @@ static double sine_length(const struct scallop_piece *p, double u)
   return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (h * h);
 }
 
-static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+/* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
+static bool is_late(double u) { return u > 0.25; }
+
+static double velocity_size(const struct scallop_piece *p) { return p->direction * (0.5 * PI); }
+
+static double acceleration_size(const struct scallop_piece *p)
 {
-  /* near u = 1/2 from there, so that l'' is exactly 0 where the two pieces meet */
-  bool late = u > 0.25;
-  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
-  double sense = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
-  *velocity = p->direction * (0.5 * PI) * (late ? c : s);
-  *acceleration = sense * (0.5 * PI * PI) * (late ? s : c);
+  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI);
 }
 
 static double sine_velocity(const struct scallop_piece *p, double u)
 {
-  double velocity, acceleration;
-  sine_rates(p, u, &velocity, &acceleration);
-  return velocity;
+  return velocity_size(p) * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
 }
 
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  double velocity, acceleration;
-  sine_rates(p, u, &velocity, &acceleration);
-  return acceleration;
+  return acceleration_size(p) * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
+}
+
+static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+{
+  bool late = is_late(u);
+  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
+  *velocity = velocity_size(p) * (late ? c : s);
+  *acceleration = acceleration_size(p) * (late ? s : c);
 }
 
 static double sine_when(const struct scallop_piece *p, double a)
 {
-  double cosine = a / ((p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI));
+  double cosine = a / acceleration_size(p);
   if (!(cosine >= 0 && cosine <= 1))
     return NAN;
   return cosine > 0.5 ? acos(cosine) / PI : 0.5 - asin(cosine) / PI;

@@ -73,7 +73,9 @@ struct scallop_gait {
 /* quadratic: l'' = +-4/tau^2, then -+4/tau^2, changing at half of the phase. sinusoidal: half a
  * cosine, l = (1 - cos(pi t / tau)) / 2 and back. */
 extern const struct scallop_gait scallop_gait_quadratic, scallop_gait_sinusoidal;
-extern const struct scallop_curve scallop_curve_linear; /* for pieces with linear = true */
+/* For pieces with linear = true that begin or end at their anchor; one in the middle of a phase brings a
+ * curve of its own, whose length counts from the anchor. */
+extern const struct scallop_curve scallop_curve_linear;
 
 /* The gait called name, or NULL. scallop_gait_name(i) lists them, NULL after the last. */
 const struct scallop_gait *scallop_gait_named(const char *name);
