@@ -58,34 +58,27 @@ static double sine_length(const struct scallop_piece *p, double u)
 /* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
 static bool is_late(double u) { return u > 0.25; }
 
-static double velocity_size(const struct scallop_piece *p) { return p->direction * (0.5 * PI); }
-
-static double acceleration_size(const struct scallop_piece *p)
-{
-  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (0.5 * PI * PI);
-}
-
 static double sine_velocity(const struct scallop_piece *p, double u)
 {
-  return velocity_size(p) * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
+  return p->velocity * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
 }
 
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  return acceleration_size(p) * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
+  return p->acceleration * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
 }
 
 static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
 {
   bool late = is_late(u);
   double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
-  *velocity = velocity_size(p) * (late ? c : s);
-  *acceleration = acceleration_size(p) * (late ? s : c);
+  *velocity = p->velocity * (late ? c : s);
+  *acceleration = p->acceleration * (late ? s : c);
 }
 
 static double sine_when(const struct scallop_piece *p, double a)
 {
-  double cosine = a / acceleration_size(p);
+  double cosine = a / p->acceleration;
   if (!(cosine >= 0 && cosine <= 1))
     return NAN;
   return cosine > 0.5 ? acos(cosine) / PI : 0.5 - asin(cosine) / PI;
@@ -93,9 +86,11 @@ static double sine_when(const struct scallop_piece *p, double a)
 
 static const struct scallop_curve sine = { sine_length, sine_velocity, sine_acceleration, sine_when, sine_rates };
 
+/* velocity and acceleration are the amplitudes of l' and l'' here */
 #define SINE(from, to, anchored, sign) \
   { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &sine \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .velocity = (sign) * (0.5 * PI), \
+    .acceleration = ((anchored) == SCALLOP_FROM_START ? (sign) : -(sign)) * (0.5 * PI * PI), .curve = &sine \
   }
 
 static const struct scallop_piece sinusoidal_extension[] = { SINE(0, 0.5, SCALLOP_FROM_START, 1),

@@ -52,8 +52,8 @@ struct scallop_piece {
   int direction;       /* sign of l': +1 or -1                                             */
   bool jump;           /* l' jumps where the piece begins                                  */
   bool linear;         /* l' is linear: l'(u) = velocity + acceleration * (time - anchor)  */
-  double velocity;     /* linear pieces: l' at the anchor                                  */
-  double acceleration; /* linear pieces: l''                                               */
+  double velocity;     /* linear pieces: l' at the anchor; others: for the curve's own use */
+  double acceleration; /* linear pieces: l''; others likewise */
   const struct scallop_curve *curve;
 };
 
