@@ -1,12 +1,6 @@
 /* The formulas of Appendix B, as printed: a contraction that begins with velocity v0 > 0. Positions
  * are counted from where the body (or the centre) was at the start. */
-#include "asymptotics/asymptotics.h"
-
-typedef const struct scallop_phase_point point;
-
-static double mass(point *p) { return p->m1 + p->m2; }
-static double drive(point *p) { return (p->F1 - p->F2) / mass(p); }
-static double cube(double x) { return x * x * x; }
+#include "asymptotics/terms.h"
 
 double B_t1_unexpanded(point *p) { return p->v0 * mass(p) / (-p->m1 * p->l0 / (p->T * p->T) + p->F1 + p->F2); }
 

@@ -1,10 +1,7 @@
 /* The formulas of the main text, as printed. */
-#include "asymptotics/asymptotics.h"
+#include "asymptotics/terms.h"
 
-typedef const struct scallop_phase_point point;
 typedef const struct scallop_crawler crawler;
-
-static double drive(point *p) { return (p->F1 - p->F2) / (p->m1 + p->m2); } /* (F1 - F2)/M */
 
 /* ---- section 4.3.1 ---- */
 

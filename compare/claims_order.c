@@ -42,8 +42,7 @@ static const struct condition steady[] = { { "alpha > 1/2, F1 > F2", true, 0, fa
                                            { "alpha < 1/2, F1 < F2", false, 0, true, true, false },
                                            { "alpha < 1/2, F1 > F2", false, 0, false, true, false },
                                            { "alpha > 1/2, F1 < F2", false, 0, true, false, false },
-                                           { "alpha > 1/2, F1 > F2, m1 a hundredth: body 2 does not turn", false, 0, false,
-                                             false, true },
+                                           { "alpha > 1/2, F1 > F2, m1 a hundredth", false, 0, false, false, true },
                                            { .text = NULL } };
 
 const char *claim_verdict_text(enum claim_verdict verdict)
@@ -170,9 +169,8 @@ static struct subject subject_of(const struct scallop_crawler *crawler, const st
   return s;
 }
 
-static void measure(struct claim_row *row, struct subject *s)
+static void measure(struct claim_row *row, struct subject *s, struct order_point points[STEPS])
 {
-  struct order_point points[STEPS];
   double T0 = sqrt((s->crawler.m1 + s->crawler.m2) * s->crawler.L / (s->crawler.F1 + s->crawler.F2));
   int count = 0;
   for (int k = STEPS - 1; k >= 0; k--) {
@@ -181,6 +179,8 @@ static void measure(struct claim_row *row, struct subject *s)
       count++;
   }
   row->fit = order_estimate(points, count);
+  row->points = points;
+  row->count = count;
   judge(row);
 }
 
@@ -194,6 +194,7 @@ static void claims_of_formula(const struct scallop_crawler *crawler, const struc
                                          : kind == SCALLOP_EXTENSION           ? extension_from_rest
                                                                                : contraction_from_rest;
     for (const struct condition *condition = conditions; condition->text; condition++) {
+      struct order_point points[STEPS];
       struct subject s = subject_of(crawler, f, (enum scallop_phase_kind)kind, condition);
       struct claim_row row = { .claim = f->name,
                                .equation = f->equation,
@@ -205,7 +206,7 @@ static void claims_of_formula(const struct scallop_crawler *crawler, const struc
       s.magnitude = magnitude;
       if (magnitude)
         row.claim = "A_x1_first_switch_size";
-      measure(&row, &s);
+      measure(&row, &s, points);
       sink(context, &row);
     }
   }
@@ -227,16 +228,20 @@ static void claims_of_expansion(const struct scallop_crawler *crawler, claim_sin
     for (int k = 8; k < STEPS; k++)
       count += expansion_error(&s, velocity, grid(k), &points[count]);
     row.fit = order_estimate(points, count);
+    row.points = points;
+    row.count = count;
     judge(&row);
     sink(context, &row);
   }
 }
 
-void claims_of_order(const struct scallop_crawler *crawler, claim_sink *sink, void *context)
+void claims_of_order(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink, void *context)
 {
   struct scallop_crawler c = *crawler;
   for (int g = 0; scallop_gait_name(g); g++) {
     c.gait = scallop_gait_named(scallop_gait_name(g));
+    if (gait && c.gait != gait)
+      continue;
     for (const struct scallop_formula *f = scallop_published; f->name; f++) {
       if (f->remainder > 0)
         claims_of_formula(&c, f, false, sink, context);

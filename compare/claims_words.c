@@ -48,10 +48,15 @@ static void enter(const struct ledger *l, const char *claim, const char *section
 
 static struct scallop_steady_result steady(const struct scallop_crawler *c)
 {
-  struct scallop_steady_result r = { .mean_velocity = NAN };
-  scallop_steady(c, &r);
+  struct scallop_steady_result r;
+  if (scallop_steady(c, &r) < 0)
+    return (struct scallop_steady_result){ .mean_velocity = NAN,
+                                           .period = { .v_start = NAN, .displacement = NAN, .multiplier = NAN } };
   return r;
 }
+
+/* The duration at which the Froude number is 1 */
+static double natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L); }
 
 /* ---- over random crawlers: masses and forces within a factor of 10, 0.05 < alpha < 0.95, Froude from 0.1 ---- */
 
@@ -113,7 +118,7 @@ static double symmetric_timing(const struct scallop_crawler *c)
 
 static double multiplier(const struct scallop_crawler *c) { return steady(c).period.multiplier; }
 
-/* How far a start velocity is from the steady one after as many periods as its multiplier needs for 1e-6, over L/T */
+/* How far the velocity is from the steady one, over L/T, once it is within 1e-6 or after 20000 periods from rest */
 static double unsettled(const struct scallop_crawler *c)
 {
   struct scallop_steady_result s = steady(c);
@@ -204,12 +209,22 @@ static void reversible_kinematics(const struct ledger *l)
 static struct scallop_phase_result extension(const struct scallop_crawler *crawler, double ratio, double T)
 {
   struct scallop_crawler c = *crawler;
-  struct scallop_phase_result r = { .dxC = NAN, .v_end = NAN };
+  struct scallop_phase_result r;
   c.F1 = ratio * c.F2;
   c.alpha = 0.5;
   c.T = 2 * T;
-  scallop_phase(&c, SCALLOP_EXTENSION, 0, &r);
+  if (scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
+    return (struct scallop_phase_result){ .dxC = NAN, .v_end = NAN, .regime = SCALLOP_AT_REST };
   return r;
+}
+
+/* The longest extension from rest without sticking, to 1 %. */
+static double onset_of_sticking(const struct scallop_crawler *crawler, double ratio)
+{
+  double T = 1e-3 * natural_time(crawler);
+  for (int i = 0; i < 2000 && extension(crawler, ratio, 1.01 * T).regime == SCALLOP_SLIDING; i++)
+    T *= 1.01;
+  return T;
 }
 
 static void over_durations(const struct ledger *l)
@@ -222,10 +237,8 @@ static void over_durations(const struct ledger *l)
   char range[80];
   snprintf(range, sizeof range, "%s, from rest, F1/F2 = 2, 10, 40", whose(l));
   for (int i = 0; i < 3; i++) {
-    double onset = 1e-3, highest = 0, before = extension(&l->crawler, ratios[i], 1e-4).dxC;
-    while (extension(&l->crawler, ratios[i], onset).regime == SCALLOP_SLIDING)
-      onset *= 1.01;
-    onset /= 1.01;
+    double onset = onset_of_sticking(&l->crawler, ratios[i]), highest = 0;
+    double before = extension(&l->crawler, ratios[i], onset / (10 * STEPS)).dxC;
     for (int j = 1; j <= STEPS; j++) {
       struct scallop_phase_result r = extension(&l->crawler, ratios[i], onset * j / STEPS);
       least_rise = fmin(least_rise, r.dxC - before);
@@ -397,17 +410,22 @@ static void over_period(const struct ledger *l)
   l->sink(l->context, &row);
 }
 
-void claims_in_words(const struct scallop_crawler *crawler, claim_sink *sink, void *context)
+void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink, void *context)
 {
   struct ledger l = { .sink = sink, .context = context };
-  reversible_kinematics(&l);
+  if (!gait)
+    reversible_kinematics(&l);
   for (int g = 0; scallop_gait_name(g); g++) {
     l.crawler.gait = scallop_gait_named(scallop_gait_name(g));
+    if (gait && l.crawler.gait != gait)
+      continue;
     over_random_crawlers(&l);
     for (int paper = 1; paper >= 0; paper--) {
-      const struct scallop_gait *gait = l.crawler.gait;
+      const struct scallop_gait *this_gait = l.crawler.gait;
       l.crawler = paper ? scallop_crawler_default() : *crawler;
-      l.crawler.gait = gait;
+      if (!paper)
+        l.crawler.T = 0.5 * natural_time(crawler);
+      l.crawler.gait = this_gait;
       l.of_the_paper = paper;
       over_durations(&l);
       over_force_ratio(&l);

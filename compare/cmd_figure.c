@@ -1,6 +1,6 @@
 /* The tables behind the paper's figures. Only + - * / and square roots are used, and gaits whose l' is
  * linear, so that the tables have the same bytes on every machine. */
-#include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
@@ -46,7 +46,7 @@ static bool position_row(void *context, const struct scallop_sample *s)
   return true;
 }
 
-static void figure_2(struct table *t)
+static enum scallop_status figure_2(struct table *t)
 {
   static const char *const columns[] = { "kinematics", "t_over_T", "x1_over_L", "x2_over_L", "xC_over_L", "l_over_L", NULL };
   table_note(t, "figure 2: positions from rest; kinematics symmetric (A, B) and asymmetric (C, D)");
@@ -55,8 +55,8 @@ static void figure_2(struct table *t)
   begin_rows(t, columns);
   struct curve symmetric = { t, "symmetric", paper_crawler(4, 2, 0.5), 0 };
   struct curve asymmetric = { t, "asymmetric", paper_crawler(4, 2, 0.75), 0 };
-  scallop_trajectory(&symmetric.crawler, 0, 8, 40, position_row, &symmetric);
-  scallop_trajectory(&asymmetric.crawler, 0, 8, 40, position_row, &asymmetric);
+  enum scallop_status status = scallop_trajectory(&symmetric.crawler, 0, 8, 40, position_row, &symmetric);
+  return status < 0 ? status : scallop_trajectory(&asymmetric.crawler, 0, 8, 40, position_row, &asymmetric);
 }
 
 /* ---- figure 3: one extension from rest ---- */
@@ -73,40 +73,45 @@ static bool extension_row(void *context, const struct scallop_sample *s)
   return true;
 }
 
-static void figure_3(struct table *t)
+static enum scallop_status figure_3(struct table *t)
 {
   static const char *const columns[] = { "t_over_T", "x1_over_L", "x2_over_L", "v1_T_over_L", "v2_T_over_L", NULL };
   table_note(t, "figure 3: positions (A) and velocities (B) of both bodies in an extension from rest, of duration T");
   table_note(t, "assumed: m1 = m2 = 1, F1 = 4, F2 = 1, L = 10, T = 2, quadratic");
   begin_rows(t, columns);
   struct curve curve = { t, NULL, paper_crawler(4, 4, 0.5), 2 };
-  scallop_trajectory(&curve.crawler, 0, 1, 400, extension_row, &curve);
+  return scallop_trajectory(&curve.crawler, 0, 1, 400, extension_row, &curve);
 }
 
 /* ---- figure 4: change of position and velocity over an extension from rest ---- */
 
 /* An extension of duration T is half of a symmetric period 2 T. */
-static struct scallop_phase_result extension_from_rest(double F1, double T, struct scallop_crawler *crawler)
+static enum scallop_status extension_from_rest(double F1, double T, struct scallop_crawler *crawler,
+                                               struct scallop_phase_result *result)
 {
-  struct scallop_phase_result r;
   *crawler = paper_crawler(F1, 2 * T, 0.5);
-  scallop_phase(crawler, SCALLOP_EXTENSION, 0, &r);
-  return r;
+  return scallop_phase(crawler, SCALLOP_EXTENSION, 0, result);
+}
+
+static bool slides(double F1, double T)
+{
+  struct scallop_crawler c;
+  struct scallop_phase_result r;
+  return extension_from_rest(F1, T, &c, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
 }
 
 /* The longest extension from rest in which no body sticks. */
 static double onset_of_sticking(double F1)
 {
-  struct scallop_crawler c;
   double sliding = 0, sticking = 1;
-  while (extension_from_rest(F1, sticking, &c).regime == SCALLOP_SLIDING)
+  while (slides(F1, sticking))
     sticking *= 2;
   for (double mid; (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
-    *(extension_from_rest(F1, mid, &c).regime == SCALLOP_SLIDING ? &sliding : &sticking) = mid;
+    *(slides(F1, mid) ? &sliding : &sticking) = mid;
   return sliding;
 }
 
-static void figure_4(struct table *t)
+static enum scallop_status figure_4(struct table *t)
 {
   static const char *const columns[] = { "F1_over_F2",          "T", "dxC_over_L", "series_dxC_over_L", "dvC_T_over_L",
                                          "series_dvC_T_over_L", NULL };
@@ -122,7 +127,10 @@ static void figure_4(struct table *t)
     for (int j = 1; j <= STEPS; j++) {
       struct scallop_crawler c;
       double T = onset * j / STEPS;
-      struct scallop_phase_result r = extension_from_rest(ratios[i], T, &c);
+      struct scallop_phase_result r;
+      enum scallop_status status = extension_from_rest(ratios[i], T, &c, &r);
+      if (status < 0)
+        return status;
       struct scallop_phase_point p = scallop_phase_point(&c, SCALLOP_EXTENSION, 0);
       const double numbers[] = { ratios[i],         T,
                                  r.dxC / c.L,       rest_xC_end(&p) / c.L,
@@ -131,14 +139,17 @@ static void figure_4(struct table *t)
         table_number(t, numbers[k]);
     }
   }
+  return SCALLOP_OK;
 }
 
 /* ---- figure 5: mean velocity ---- */
 
-static void velocity_row(struct table *t, const char *panel, const struct scallop_crawler *c)
+static enum scallop_status velocity_row(struct table *t, const char *panel, const struct scallop_crawler *c)
 {
   struct scallop_steady_result r;
-  scallop_steady(c, &r);
+  enum scallop_status status = scallop_steady(c, &r);
+  if (status < 0)
+    return status;
   table_text(t, panel);
   table_number(t, c->alpha);
   table_number(t, c->F2);
@@ -147,13 +158,15 @@ static void velocity_row(struct table *t, const char *panel, const struct scallo
   table_number(t, text_steady_xC(c) / c->T);
   table_number(t, r.period.v_start);
   table_text(t, scallop_regime_text(r.period.regime));
+  return SCALLOP_OK;
 }
 
-static void figure_5(struct table *t)
+static enum scallop_status figure_5(struct table *t)
 {
   static const char *const columns[] = { "panel",   "alpha",  "F2", "F1_over_F2", "mean_velocity", "series_mean_velocity",
                                          "v_start", "regime", NULL };
   static const double F1[] = { 2, 4, 10 }, F2[] = { 0.5, 1, 2 };
+  enum scallop_status status = SCALLOP_OK;
   table_note(t, "figure 5: mean velocity in the steady state over alpha (A) and over F1/F2 at alpha = 3/4 (B)");
   table_note(t, "m1 = m2 = 1, L = 10, quadratic, F2 = 1 in A; exact, and the series (28) divided by T");
   table_note(t, "assumed: T = 1; F1 = 2, 4, 10 in A; F2 = 1/2, 1, 2 in B");
@@ -161,23 +174,24 @@ static void figure_5(struct table *t)
   for (int i = 0; i < 3; i++)
     for (int j = 1; j < 100; j++) {
       struct scallop_crawler c = paper_crawler(F1[i], 1, j / 100.0);
-      velocity_row(t, "A", &c);
+      status = status < 0 ? status : velocity_row(t, "A", &c);
     }
   for (int i = 0; i < 3; i++) {
     double ratio = 1;
     for (int j = 0; j <= 349; j++, ratio *= 1.02) { /* up to about 1000 */
       struct scallop_crawler c = paper_crawler(F2[i] * ratio, 1, 0.75);
       c.F2 = F2[i];
-      velocity_row(t, "B", &c);
+      status = status < 0 ? status : velocity_row(t, "B", &c);
     }
   }
+  return status;
 }
 
 static enum exit_code run(const struct options *options)
 {
   static const struct {
     const char *name;
-    void (*write)(struct table *);
+    enum scallop_status (*write)(struct table *);
   } figures[] = { { "2", figure_2 }, { "3", figure_3 }, { "4", figure_4 }, { "5", figure_5 } };
   struct table table;
   for (int i = 0; i < 4; i++)
@@ -186,7 +200,12 @@ static enum exit_code run(const struct options *options)
         return EXIT_FILE;
       table_note(&table, "scallop " SCALLOP_VERSION);
       table_note(&table, "command: figure %s", figures[i].name);
-      figures[i].write(&table);
+      enum scallop_status status = figures[i].write(&table);
+      if (status < 0) {
+        table_abandon(&table);
+        complain("figure", "%s", scallop_status_text(status));
+        return EXIT_UNSOLVED;
+      }
       return table_close(&table) ? EXIT_DONE : EXIT_FILE;
     }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", options->operand);

@@ -45,10 +45,12 @@ static bool read_any(const char *text, double *value)
   return end != text && *end == '\0';
 }
 
+/* At tabs if there are any, since a cell may then hold blanks; else at blanks. */
 static int split(char *line, char **cells, int most)
 {
   int n = 0;
-  for (char *cell = strtok(line, " \t\r\n"); cell && n < most; cell = strtok(NULL, " \t\r\n"))
+  const char *ends = strchr(line, '\t') ? "\t\r\n" : " \r\n";
+  for (char *cell = strtok(line, ends); cell && n < most; cell = strtok(NULL, ends))
     cells[n++] = cell;
   return n;
 }
@@ -183,7 +185,7 @@ static void write_summary(struct table *table, const struct order_fit *fit, cons
   table_number(table, fit->order);
   table_number(table, fit->lo);
   table_number(table, fit->hi);
-  table_number(table, fit->used);
+  table_rounded(table, fit->used, "%.0f");
   table_text(table, state_text(fit->state));
   table_number(table, o->has_expect ? o->expect : NAN);
   table_number(table, o->has_expect ? o->tolerance : NAN);
@@ -205,8 +207,6 @@ static enum exit_code run(const struct options *options)
   if (values)
     list.count = order_from_values(list.points, list.count);
   struct order_fit fit = order_estimate(list.points, list.count);
-  if (list.count == 0)
-    fit.state = ORDER_INSUFFICIENT;
   enum order_verdict verdict = order_judge(&fit, options->expect, options->tolerance);
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: order");

@@ -81,7 +81,7 @@ static const char *set_gait(struct options *o, const char *name, const char *tex
   if (!gait)
     return not_allowed(text, "quadratic or sinusoidal");
   o->crawler.gait = gait;
-  o->has_parameter = true;
+  o->has_gait = true;
   return NULL;
 }
 
@@ -95,7 +95,6 @@ static const char *set_crawler_number(struct options *o, const char *name, const
   if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
   *crawler_field(&o->crawler, name) = *field;
-  o->has_parameter = true;
   return NULL;
 }
 
@@ -155,6 +154,13 @@ static const char *set_file(struct options *o, const char *name, const char *tex
   return NULL;
 }
 
+static const char *set_errors(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  o->errors = text;
+  return *text == '\0' ? not_allowed(text, "names of claims, separated by commas, or all") : NULL;
+}
+
 static const char *set_quiet(struct options *o, const char *name, const char *text)
 {
   (void)name, (void)text;
@@ -178,6 +184,7 @@ static const struct description descriptions[] = {
   { "samples", "N", "samples in a period (40)", set_count },
   { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
   { "tol", "D", "how far from it the order may be (0.1)", set_number },
+  { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly)", set_count },
@@ -221,7 +228,7 @@ static int distance(const char *a, const char *b)
   return row[m];
 }
 
-bool likely(const char *word, const char *name) { return distance(word, name) <= (strlen(name) > 3 ? 1 : 0); }
+bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
 
 const char *nearest(const char *word, const char *const *names)
 {

@@ -19,14 +19,14 @@ struct options {
   const char *start;     /* trajectory: "rest", "steady" or a number                        */
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
+  const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
   const char *operand;
   const char *output; /* NULL: standard output                                           */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  bool has_expect, has_v0, quiet;
-  bool has_parameter; /* any of the crawler's parameters was given                       */
+  bool has_expect, has_v0, has_gait, quiet;
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it
@@ -43,7 +43,7 @@ bool options_read(struct options *options, const struct command *command, int co
 
 void options_help(FILE *to, const struct command *command);
 
-/* Is word a slip for name: the same but for upper and lower case, or, if name is long, one letter off? */
+/* Is word name but for upper and lower case? */
 bool likely(const char *word, const char *name);
 
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */

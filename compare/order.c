@@ -13,6 +13,9 @@ static const double ABOVE_FLOOR = 30;
 static const double FLAT = 0.5;
 /* Without an order of at least this anywhere there is no floor to look for. */
 static const double STEEP = 0.1;
+/* A floor this high against the largest error is no roundoff: if it holds as many points as the fit, what
+ * the table converges to is not the answer, and the order on the way there decides nothing. */
+static const double HIGH_FLOOR = 1e-6;
 /* Pairwise orders that leave an interval wider than this on either side have not settled. */
 static const double SETTLED = 0.5;
 /* The longest run whose interval is no wider than this on either side is taken, and failing that the narrowest. */
@@ -43,15 +46,17 @@ static double slope_between(const struct order_point *a, const struct order_poin
   return log(fabs(a->err) / fabs(b->err)) / log(a->h / b->h);
 }
 
-static bool valid(const struct order_point *points, int count)
+/* Sorts, unless a point is impossible. */
+static bool sorted(struct order_point *points, int count)
 {
-  for (int i = 0; i < count; i++) {
+  for (int i = 0; i < count; i++)
     if (!isfinite(points[i].h) || !(points[i].h > 0) || !isfinite(points[i].err) || !(points[i].noise >= 0))
       return false;
-    if (i > 0 && !(points[i].h < points[i - 1].h))
+  qsort(points, (size_t)count, sizeof *points, by_falling_h);
+  for (int i = 1; i < count; i++)
+    if (points[i].h == points[i - 1].h)
       return false;
-  }
-  return count > 0;
+  return true;
 }
 
 /* Zeros, and errors too near their known noise. Once an error has met its noise, so have all finer ones. */
@@ -92,15 +97,24 @@ static double steepness(const struct order_point *points, int count)
   return slopes[(3 * n) / 4];
 }
 
-/* A floor that nobody announced: from some point on the errors no longer fall, though they did before. */
-static void leave_out_floor(struct order_point *points, int count)
+static bool noise_is_known(const struct order_point *points, int count)
+{
+  for (int i = 0; i < count; i++)
+    if (points[i].noise > 0)
+      return true;
+  return false;
+}
+
+/* A floor that nobody announced: from some point on the errors no longer fall, though they did before.
+ * Returns its level, or 0. */
+static double leave_out_floor(struct order_point *points, int count)
 {
   double steep = steepness(points, count);
   int last = count - 1;
   while (last > 0 && points[last].use != ORDER_USED)
     last--;
   if (last <= 0 || steep < STEEP)
-    return;
+    return 0;
   double flat = FLAT * fmin(1, steep);
   int onset = -1, before = -1;
   for (int i = next_used(points, count, 0); i < last; i = next_used(points, count, i + 1)) {
@@ -113,7 +127,7 @@ static void leave_out_floor(struct order_point *points, int count)
     before = i;
   }
   if (onset < 0)
-    return;
+    return 0;
   double level = 0;
   for (int i = onset; i < count; i++)
     if (points[i].use == ORDER_USED)
@@ -121,6 +135,7 @@ static void leave_out_floor(struct order_point *points, int count)
   for (int i = 0; i < count; i++)
     if (points[i].use == ORDER_USED && (i >= onset || fabs(points[i].err) < ABOVE_FLOOR * level))
       points[i].use = ORDER_FLOOR;
+  return level;
 }
 
 static void leave_out_before_sign_change(struct order_point *points, int count)
@@ -201,21 +216,36 @@ static enum order_state too_few(const struct order_point *points, int count)
   if (zero + floor == count && count >= 3) {
     bool known = true;
     for (int i = 0; i < count; i++)
-      known &= points[i].use == ORDER_ZERO || points[i].noise > 0;
+      known &= points[i].use == ORDER_ZERO || fabs(points[i].err) <= ABOVE_NOISE * points[i].noise;
     return known ? ORDER_EXACT : ORDER_FLOOR_LIMITED;
   }
   return floor > 0 ? ORDER_FLOOR_LIMITED : ORDER_INSUFFICIENT;
 }
 
+static double largest(const struct order_point *points, int count)
+{
+  double most = 0;
+  for (int i = 0; i < count; i++)
+    most = fmax(most, fabs(points[i].err));
+  return most;
+}
+
+static int at_floor(const struct order_point *points, int count)
+{
+  int n = 0;
+  for (int i = 0; i < count; i++)
+    n += points[i].use == ORDER_FLOOR;
+  return n;
+}
+
 struct order_fit order_estimate(struct order_point *points, int count)
 {
   struct order_fit fit = { .state = ORDER_INVALID, .order = NAN, .lo = NAN, .hi = NAN };
-  qsort(points, (size_t)count, sizeof *points, by_falling_h);
-  if (!valid(points, count))
+  if (!sorted(points, count))
     return fit;
   note_pairwise(points, count);
   leave_out_noise(points, count);
-  leave_out_floor(points, count);
+  double floor = noise_is_known(points, count) ? 0 : leave_out_floor(points, count);
   leave_out_before_sign_change(points, count);
   if (count_used(points, count, 0) < 3) {
     fit.state = too_few(points, count);
@@ -238,6 +268,8 @@ struct order_fit order_estimate(struct order_point *points, int count)
   fit.lo = best.slope - best.half_width;
   fit.hi = best.slope + best.half_width;
   fit.used = count_used(points, count, 0);
+  if (fit.state == ORDER_FITTED && floor > HIGH_FLOOR * largest(points, count) && at_floor(points, count) >= fit.used)
+    fit.state = ORDER_FLOOR_LIMITED;
   return fit;
 }
 
@@ -268,8 +300,7 @@ int order_from_values(struct order_point *points, int count)
   enum { MOST = 512 };
   double orders[MOST], p = 1;
   int n = 0;
-  qsort(points, (size_t)count, sizeof *points, by_falling_h);
-  if (count < 3 || !valid(points, count))
+  if (count < 3 || !sorted(points, count))
     return count < 3 ? 0 : count;
   for (int i = 0; i + 2 < count && n < MOST; i++) {
     double here = order_of_three(&points[i]);

@@ -27,7 +27,8 @@ enum order_state {
   ORDER_FITTED,
   ORDER_INVALID,        /* h not positive, repeated or not finite; err not finite                    */
   ORDER_INSUFFICIENT,   /* fewer than three usable points                                            */
-  ORDER_FLOOR_LIMITED,  /* fewer than three usable points, the others being at a roundoff floor      */
+  ORDER_FLOOR_LIMITED,  /* fewer than three usable points, the others being at a roundoff floor; or as
+                           many points as were fitted at a floor far above roundoff                  */
   ORDER_NOT_ASYMPTOTIC, /* the pairwise orders do not settle                                         */
   ORDER_EXACT           /* every error is zero or within its noise                                   */
 };

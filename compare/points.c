@@ -117,6 +117,12 @@ static enum exit_code read_header(struct reader *r, const char *command, const c
   return EXIT_DONE;
 }
 
+/* nan is what `series` writes as v0 where none was given. */
+static bool is_unset(const struct options *point, const char *parameter, const char *cell)
+{
+  return point->command == &command_series && strcmp(parameter, "v0") == 0 && strcmp(cell, "nan") == 0;
+}
+
 /* Reads a row into point. Returns NULL, or in status what is wrong with it. */
 static const char *read_row(struct reader *r, struct options *point, ssize_t length, char *status)
 {
@@ -129,10 +135,11 @@ static const char *read_row(struct reader *r, struct options *point, ssize_t len
     char *tab = strchr(cell, '\t');
     if (tab)
       *tab = '\0';
-    if (column < r->columns && r->parameter[column]) {
-      const char *wrong = options_set_parameter(point, r->parameter[column], cell);
+    const char *parameter = column < r->columns ? r->parameter[column] : NULL;
+    if (parameter && !is_unset(point, parameter, cell)) {
+      const char *wrong = options_set_parameter(point, parameter, cell);
       if (wrong) {
-        snprintf(status, STATUS, "line %ld: %s: %s", r->line_number, r->parameter[column], wrong);
+        snprintf(status, STATUS, "line %ld: %s: %s", r->line_number, parameter, wrong);
         return status;
       }
     }

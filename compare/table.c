@@ -26,10 +26,12 @@ static void give_up(int signal_number)
 static void watch(const char *aside)
 {
   static const int signals[] = { SIGINT, SIGTERM, SIGHUP };
+  struct sigaction before, ours = { .sa_handler = give_up };
+  sigfillset(&ours.sa_mask); /* a second signal waits until the file is gone */
   unfinished = aside;
   for (int i = 0; aside && i < 3; i++)
-    if (signal(signals[i], give_up) == SIG_IGN) /* under nohup the terminal may go */
-      signal(signals[i], SIG_IGN);
+    if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* under nohup the terminal may go */
+      sigaction(signals[i], &ours, NULL);
 }
 
 static void forget_names(struct table *t)
@@ -45,6 +47,8 @@ static bool open_aside(struct table *t, const char *output)
   enum { ENDING = 32 };
   struct stat there;
   t->target = realpath(output, NULL);
+  if (!t->target && lstat(output, &there) == 0) /* a link to nothing */
+    return false;
   if (!t->target)
     t->target = strdup(output);
   if (!t->target)
@@ -54,6 +58,7 @@ static bool open_aside(struct table *t, const char *output)
   if (!t->aside)
     return false;
   snprintf(t->aside, size, "%s.%ld.part", t->target, (long)getpid());
+  watch(t->aside); /* before the file is there */
   t->file = fopen(t->aside, "w");
   if (t->file && stat(t->target, &there) == 0)
     (void)fchmod(fileno(t->file), there.st_mode & 07777); /* what the file replaces could be read by the same people */
@@ -71,10 +76,10 @@ bool table_open(struct table *t, const struct options *options)
     t->file = fopen(options->output, "w");
   if (plain ? !open_aside(t, options->output) : !t->file) {
     complain(options->command->name, "cannot write %s: %s", options->output, strerror(errno));
+    watch(NULL);
     forget_names(t);
     return false;
   }
-  watch(t->aside);
   return true;
 }
 

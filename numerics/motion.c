@@ -128,12 +128,14 @@ static inline int beyond(const struct walk *w, int j)
   return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
 }
 
-/* c has met curve j, coming from w->region. */
-static inline void meet(struct walk *w, int j)
+/* c has met curve j, coming from w->region. moved: some time has passed since the last event. */
+static inline void meet(struct walk *w, int j, bool moved)
 {
   int to = beyond(w, j), from = w->region;
-  if (to == from) /* touched it, within rounding, and moves away */
+  if (to == from && moved) /* touched it, within rounding, and moves away */
     return;
+  if (to == from) /* and is back at once: it grazes the curve where the curve begins to hold it */
+    to = -1;
   w->turned = true;
   if (to < 0) {
     w->stuck = j;
@@ -238,7 +240,7 @@ static void slide(struct walk *w)
   w->out->extra_impulse += w->extra[w->region] * duration;
   advance(w, u, c, 0.5 * (w->c + c) * duration);
   if (met >= 0)
-    meet(w, met);
+    meet(w, met, duration != 0);
 }
 
 static double piece_length(const struct walk *w, double u) { return w->piece->curve->length(w->piece, u); }
@@ -276,7 +278,7 @@ static void place(struct walk *w)
   w->turned = true;
   w->region = w->c >= upper ? 0 : w->c < lower ? 2 : 1;
   if (w->c == upper)
-    meet(w, 0);
+    meet(w, 0, true);
 }
 
 static void set_regions(struct walk *w)

@@ -30,8 +30,11 @@ static double brent(struct problem *problem, double a, double b)
   double lo = a < b ? a : b, hi = a < b ? b : a;
   gsl_function f = { value, problem };
   gsl_root_fsolver solver = { .type = gsl_root_fsolver_brent, .state = state };
+  double f_lo = value(lo, problem), f_hi = value(hi, problem);
+  if ((f_lo > 0) == (f_hi > 0)) /* one of them is 0 but for rounding */
+    return fabs(f_lo) < fabs(f_hi) ? lo : hi;
   if (gsl_root_fsolver_brent->size > sizeof state || gsl_root_fsolver_set(&solver, &f, lo, hi) != GSL_SUCCESS)
-    return NAN;
+    return lo;
   for (int i = 0; i < BRENT_STEPS; i++) {
     if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS)
       break;

@@ -3,9 +3,9 @@
 set -eu
 tables=$1 plots=$2
 mkdir -p "$plots"
-for n in 2 3 4 5; do
+for name in figure2 figure3 figure4 figure5 errors; do
   for terminal in svg png; do
-    gnuplot -e "table='$tables/figure$n.tsv'; output_file='$plots/figure$n.$terminal'; kind='$terminal'" \
-      scripts/plot_common.gp "scripts/plot_figure$n.gp"
+    gnuplot -e "table='$tables/$name.tsv'; output_file='$plots/$name.$terminal'; kind='$terminal'" \
+      scripts/plot_common.gp "scripts/plot_$name.gp"
   done
 done

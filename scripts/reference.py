@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Reference values, 40 digits each, for the two-body crawler with dry friction.
+"""Reference values, 50 digits each, for the two-body crawler with dry friction.
 
 Model.  Bodies 1 and 2 have masses m1, m2 and Coulomb friction forces F1, F2 (equal
 in both directions, static equal to sliding).  Their separation l(t) = x2 - x1 has
@@ -274,7 +274,7 @@ def row_text(case):
     fields = {n: case[n] for n in LABELS if n in case}
     fields.update({n: case[n].hex() for n in p}, modes=modes)
     for q in values:
-        fields[q] = digits(values[q], 40, SNAP * unit_of(q, p))
+        fields[q] = digits(values[q], 50, SNAP * unit_of(q, p))
         fields["cond_" + q] = digits(cond[q], 3, SNAP / STEP * unit_of(q, p))
     return "\t".join(fields.get(c, "-") for c in COLUMNS)
 
@@ -352,7 +352,7 @@ def compute(cases):
 def print_table():
     print("# Reference values for the two-body crawler, made by scripts/reference.py,"
           " which explains model and columns.")
-    print("# Inputs are exact doubles (C hexadecimal); outputs have 40 significant"
+    print("# Inputs are exact doubles (C hexadecimal); outputs have 50 significant"
           " digits; '-' does not apply, nan does not exist.")
     print("# cond_q is the sum over the inputs p of |p dq/dp| (absolute).")
     print("\t".join(COLUMNS))

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: scripts/setup.sh build|plots|tests|lint|memcheck ...
+# otherwise says exactly what to install. Usage: scripts/setup.sh build|plots|tests|lint ...
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
@@ -12,13 +12,11 @@ for purpose in "$@"; do
   case $purpose in
     build)    has_header gsl/gsl_roots.h || need libgsl-dev ;;
     plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core" ;;
-    tests)    has_header stddef.h || need "gcc libc6-dev"
-              [ -e /usr/include/cmocka.h ] || need libcmocka-dev
+    tests)    has_header cmocka.h || need libcmocka-dev
               /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath" ;;
     lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
               command -v clang-format >/dev/null 2>&1 || need clang-format
               command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;
-    memcheck) command -v valgrind >/dev/null 2>&1 || need valgrind ;;
     *)        echo "setup.sh: unknown purpose '$purpose'" >&2; exit 2 ;;
   esac
 done

@@ -445,4 +445,30 @@ if [ -c /dev/full ]; then
   done
   finish "a full device: --help and --version"
 fi
+
+# ---- found by reviewers ----
+ln -s nowhere.tsv dangling
+run 4 steady -o dangling
+says 'dangling' err
+[ -L dangling ] || note "the link was replaced"
+[ ! -e nowhere.tsv ] || note "a file appeared behind the link"
+finish "-o through a link to nothing"
+printf 'T\n0.1\n0.2\n' >points_of_series.tsv
+run 0 series --points points_of_series.tsv
+cp out series.tsv
+run 0 series --points series.tsv
+cmp -s out series.tsv || note "reading its own table gives another"
+finish "series --points reads back what it printed"
+printf 'T\tgain\twait\n0.5\t1\t2\n' >others.tsv
+run 0 steady --points others.tsv
+finish "columns with names near a parameter's are ignored"
+printf 'T\tGait\n0.5\tquadratic\n' >slip.tsv
+refused "a column that differs by case" 2 "did you mean 'gait'" steady --points slip.tsv
+refused "claims --errors of nothing" 2 'no claim about an order' claims --errors nonsense
+run 0 claims --errors rest_dT --gait quadratic
+[ "$(sed '/^#/d' out | sed 1d | cut -f 1,4 | sort -u)" = "$(printf 'rest_dT\tquadratic')" ] || note "other rows: $(head -n 5 out)"
+finish "claims --errors rest_dT --gait quadratic"
+run 3 claims --m1 1e-300 --m2 1e300
+says 'out of range' err
+finish "claims of a crawler that cannot be scaled"
 exit $failed

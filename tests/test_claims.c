@@ -23,8 +23,8 @@ static int fill(void **state)
 {
   (void)state;
   struct scallop_crawler crawler = { 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic };
-  claims_of_order(&crawler, keep, NULL);
-  claims_in_words(&crawler, keep, NULL);
+  claims_of_order(&crawler, NULL, keep, NULL);
+  claims_in_words(&crawler, NULL, keep, NULL);
   return 0;
 }
 
@@ -147,10 +147,34 @@ static void example_moves_backward(void **state)
   }
 }
 
+/* The same crawler in other units of force and length: every verdict stays. */
+static struct claim_row other[MOST];
+static int others;
+
+static void keep_other(void *context, const struct claim_row *row)
+{
+  (void)context;
+  other[others++] = *row;
+}
+
+static void units_do_not_matter(void **state)
+{
+  (void)state;
+  struct scallop_crawler crawler = { 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic };
+  claims_of_order(&crawler, NULL, keep_other, NULL);
+  claims_in_words(&crawler, NULL, keep_other, NULL);
+  assert_int_equal(others, count);
+  for (int i = 0; i < count; i++) {
+    if (other[i].verdict != rows[i].verdict)
+      print_error("%s %s, %s\n", rows[i].claim, rows[i].gait, rows[i].conditions);
+    assert_int_equal(other[i].verdict, rows[i].verdict);
+  }
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(orders_inside), cmocka_unit_test(steady_outside),
-                                      cmocka_unit_test(every_row_is_decided), cmocka_unit_test(words),
-                                      cmocka_unit_test(example_moves_backward) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(orders_inside),          cmocka_unit_test(steady_outside),
+                                      cmocka_unit_test(every_row_is_decided),   cmocka_unit_test(words),
+                                      cmocka_unit_test(example_moves_backward), cmocka_unit_test(units_do_not_matter) };
   return cmocka_run_group_tests_name("claims", tests, fill, NULL);
 }

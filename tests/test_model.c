@@ -197,7 +197,7 @@ static void names(void **state)
   assert_null(scallop_gait_name(1000));
 }
 
-/* Paper, section 3.3.3: L and pi^2 L/8; l_0 l_T/(2 (l_T - l_0)) with the sign of a length. */
+/* Paper, section 4.3.3: L and pi^2 L/8; l_0 l_T/(2 (l_T - l_0)) with the sign of a length. */
 static void kinematic_length(void **state)
 {
   (void)state;

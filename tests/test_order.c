@@ -82,6 +82,29 @@ static void known_noise_is_never_fitted(void **state)
     assert_true(points[i].use != ORDER_USED || points[i].err > 1e-4);
 }
 
+/* Errors that grow are no roundoff floor when the rounding is known to be far below them. */
+static void growing_above_known_noise(void **state)
+{
+  (void)state;
+  for (int i = 0; i < 30; i++) {
+    double h = ldexp(1, -i);
+    points[i] = (struct order_point){ .h = h, .err = (i < 4 ? 1e-3 * h * h : 1e-6 / h), .noise = 1e-14 };
+  }
+  struct order_fit fit = order_estimate(points, 30);
+  assert_int_equal(fit.state, ORDER_FITTED);
+  CHECK_NEAR(fit.order, -1, 0.05);
+}
+
+/* A table that converges to something else than the answer is not of the order that it shows on the way. */
+static void wrong_limit(void **state)
+{
+  (void)state;
+  for (int i = 0; i < 14; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = ldexp(1, -2 * i) + 1e-3 };
+  struct order_fit fit = order_estimate(points, 14);
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
+}
+
 static void refuses(void **state)
 {
   (void)state;
@@ -94,6 +117,10 @@ static void refuses(void **state)
   estimate(cubic, 6, 2);
   points[3].err = INFINITY;
   assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  estimate(cubic, 6, 2);
+  points[3].h = NAN;
+  assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
+  assert_int_equal(order_estimate(points, 0).state, ORDER_INSUFFICIENT);
   estimate(cubic, 6, 2);
   points[3].h = 0;
   assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
@@ -176,6 +203,8 @@ int main(void)
   const struct CMUnitTest tests[] = { cmocka_unit_test(finds_orders),
                                       cmocka_unit_test(leaves_out_with_a_reason),
                                       cmocka_unit_test(known_noise_is_never_fitted),
+                                      cmocka_unit_test(growing_above_known_noise),
+                                      cmocka_unit_test(wrong_limit),
                                       cmocka_unit_test(refuses),
                                       cmocka_unit_test(unsorted_is_sorted),
                                       cmocka_unit_test(from_values),

@@ -1,0 +1,84 @@
+/* At the edge between two sequences of modes a line just touches a curve. The start velocity is bisected to
+ * the last digit of such edges, and the phase solved on both sides and around: each ends, and v_end is
+ * continuous across the edge, because the map never drives two motions apart. */
+#include "tests/check.h"
+#include "tests/random_crawler.h"
+
+enum { CRAWLERS = 150, SCAN = 24, AROUND = 8 };
+
+static struct scallop_phase_result solve(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+{
+  struct scallop_phase_result r;
+  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
+  return r;
+}
+
+static bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
+{
+  char text[2][SCALLOP_MODES_TEXT];
+  scallop_modes_text(a, text[0]);
+  scallop_modes_text(b, text[1]);
+  return strcmp(text[0], text[1]) == 0;
+}
+
+static int edges;
+
+static void around_edge(const struct scallop_crawler *c, enum scallop_phase_kind kind, double low, double high)
+{
+  struct scallop_phase_result below = solve(c, kind, low);
+  for (double mid; (mid = low + (high - low) / 2) > low && mid < high && fabs(mid) >= 1e-290;) {
+    struct scallop_phase_result r = solve(c, kind, mid);
+    *(same_modes(&r.modes, &below.modes) ? &low : &high) = mid;
+  }
+  edges++;
+  if (fabs(low) < 1e-290 || fabs(high) < 1e-290) /* at rest: beside it are only denormal numbers */
+    return;
+  double v = low, unit = c->L / scallop_phase_duration(c, kind);
+  double before = solve(c, kind, v).v_end;
+  for (int k = 0; k < AROUND; k++)
+    v = nextafter(v, -INFINITY);
+  for (int k = 0; k < 2 * AROUND; k++, v = nextafter(v, INFINITY)) {
+    /* 2 AROUND ulp of v0, and a few roundings of velocities of the size of l' */
+    CHECK_NEAR(solve(c, kind, v).v_end, before, (2 * AROUND * fabs(v) + 64 * unit) * 0x1p-52);
+  }
+}
+
+static void every_edge(void **state)
+{
+  (void)state;
+  struct random r = { 31 };
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, every_gait[n % SMOOTH_GAITS]);
+    enum scallop_phase_kind kind = n / SMOOTH_GAITS % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+    double most = 2.2 * c.L / scallop_phase_duration(&c, kind), last = -most;
+    struct scallop_phase_result before = solve(&c, kind, last);
+    for (int k = 1; k <= SCAN; k++) {
+      double v = -most + 2 * most * k / SCAN;
+      struct scallop_phase_result here = solve(&c, kind, v);
+      if (!same_modes(&here.modes, &before.modes))
+        around_edge(&c, kind, last, v);
+      before = here;
+      last = v;
+    }
+  }
+  print_message("%d edges\n", edges);
+  assert_true(edges > CRAWLERS);
+}
+
+/* This one did not end: the line touches the curve at the very time from which friction can hold the body. */
+static void touches_where_it_is_held(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1, 0x1.3305d4310c97ep+8, 0x1.7a4c877234cdap+7,
+                               0x1.5ac4f07b010d9p+3, 0x1.0a883a7556ce8p+0, 0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
+  char text[SCALLOP_MODES_TEXT];
+  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
+  scallop_modes_text(&r.modes, text);
+  assert_string_equal(text, "++ -+ 0+ ++");
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge), cmocka_unit_test(touches_where_it_is_held) };
+  return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
+}
