@@ -1,24 +1,9 @@
 #!/bin/sh
 # What the command line refuses, with which exit code and message, and what it leaves behind.
 # Usage: sh tests/cli_usage.sh build/scallop. One line for each check; non-zero if any failed.
-set -u
-tool=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$scratch" || exit 1
-failed=0 problem='' input=/dev/null
+. "$(dirname "$0")/common.sh"
+input=/dev/null
 
-note() { problem="$problem$*; "; }
-finish() { # NAME: of the checks since the last one
-  if [ -z "$problem" ]; then
-    echo "ok $1"
-  else
-    echo "FAIL $1: $problem"
-    failed=1
-  fi
-  problem=''
-}
 run() { # CODE ARGUMENT...
   wanted=$1
   shift
