@@ -44,7 +44,7 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
     .v_mid = p->c_mid * unit,
     .v_end = p->c_end * unit,
     .displacement = p->travel * crawler->L,
-    .multiplier = p->forgets ? 0 : 1 + scaled->eps * p->balance_slope,
+    .multiplier = p->forgets ? 0 : fmax(0, 1 + scaled->eps * p->balance_slope),
     .balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance,
     .regime = at_rest  ? SCALLOP_AT_REST
               : sticks ? SCALLOP_STICK_SLIP
