@@ -178,15 +178,10 @@ static void over_random_crawlers(const struct ledger *l)
  * A gait with the first and not the second: phases of equal duration, the extension gathering speed in its first fifth
  * and losing it in the rest, the contraction the same backward in time. ---- */
 
-#define RAMP(from, to, anchored, sign, slope) \
-  { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true, .acceleration = (slope), \
-    .curve = &scallop_curve_linear \
-  }
-static const struct scallop_piece quick_start[] = { RAMP(0, 0.2, SCALLOP_FROM_START, 1, 10),
-                                                    RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
-static const struct scallop_piece quick_end[] = { RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
-                                                  RAMP(0.2, 0, SCALLOP_FROM_END, -1, 10) };
+static const struct scallop_piece quick_start[] = { SCALLOP_RAMP(0, 0.2, SCALLOP_FROM_START, 1, 10),
+                                                    SCALLOP_RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
+static const struct scallop_piece quick_end[] = { SCALLOP_RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
+                                                  SCALLOP_RAMP(0.2, 0, SCALLOP_FROM_END, -1, 10) };
 static const struct scallop_gait reversible = { "reversible",
                                                 { { quick_start, 2, 10, -2.5, 2, 1 }, { quick_end, 2, -2.5, 10, 2, -1 } } };
 

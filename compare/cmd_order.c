@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "compare/lines.h"
 #include "compare/order.h"
 
 static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
@@ -49,7 +50,7 @@ static bool read_any(const char *text, double *value)
 static int split(char *line, char **cells, int most)
 {
   int n = 0;
-  const char *ends = strchr(line, '\t') ? "\t\r\n" : " \r\n";
+  const char *ends = strchr(line, '\t') ? "\t" : " ";
   for (char *cell = strtok(line, ends); cell && n < most; cell = strtok(NULL, ends))
     cells[n++] = cell;
   return n;
@@ -119,35 +120,26 @@ static enum exit_code read_file(const struct options *options, struct list *list
 {
   bool standard = strcmp(options->operand, "-") == 0, started = false;
   const char *name = standard ? "standard input" : options->operand, *wrong = NULL;
-  FILE *file = standard ? stdin : fopen(name, "r");
+  struct lines lines = { .file = standard ? stdin : fopen(name, "r") };
   struct layout layout = { .values = false };
-  char *line = NULL, message[MESSAGE];
-  size_t size = 0;
-  ssize_t length;
-  long number = 0;
-  if (!file) {
+  char message[MESSAGE];
+  if (!lines.file) {
     complain("order", "cannot read %s: %s", name, strerror(errno));
     return EXIT_FILE;
   }
-  while (!wrong && (length = getline(&line, &size, file)) >= 0) {
-    if (number++ == 0 && strncmp(line, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0) {
-      length -= (ssize_t)strlen(BYTE_ORDER_MARK);
-      memmove(line, line + strlen(BYTE_ORDER_MARK), (size_t)length + 1);
-    }
-    wrong = memchr(line, '\0', (size_t)length) ? "this is not a text file"
-                                               : read_line(line, list, &layout, &started, message);
-  }
-  bool failed = ferror(file);
+  while (!wrong && next_line(&lines))
+    wrong = is_binary(&lines) ? "this is not a text file" : read_line(lines.line, list, &layout, &started, message);
+  bool failed = ferror(lines.file);
   int error = errno;
   if (wrong)
-    complain("order", "%s:%ld: %s", name, number, wrong);
+    complain("order", "%s:%ld: %s", name, lines.number, wrong);
   else if (failed)
     complain("order", "cannot read %s: %s", name, strerror(error));
   else if (list->count == 0)
     complain("order", "%s: no data: lines of 'h err' are wanted", name);
-  free(line);
+  free(lines.line);
   if (!standard)
-    fclose(file);
+    fclose(lines.file);
   *values = layout.values;
   return failed ? EXIT_FILE : wrong || list->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }

@@ -29,9 +29,6 @@ extern const struct command command_phase, command_steady, command_trajectory, c
 /* All commands, NULL-terminated. */
 extern const struct command *const commands[];
 
-/* What some programs write at the head of a UTF-8 file. */
-#define BYTE_ORDER_MARK "\xef\xbb\xbf"
-
 /* "scallop NAME: message" on stderr. */
 void complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -1,7 +1,6 @@
 #include "compare/exact.h"
 
 #include <math.h>
-#include <stddef.h>
 
 /* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
 struct turning {

@@ -10,8 +10,6 @@
 #ifndef SCALLOP_ORDER_H
 #define SCALLOP_ORDER_H
 
-#include <stdbool.h>
-
 enum order_use { ORDER_USED, ORDER_ZERO, ORDER_FLOOR, ORDER_COARSE, ORDER_BEFORE_SIGN_CHANGE };
 const char *order_use_text(enum order_use use);
 

@@ -5,14 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/lines.h"
+
 enum { COLUMNS = 256, STATUS = 320 };
 
 struct reader {
-  FILE *file;
-  const char *name; /* of the file, for messages                                       */
-  char *line;
-  size_t size;
-  long line_number;
+  struct lines lines;
+  const char *name;               /* of the file, for messages                                       */
   const char *parameter[COLUMNS]; /* of each column; NULL: a column to ignore                        */
   int columns;
 };
@@ -32,20 +31,12 @@ void point_blank(struct table *table, int count)
     table_number(table, NAN);
 }
 
-/* The next line without its end, comments and empty lines passed over. False at the end of the file. */
-static bool next_line(struct reader *r, ssize_t *length)
+/* The next line that is no comment and not empty. */
+static bool next_data(struct lines *lines)
 {
-  const size_t mark = strlen(BYTE_ORDER_MARK);
-  while ((*length = getline(&r->line, &r->size, r->file)) >= 0) {
-    if (r->line_number++ == 0 && strncmp(r->line, BYTE_ORDER_MARK, mark) == 0) {
-      *length -= (ssize_t)mark;
-      memmove(r->line, r->line + mark, (size_t)*length + 1);
-    }
-    while (*length > 0 && (r->line[*length - 1] == '\n' || r->line[*length - 1] == '\r'))
-      r->line[--*length] = '\0';
-    if (*length > 0 && r->line[0] != '#')
+  while (next_line(lines))
+    if (lines->length > 0 && lines->line[0] != '#')
       return true;
-  }
   return false;
 }
 
@@ -72,37 +63,36 @@ static const char *meant(const char *name, const char *const *extra)
 
 static enum exit_code read_header(struct reader *r, const char *command, const char *const *extra)
 {
-  ssize_t length;
   bool useful = false;
-  if (!next_line(r, &length)) {
-    if (ferror(r->file)) {
+  if (!next_data(&r->lines)) {
+    if (ferror(r->lines.file)) {
       complain(command, "cannot read %s: %s", r->name, strerror(errno));
       return EXIT_FILE;
     }
     complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
     return EXIT_USAGE;
   }
-  if (memchr(r->line, '\0', (size_t)length)) {
-    complain(command, "%s:%ld: this is not a text file", r->name, r->line_number);
+  if (is_binary(&r->lines)) {
+    complain(command, "%s:%ld: this is not a text file", r->name, r->lines.number);
     return EXIT_USAGE;
   }
-  for (char *cell = r->line; cell;) {
+  for (char *cell = r->lines.line; cell;) {
     char *tab = strchr(cell, '\t');
     if (tab)
       *tab = '\0';
     if (r->columns == COLUMNS) {
-      complain(command, "%s:%ld: more than %d columns", r->name, r->line_number, COLUMNS);
+      complain(command, "%s:%ld: more than %d columns", r->name, r->lines.number, COLUMNS);
       return EXIT_USAGE;
     }
     const char *parameter = known_parameter(cell, extra);
     for (int i = 0; parameter && i < r->columns; i++)
       if (r->parameter[i] && strcmp(r->parameter[i], parameter) == 0) {
-        complain(command, "%s:%ld: the column '%s' is there twice", r->name, r->line_number, parameter);
+        complain(command, "%s:%ld: the column '%s' is there twice", r->name, r->lines.number, parameter);
         return EXIT_USAGE;
       }
     const char *near = parameter ? NULL : meant(cell, extra);
     if (near) {
-      complain(command, "%s:%ld: unknown column '%.80s': did you mean '%s'?", r->name, r->line_number, cell, near);
+      complain(command, "%s:%ld: unknown column '%.80s': did you mean '%s'?", r->name, r->lines.number, cell, near);
       return EXIT_USAGE;
     }
     r->parameter[r->columns++] = parameter;
@@ -111,7 +101,7 @@ static enum exit_code read_header(struct reader *r, const char *command, const c
   }
   if (!useful) {
     complain(command, "%s:%ld: no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs",
-             r->name, r->line_number);
+             r->name, r->lines.number);
     return EXIT_USAGE;
   }
   return EXIT_DONE;
@@ -124,14 +114,14 @@ static bool is_unset(const struct options *point, const char *parameter, const c
 }
 
 /* Reads a row into point. Returns NULL, or in status what is wrong with it. */
-static const char *read_row(struct reader *r, struct options *point, ssize_t length, char *status)
+static const char *read_row(struct reader *r, struct options *point, char *status)
 {
   int column = 0;
-  if (memchr(r->line, '\0', (size_t)length)) {
-    snprintf(status, STATUS, "line %ld: not text", r->line_number);
+  if (is_binary(&r->lines)) {
+    snprintf(status, STATUS, "line %ld: not text", r->lines.number);
     return status;
   }
-  for (char *cell = r->line; cell; column++) {
+  for (char *cell = r->lines.line; cell; column++) {
     char *tab = strchr(cell, '\t');
     if (tab)
       *tab = '\0';
@@ -139,7 +129,7 @@ static const char *read_row(struct reader *r, struct options *point, ssize_t len
     if (parameter && !is_unset(point, parameter, cell)) {
       const char *wrong = options_set_parameter(point, parameter, cell);
       if (wrong) {
-        snprintf(status, STATUS, "line %ld: %s: %s", r->line_number, parameter, wrong);
+        snprintf(status, STATUS, "line %ld: %s: %s", r->lines.number, parameter, wrong);
         return status;
       }
     }
@@ -147,7 +137,7 @@ static const char *read_row(struct reader *r, struct options *point, ssize_t len
   }
   if (column == r->columns)
     return NULL;
-  snprintf(status, STATUS, "line %ld: %d columns where the header has %d", r->line_number, column, r->columns);
+  snprintf(status, STATUS, "line %ld: %d columns where the header has %d", r->lines.number, column, r->columns);
   return status;
 }
 
@@ -155,15 +145,14 @@ static enum exit_code solve_rows(struct reader *r, struct table *table, const st
 {
   long rows = 0, unsolved = 0;
   char status[STATUS];
-  ssize_t length;
-  while (next_line(r, &length)) {
+  while (next_data(&r->lines)) {
     struct options point = *options;
-    const char *wrong = read_row(r, &point, length, status);
+    const char *wrong = read_row(r, &point, status);
     rows++;
     if (row(table, &point, wrong))
       unsolved++;
   }
-  if (ferror(r->file)) {
+  if (ferror(r->lines.file)) {
     complain(options->command->name, "cannot read %s: %s", r->name, strerror(errno));
     table_abandon(table);
     return EXIT_FILE;
@@ -208,9 +197,9 @@ enum exit_code for_each_point(const struct options *options, const char *const *
   if (!options->points)
     return one_point(options, extra, columns, row);
   bool standard = strcmp(options->points, "-") == 0;
-  struct reader r = { .file = standard ? stdin : fopen(options->points, "r"),
+  struct reader r = { .lines = { .file = standard ? stdin : fopen(options->points, "r") },
                       .name = standard ? "standard input" : options->points };
-  if (!r.file) {
+  if (!r.lines.file) {
     complain(options->command->name, "cannot read %s: %s", r.name, strerror(errno));
     return EXIT_FILE;
   }
@@ -219,7 +208,7 @@ enum exit_code for_each_point(const struct options *options, const char *const *
   if (code == EXIT_DONE)
     code = begin(&table, options, extra, columns) ? solve_rows(&r, &table, options, row) : EXIT_FILE;
   if (!standard)
-    fclose(r.file);
-  free(r.line);
+    fclose(r.lines.file);
+  free(r.lines.line);
   return code;
 }

@@ -3,7 +3,6 @@
 #ifndef SCALLOP_TABLE_H
 #define SCALLOP_TABLE_H
 
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 

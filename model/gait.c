@@ -31,16 +31,10 @@ static double linear_when(const struct scallop_piece *p, double a) { return a ==
 
 const struct scallop_curve scallop_curve_linear = { linear_length, linear_velocity, linear_acceleration, linear_when, NULL };
 
-#define LINEAR(from, to, anchored, sign, slope) \
-  { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true, .acceleration = (slope), \
-    .curve = &scallop_curve_linear \
-  }
-
-static const struct scallop_piece quadratic_extension[] = { LINEAR(0, 0.5, SCALLOP_FROM_START, 1, 4),
-                                                            LINEAR(0.5, 0, SCALLOP_FROM_END, 1, -4) };
-static const struct scallop_piece quadratic_contraction[] = { LINEAR(0, 0.5, SCALLOP_FROM_START, -1, -4),
-                                                              LINEAR(0.5, 0, SCALLOP_FROM_END, -1, 4) };
+static const struct scallop_piece quadratic_extension[] = { SCALLOP_RAMP(0, 0.5, SCALLOP_FROM_START, 1, 4),
+                                                            SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, 1, -4) };
+static const struct scallop_piece quadratic_contraction[] = { SCALLOP_RAMP(0, 0.5, SCALLOP_FROM_START, -1, -4),
+                                                              SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, -1, 4) };
 
 const struct scallop_gait scallop_gait_quadratic = {
   "quadratic", { { quadratic_extension, 2, 4, -4, 2, 1 }, { quadratic_contraction, 2, -4, 4, 2, -1 } }

@@ -76,6 +76,12 @@ extern const struct scallop_gait scallop_gait_quadratic, scallop_gait_sinusoidal
 /* For pieces with linear = true that begin or end at their anchor; one in the middle of a phase brings a
  * curve of its own, whose length counts from the anchor. */
 extern const struct scallop_curve scallop_curve_linear;
+/* Such a piece, at rest (l' = 0) at its anchor: it begins and ends at these offsets, l' has this sign, l'' this value. */
+#define SCALLOP_RAMP(from, to, anchored, sign, slope) \
+  { \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true, .acceleration = (slope), \
+    .curve = &scallop_curve_linear \
+  }
 
 /* The gait called name, or NULL. scallop_gait_name(i) lists them, NULL after the last. */
 const struct scallop_gait *scallop_gait_named(const char *name);

@@ -5,6 +5,10 @@
 
 #include "numerics/root.h"
 
+struct rates {
+  double speed, rate; /* |l'| and d|l'|/dt */
+};
+
 /* Over one piece the plane of (time, c) has three regions, divided by two curves. With `front` the
  * body that l' drives forward and `rear` the other:
  *
@@ -15,10 +19,6 @@
  *     region 2   both backward                                       slope  eps
  *
  * Region j lies above curve j and region j + 1 below it. */
-struct rates {
-  double speed, rate;
-}; /* |l'| and d|l'|/dt */
-
 struct walk {
   const struct motion_input *in;
   const struct scallop_piece *piece;

@@ -4,24 +4,27 @@
 #include <math.h>
 #include <stddef.h>
 
-/* delta times the mean of sgn l': 2 alpha - 1 for the usual gaits, correctly rounded */
+/* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
 static double net_extending_time(const struct scallop_scaled *s)
 {
   double e = s->gait->phase[SCALLOP_EXTENSION].net, c = s->gait->phase[SCALLOP_CONTRACTION].net;
   return s->fraction[SCALLOP_EXTENSION] * (e - c) + c;
 }
 
-void period_solve(const struct scallop_scaled *s, double c_start, struct period *period)
+void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, struct period *period,
+                  scallop_visitor *visit, void *context)
 {
-  struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
+  struct motion_input input = motion_input_of(s, kind);
+  bool extension = kind == SCALLOP_EXTENSION;
+  double fraction = s->fraction[kind], entry = extension ? period->c_start : period->c_mid;
+  motion_solve(&input, entry * fraction, &period->phase[kind], visit, context);
+  *(extension ? &period->c_mid : &period->c_end) = period->phase[kind].c_end / fraction;
+}
+
+void period_conclude(const struct scallop_scaled *s, struct period *period)
+{
+  const struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  struct motion_input extension = motion_input_of(s, SCALLOP_EXTENSION);
-  struct motion_input contraction = motion_input_of(s, SCALLOP_CONTRACTION);
-  period->c_start = c_start;
-  motion_solve(&extension, c_start * a, e, NULL, NULL);
-  period->c_mid = e->c_end / a;
-  motion_solve(&contraction, period->c_mid * b, c, NULL, NULL);
-  period->c_end = c->c_end / b;
   period->travel = e->travel + c->travel;
   period->forgets = e->forgets || c->forgets;
   double driven = s->delta * net_extending_time(s);
@@ -30,6 +33,14 @@ void period_solve(const struct scallop_scaled *s, double c_start, struct period 
   period->noise = DBL_EPSILON * (fabs(driven) + fabs(from_e) + fabs(from_c));
   double slope_e = a * a * e->slope, slope_c = b * b * c->slope;
   period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
+}
+
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period)
+{
+  period->c_start = c_start;
+  period_phase(scaled, SCALLOP_EXTENSION, period, NULL, NULL);
+  period_phase(scaled, SCALLOP_CONTRACTION, period, NULL, NULL);
+  period_conclude(scaled, period);
 }
 
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *p,

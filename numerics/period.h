@@ -14,6 +14,12 @@ struct period {
   struct motion phase[2];
 };
 
+/* The parts of period_solve, for who wants to see the intervals: c_start is set, then the extension, the
+ * contraction, and the conclusion. */
+void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind kind, struct period *period,
+                  scallop_visitor *visit, void *context);
+void period_conclude(const struct scallop_scaled *scaled, struct period *period);
+
 void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *period,
                    struct scallop_period_result *result);

@@ -1,7 +1,6 @@
 #include "numerics/numerics.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "numerics/motion.h"

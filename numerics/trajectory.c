@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stddef.h>
 
 #include "numerics/period.h"
 
@@ -65,7 +64,8 @@ static void record(void *context, const struct scallop_interval *interval)
       return;
     struct scallop_sample sample = state_at(r, interval, from_start ? in_phase : 1 - in_phase);
     sample.t = (r->period_number + at) * r->crawler->T;
-    r->overflow = !isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.t);
+    r->overflow = !isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.v2)
+                  || !isfinite(sample.t);
     if (r->overflow) {
       r->stopped = true;
       return;
@@ -89,22 +89,17 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
     return SCALLOP_ERANGE;
   struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
-  struct motion_input input[2] = { motion_input_of(&scaled, SCALLOP_EXTENSION),
-                                   motion_input_of(&scaled, SCALLOP_CONTRACTION) };
   for (long n = 0; n < periods && !r.stopped; n++) {
-    struct period p;
-    double start = value(&c);
-    period_solve(&scaled, start, &p);
-    const double entry[2] = { start, p.c_mid };
+    struct period p = { .c_start = value(&c) };
     r.period_number = (double)n;
     r.next = 0;
     for (int kind = 0; kind < 2; kind++) {
-      struct motion again;
       r.kind = (enum scallop_phase_kind)kind;
       r.x_start = value(&x);
-      motion_solve(&input[kind], entry[kind] * scaled.fraction[kind], &again, record, &r);
-      add(&x, again.travel);
+      period_phase(&scaled, r.kind, &p, record, &r);
+      add(&x, p.phase[kind].travel);
     }
+    period_conclude(&scaled, &p);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };
     else

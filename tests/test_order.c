@@ -1,8 +1,6 @@
 /* The order estimator: right orders with honest intervals, and a refusal of what cannot be judged. */
 #include "tests/check.h"
 
-#include <stdio.h>
-
 #include "compare/order.h"
 
 enum { MOST = 64 };
