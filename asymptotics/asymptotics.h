@@ -54,10 +54,16 @@ struct scallop_formula {
   int remainder; /* printed "+ O(T^remainder)"; 0: none is printed                     */
   double (*phase)(const struct scallop_phase_point *); /* in a setting of one phase               */
   double (*steady)(const struct scallop_crawler *);    /* in the steady setting; T is the period  */
+  const char *text;      /* the formula in the names of struct scallop_phase_point, M = m1 + m2, L_kin, alpha, L, and
+                       k0, kT for the fourth derivative of l times T^4 at the start and the end; see evaluate.h               */
+  const char *corrected; /* where it is wrong: the name of the right one in scallop_corrected, or NULL  */
 };
 
 /* Every formula, in the paper's order; the last has name NULL. */
 extern const struct scallop_formula scallop_published[];
+/* What should stand in place of those that are wrong. Texts only (no functions), for an extension: a contraction
+ * is one with the bodies exchanged. equation: what they replace. */
+extern const struct scallop_formula scallop_corrected[];
 
 /* ---- section 4.3.1: from rest ------------------------------------------------------------------ */
 double rest_dT_unexpanded(const struct scallop_phase_point *p); /* (13) -(F1-F2) T / (m2 l''(T) - F1 + F2)    */

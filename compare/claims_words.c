@@ -26,15 +26,16 @@ static const char *whose(const struct ledger *l) { return l->of_the_paper ? "the
 static struct claim_row make_row(const struct ledger *l, const char *claim, const char *section, const char *quantity,
                                  const char *conditions, bool inside, bool holds, const char *measured)
 {
-  struct claim_row row = { .claim = claim,
-                           .equation = section,
+  struct claim_row row = { .equation = section,
                            .quantity = quantity,
                            .gait = l->crawler.gait->name,
                            .conditions = conditions,
                            .inside = inside,
                            .claimed_order = NAN,
+                           .slope = NAN,
                            .fit = { .order = NAN, .lo = NAN, .hi = NAN },
                            .verdict = holds ? CLAIM_HOLDS : CLAIM_REFUTED };
+  snprintf(row.claim, sizeof row.claim, "%s", claim);
   snprintf(row.measured, sizeof row.measured, "%s", measured);
   return row;
 }
@@ -392,6 +393,7 @@ static void over_period(const struct ledger *l)
   struct order_fit fit = order_estimate(points, POINTS);
   bool holds = fit.state == ORDER_FITTED && fabs(fit.order + 1) <= 0.02;
   struct claim_row row = { .claim = "mean_velocity_goes_as_1_over_T",
+                           .slope = NAN,
                            .equation = "4.3.3",
                            .quantity = "mean velocity",
                            .gait = l->crawler.gait->name,

@@ -1,14 +1,17 @@
 #include <math.h>
 
 #include "compare/points.h"
+#include "compare/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2", "F1",     "F2",     "L",      "T",      "alpha", "gait",
-                                       "phase", "v0", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1", "m2",        "F1",     "F2",     "L",      "T",      "alpha", "gait", "phase",
+                                       "v0", "certified", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const extra[] = { "phase", "v0", NULL };
 static const char *const columns[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", "regime", "modes", "status", NULL };
 
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
+  if (point->certified && !refused)
+    return certified_phase_row(table, point, refused);
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : scallop_phase(&point->crawler, point->phase, point->v0, &r);
@@ -33,17 +36,26 @@ static const char *row(struct table *table, const struct options *point, const c
   return NULL;
 }
 
-static enum exit_code run(const struct options *options) { return for_each_point(options, extra, columns, row); }
+static enum exit_code run(const struct options *options)
+{
+  if (options->certified && !has_flint("phase", "--certified"))
+    return EXIT_UNSOLVED;
+  return for_each_point(options, extra, columns, row);
+}
 
 const struct command command_phase = {
   .name = "phase",
   .summary = "one extension or contraction phase from a start velocity, exactly",
   .example = "scallop phase --phase extension --v0 2.5",
   .accepts = accepts,
-  .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-           "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
-           "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
-           "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
-           "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.",
+  .about =
+      "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
+      "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
+      "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
+      "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
+      "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n"
+      "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
+      "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
+      "touches a boundary exactly cannot be decided, which status says.",
   .run = run,
 };

@@ -1,11 +1,13 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "compare/exact.h"
 #include "compare/points.h"
+#include "compare/with_flint.h"
 
-static const char *const accepts[] = { "m1", "m2",     "F1",     "F2",     "L",      "T",     "alpha", "gait",
-                                       "v0", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",     "m2",    "F1",    "F2",     "L",      "T",      "alpha",  "gait",  "v0",
+                                       "source", "order", "bound", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 static const char *const extra[] = { "v0", NULL };
@@ -114,6 +116,8 @@ static enum exit_code run_points(const struct options *options)
 static enum exit_code run(const struct options *options)
 {
   struct table table;
+  if (options->bound || strcmp(options->source, "published") != 0)
+    return series_derived(options);
   if (options->points)
     return run_points(options);
   enum scallop_status status = each_value(options, skip_value, NULL);

@@ -1,15 +1,18 @@
 #include <stdio.h>
 
 #include "compare/points.h"
+#include "compare/with_flint.h"
 
-static const char *const accepts[] = { "m1",   "m2",     "F1",     "F2",     "L",      "T",     "alpha",
-                                       "gait", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",        "m2",     "F1",     "F2",     "L",      "T",     "alpha", "gait",
+                                       "certified", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const none[] = { NULL };
 static const char *const columns[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                        "multiplier", "regime",  "modes", "status",       NULL };
 
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
+  if (point->certified && !refused)
+    return certified_steady_row(table, point, refused);
   struct scallop_steady_result r;
   char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4], interval[160];
   char low[NUMBER_TEXT], high[NUMBER_TEXT];
@@ -41,17 +44,26 @@ static const char *row(struct table *table, const struct options *point, const c
   return NULL;
 }
 
-static enum exit_code run(const struct options *options) { return for_each_point(options, none, columns, row); }
+static enum exit_code run(const struct options *options)
+{
+  if (options->certified && !has_flint("steady", "--certified"))
+    return EXIT_UNSOLVED;
+  return for_each_point(options, none, columns, row);
+}
 
 const struct command command_steady = {
   .name = "steady",
   .summary = "the periodic steady state, exactly",
   .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
   .accepts = accepts,
-  .about = "Columns: the parameters; froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity of both bodies\n"
-           "at the start of the extension and of the contraction; displacement of the geometric centre over a period,\n"
-           "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
-           "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
-           "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no answer.",
+  .about =
+      "Columns: the parameters; froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity of both bodies\n"
+      "at the start of the extension and of the contraction; displacement of the geometric centre over a period,\n"
+      "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
+      "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
+      "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no answer.\n"
+      "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
+      "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
+      "touches a boundary exactly cannot be decided, which status says.",
   .run = run,
 };

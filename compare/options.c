@@ -18,6 +18,8 @@ struct description {
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
+enum { MOST_DIGITS = 100000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+
 static char message[240];
 
 bool read_number(const char *text, double *value)
@@ -95,6 +97,9 @@ static const char *set_crawler_number(struct options *o, const char *name, const
   if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
   *crawler_field(&o->crawler, name) = *field;
+  for (int i = 0; i < 7; i++)
+    if (strcmp(name, crawler_parameters[i]) == 0)
+      o->written[i] = text;
   return NULL;
 }
 
@@ -117,6 +122,8 @@ static const char *set_number(struct options *o, const char *name, const char *t
   *field = value;
   o->has_expect |= field == &o->expect;
   o->has_v0 |= field == &o->v0;
+  if (field == &o->v0)
+    o->written_v0 = text;
   return NULL;
 }
 
@@ -129,10 +136,25 @@ static const char *set_start(struct options *o, const char *name, const char *te
   return not_allowed(text, "rest, steady or a velocity");
 }
 
+static bool accepted(const struct command *command, const char *name)
+{
+  for (const char *const *a = command->accepts; *a; a++)
+    if (strcmp(name, *a) == 0)
+      return true;
+  return false;
+}
+
 static const char *set_count(struct options *o, const char *name, const char *text)
 {
-  if (strcmp(name, "digits") == 0)
-    return read_count(text, 1, 17, &o->digits) ? NULL : not_allowed(text, "a whole number from 1 to 17");
+  if (strcmp(name, "digits") == 0) {
+    bool beyond_double = accepted(o->command, "certified") || accepted(o->command, "source");
+    return read_count(text, 1, beyond_double ? MOST_DIGITS : DOUBLE_DIGITS, &o->digits) ? NULL
+           : beyond_double
+               ? not_allowed(text, "a whole number from 1 to 100000; without --certified or --source from 1 to 17")
+               : not_allowed(text, "a whole number from 1 to 17");
+  }
+  if (strcmp(name, "order") == 0)
+    return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
   return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
 }
@@ -161,6 +183,30 @@ static const char *set_errors(struct options *o, const char *name, const char *t
   return *text == '\0' ? not_allowed(text, "names of claims, separated by commas, or all") : NULL;
 }
 
+static const char *set_against(struct options *o, const char *name, const char *text)
+{
+  if (text && *text == '\0')
+    return not_allowed(text, "a file name");
+  o->against = strcmp(name, "check") == 0 ? "data/claims.tsv" : text;
+  return NULL;
+}
+
+static const char *set_source(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  if (strcmp(text, "published") != 0 && strcmp(text, "derived") != 0 && strcmp(text, "limit") != 0)
+    return not_allowed(text, "published, derived or limit");
+  o->source = text;
+  return NULL;
+}
+
+static const char *set_flag(struct options *o, const char *name, const char *text)
+{
+  (void)text;
+  *(strcmp(name, "bound") == 0 ? &o->bound : &o->certified) = true;
+  return NULL;
+}
+
 static const char *set_quiet(struct options *o, const char *name, const char *text)
 {
   (void)name, (void)text;
@@ -185,6 +231,12 @@ static const struct description descriptions[] = {
   { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
   { "tol", "D", "how far from it the order may be (0.1)", set_number },
   { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
+  { "check", NULL, "compare the verdicts with those in data/claims.tsv: exit code 1 if any differs", set_against },
+  { "against", "FILE", "the same with another ledger", set_against },
+  { "source", "SOURCE", "published, derived or limit (published)", set_source },
+  { "order", "N", "derive all terms below T^N, N from 1 to 1000 (8)", set_count },
+  { "bound", NULL, "bounds for the error of the derived terms below T^N", set_flag },
+  { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly)", set_count },
@@ -245,14 +297,6 @@ const char *nearest(const char *word, const char *const *names)
   return best;
 }
 
-static bool accepted(const struct command *command, const char *name)
-{
-  for (const char *const *a = command->accepts; *a; a++)
-    if (strcmp(name, *a) == 0)
-      return true;
-  return false;
-}
-
 static bool refuse(int *code)
 {
   *code = EXIT_USAGE;
@@ -303,6 +347,8 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10,
                          .samples = 40,
+                         .source = "published",
+                         .order = 8,
                          .tolerance = 0.1 };
   for (int i = 0; i < count; i++) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
@@ -322,6 +368,14 @@ bool options_read(struct options *o, const struct command *command, int count, c
   }
   if (command->operand && !o->operand) {
     complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
+    return refuse(code);
+  }
+  bool beyond_double = o->certified || o->bound || strcmp(o->source, "published") != 0;
+  if (o->digits > DOUBLE_DIGITS && !beyond_double) {
+    complain(command->name, "--digits: %ld is more than a double has: 1 to 17%s", o->digits,
+             accepted(command, "certified") ? ", or up to 100000 with --certified"
+             : accepted(command, "source")  ? ", or up to 100000 with --source derived or limit"
+                                            : "");
     return refuse(code);
   }
   return true;

@@ -14,12 +14,18 @@ enum format { FORMAT_TSV, FORMAT_JSON };
 struct options {
   const struct command *command;
   struct scallop_crawler crawler;
+  const char *written[7]; /* m1 m2 F1 F2 L T alpha as they were written, NULL where not given  */
   enum scallop_phase_kind phase;
   double v0;
+  const char *written_v0;
   const char *start;     /* trajectory: "rest", "steady" or a number                        */
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
   const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
+  const char *against;   /* claims: the ledger to compare the verdicts with, or NULL          */
+  const char *source;    /* series: "published", "derived" or "limit"                        */
+  long order;            /* series: terms below T^order                                      */
+  bool bound, certified;
   const char *operand;
   const char *output; /* NULL: standard output                                           */
   enum format format;

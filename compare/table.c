@@ -1,6 +1,7 @@
 #include "compare/table.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -166,7 +167,14 @@ void table_number(struct table *t, double value)
   if (t->options->format == FORMAT_JSON && !isfinite(value))
     fputs(isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999", t->file);
   else
-    print_number(t->file, value, t->options->digits);
+    print_number(t->file, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
+  end_cell(t);
+}
+
+void table_digits(struct table *t, const char *number)
+{
+  begin_cell(t);
+  fputs(number, t->file);
   end_cell(t);
 }
 

@@ -34,6 +34,7 @@ void table_begin_rows(struct table *table);
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
+void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
 /* Closes, and renames. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
 bool table_close(struct table *table);

@@ -11,6 +11,7 @@ const char *scallop_status_text(enum scallop_status status)
   case SCALLOP_EDOMAIN: return "a parameter is outside its domain";
   case SCALLOP_ERANGE: return "out of range: a scaled quantity overflows or underflows";
   case SCALLOP_ECONVERGE: return "no convergence";
+  case SCALLOP_EUNDECIDED: return "cannot be decided";
   }
   return "unknown status";
 }

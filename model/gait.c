@@ -80,11 +80,14 @@ static double sine_when(const struct scallop_piece *p, double a)
 
 static const struct scallop_curve sine = { sine_length, sine_velocity, sine_acceleration, sine_when, sine_rates };
 
+static const struct scallop_law sine_law = { .kind = SCALLOP_LAW_SINE };
+
 /* velocity and acceleration are the amplitudes of l' and l'' here */
 #define SINE(from, to, anchored, sign) \
   { \
     .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .velocity = (sign) * (0.5 * PI), \
-    .acceleration = ((anchored) == SCALLOP_FROM_START ? (sign) : -(sign)) * (0.5 * PI * PI), .curve = &sine \
+    .acceleration = ((anchored) == SCALLOP_FROM_START ? (sign) : -(sign)) * (0.5 * PI * PI), .curve = &sine, \
+    .law = &sine_law \
   }
 
 static const struct scallop_piece sinusoidal_extension[] = { SINE(0, 0.5, SCALLOP_FROM_START, 1),
@@ -112,6 +115,42 @@ const struct scallop_gait *scallop_gait_named(const char *name)
 }
 
 const char *scallop_gait_name(int i) { return i >= 0 && i < GAITS ? gaits[i]->name : NULL; }
+
+/* Whether |l'| is the same function of the offset in both pieces */
+static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)
+{
+  if (a->law || b->law)
+    return a->law == b->law;
+  int turned = a->anchor == b->anchor ? 1 : -1;
+  return a->linear && b->linear && a->direction * a->velocity == b->direction * b->velocity
+         && a->direction * a->acceleration == turned * b->direction * b->acceleration;
+}
+
+bool scallop_gait_mirrors(const struct scallop_gait *gait)
+{
+  const struct scallop_shape *e = &gait->phase[SCALLOP_EXTENSION], *c = &gait->phase[SCALLOP_CONTRACTION];
+  if (e->count != c->count)
+    return false;
+  for (int i = 0; i < e->count; i++) {
+    const struct scallop_piece *p = &e->pieces[i], *q = &c->pieces[i];
+    if (p->anchor != q->anchor || p->begin != q->begin || p->end != q->end || !same_law(p, q))
+      return false;
+  }
+  return true;
+}
+
+bool scallop_gait_is_reversible(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &gait->phase[kind];
+    for (int i = 0; i < shape->count; i++) {
+      const struct scallop_piece *p = &shape->pieces[i], *q = &shape->pieces[shape->count - 1 - i];
+      if (p->anchor == q->anchor || p->begin != q->end || p->end != q->begin || !same_law(p, q))
+        return false;
+    }
+  }
+  return true;
+}
 
 /* The piece that holds time s, and the offset of s from its anchor. */
 static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)

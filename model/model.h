@@ -16,10 +16,11 @@
  * Above zero: done, and there is something to know. */
 enum scallop_status {
   SCALLOP_OK = 0,
-  SCALLOP_INTERVAL = 1,  /* the steady states fill an interval; both ends are returned   */
-  SCALLOP_EDOMAIN = -1,  /* a parameter is outside its domain                            */
-  SCALLOP_ERANGE = -2,   /* a scaled quantity overflows, or underflows and loses digits  */
-  SCALLOP_ECONVERGE = -3 /* an iteration ended without an answer                         */
+  SCALLOP_INTERVAL = 1,   /* the steady states fill an interval; both ends are returned   */
+  SCALLOP_EDOMAIN = -1,   /* a parameter is outside its domain                            */
+  SCALLOP_ERANGE = -2,    /* a scaled quantity overflows, or underflows and loses digits  */
+  SCALLOP_ECONVERGE = -3, /* an iteration ended without an answer                         */
+  SCALLOP_EUNDECIDED = -4 /* no finite precision decides it: the motion touches a boundary exactly, or almost */
 };
 const char *scallop_status_text(enum scallop_status status);
 
@@ -44,6 +45,17 @@ struct scallop_curve {
   void (*rates)(const struct scallop_piece *, double u, double *velocity, double *acceleration);
 };
 
+/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has:
+ * polynomial: sum over k <= degree of numerator[k] u^k / denominator, the doubles standing for exactly what they are;
+ * sine: (pi/2) sin(pi u). */
+enum scallop_law_kind { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_SINE };
+struct scallop_law {
+  enum scallop_law_kind kind;
+  int degree;
+  const double *numerator;
+  double denominator;
+};
+
 /* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
  * is monotone inside the piece; pieces follow each other without a gap and cover the phase. */
 struct scallop_piece {
@@ -55,6 +67,7 @@ struct scallop_piece {
   double velocity;     /* linear pieces: l' at the anchor; others: for the curve's own use */
   double acceleration; /* linear pieces: l''; others likewise */
   const struct scallop_curve *curve;
+  const struct scallop_law *law; /* NULL: a linear piece is exactly what its numbers say; others have no exact law */
 };
 
 struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1                      */
@@ -86,6 +99,11 @@ extern const struct scallop_curve scallop_curve_linear;
 /* The gait called name, or NULL. scallop_gait_name(i) lists them, NULL after the last. */
 const struct scallop_gait *scallop_gait_named(const char *name);
 const char *scallop_gait_name(int i);
+
+/* Whether |l'| of the contraction is that of the extension, piece by piece. */
+bool scallop_gait_mirrors(const struct scallop_gait *gait);
+/* Whether |l'| of each phase is symmetric about its middle: the motion of the separation looks the same backward in time. */
+bool scallop_gait_is_reversible(const struct scallop_gait *gait);
 
 /* l, l' and l'' of one phase at s = t/tau in [0, 1], from its start. length: l itself, so 0 at the
  * start of an extension and 1 at the start of a contraction. Any of the three may be NULL. */

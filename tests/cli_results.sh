@@ -140,7 +140,7 @@ finish "claims: no two rows say that they test the same"
 for place in inside outside; do
   yes=yes
   [ $place = inside ] || yes=no
-  counts=$(cells claims.tsv inside verdict | awk -v i=$yes '$1 == i { n[$2]++ }
+  counts=$(cells claims.tsv inside verdict source | awk -v i=$yes '$1 == i && $3 == "paper" { n[$2]++ }
     END { printf "%d hold, %d are sharper than claimed, %d refuted, %d undecided", n["holds"], n["sharper"], n["refuted"], n["undecided"] }')
   grep "^$place " summary | grep -q -F "$counts" || note "$place: $counts, but: $(cat summary)"
 done

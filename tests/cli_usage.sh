@@ -165,7 +165,7 @@ for name in periods samples; do
 done
 finish "--periods, --samples: values that are not allowed"
 for value in 0 18 -1 2.5 '' all; do
-  refuse 2 "--digits: '$value'.*whole number from 1 to 17" steady --digits "$value"
+  refuse 2 "--digits: '$value'.*whole number from 1 to 17" trajectory --digits "$value"
 done
 finish "--digits: values that are not allowed"
 refused "--output without a name" 2 "--output: ''.*a file name" steady --output=

@@ -48,17 +48,28 @@ static inline double plateau_when(const struct scallop_piece *p, double a) { ret
 
 static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when, NULL };
 
+static const struct scallop_law plateau_law = { SCALLOP_LAW_POLYNOMIAL, 0, (const double[]){ 16 }, 13 };
+static const struct scallop_law rise_law = { SCALLOP_LAW_POLYNOMIAL, 1, (const double[]){ 0, 64 }, 13 };
+static const struct scallop_law fall_law = { SCALLOP_LAW_POLYNOMIAL, 1, (const double[]){ 0, 128 }, 13 };
+
 #define TRAPEZOID(sign) \
   { .begin = 0, \
     .end = 0.25, \
     .direction = (sign), \
     .linear = true, \
     .acceleration = (sign)*64. / 13, \
-    .curve = &scallop_curve_linear }, \
-      { .begin = 0.25, .end = 0.875, .direction = (sign), .linear = true, .velocity = (sign)*16. / 13, .curve = &plateau }, \
+    .curve = &scallop_curve_linear, \
+    .law = &rise_law }, \
+      { .begin = 0.25, \
+        .end = 0.875, \
+        .direction = (sign), \
+        .linear = true, \
+        .velocity = (sign)*16. / 13, \
+        .curve = &plateau, \
+        .law = &plateau_law }, \
   { \
     .begin = 0.125, .end = 0, .anchor = SCALLOP_FROM_END, .direction = (sign), .linear = true, \
-    .acceleration = (sign) * -128. / 13, .curve = &scallop_curve_linear \
+    .acceleration = (sign) * -128. / 13, .curve = &scallop_curve_linear, .law = &fall_law \
   }
 
 static const struct scallop_piece trapezoid_extension[] = { TRAPEZOID(1) };
@@ -103,10 +114,12 @@ static inline double jerk_when(const struct scallop_piece *p, double a)
 
 static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when, NULL };
 
+static const struct scallop_law jerk_law = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 30, -60, 30 }, 1 };
+
 #define JERK_TURN 0.21132486540518711775
 #define JERK(from, to, anchored, sign) \
   { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &jerk_curve \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &jerk_curve, .law = &jerk_law \
   }
 #define MINIMUM_JERK(sign) \
   JERK(0, JERK_TURN, SCALLOP_FROM_START, sign), JERK(JERK_TURN, 0.5, SCALLOP_FROM_START, sign), \

@@ -5,12 +5,14 @@
 #include <stdio.h>
 
 #include "compare/claims.h"
+#include "compare/decimal.h"
 #include "numerics/numerics.h"
 
 enum { MOST = 512 };
 
 static struct claim_row rows[MOST];
 static int count;
+static const char *contradiction;
 
 static void keep(void *context, const struct claim_row *row)
 {
@@ -23,7 +25,11 @@ static int fill(void **state)
 {
   (void)state;
   struct scallop_crawler crawler = { 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic };
-  claims_of_order(&crawler, NULL, keep, NULL);
+  struct scallop_rational_crawler exact;
+  scallop_rational_init(&exact);
+  decimal_crawler(&exact, &crawler);
+  contradiction = claims_of_order(&exact, NULL, NULL, keep, NULL);
+  scallop_rational_clear(&exact);
   claims_in_words(&crawler, NULL, keep, NULL);
   return 0;
 }
@@ -64,7 +70,8 @@ static void orders_inside(void **state)
     for (int g = 0; g < 2; g++) {
       const struct claim_row *row = find(known[k].claim, g ? "sinusoidal" : "quadratic", NULL, true);
       print_message("%s %s: %.3f\n", row->claim, row->gait, row->fit.order);
-      CHECK_NEAR(row->fit.order, g ? known[k].sinusoidal : known[k].quadratic, 0.05);
+      CHECK_NEAR(row->fit.order, g ? known[k].sinusoidal : known[k].quadratic, 1e-6);
+      CHECK_EQUAL((double)row->derived_order, g ? known[k].sinusoidal : known[k].quadratic);
       assert_int_equal(row->verdict, known[k].verdicts[g]);
     }
 }
@@ -75,7 +82,7 @@ static void steady_outside(void **state)
 {
   (void)state;
   const struct claim_row *row = find("text_steady_xC", "quadratic", "alpha < 1/2, F1 > F2", false);
-  CHECK_NEAR(row->fit.order, 0, 0.05);
+  CHECK_NEAR(row->fit.order, 0, 1e-6);
   assert_int_equal(row->verdict, CLAIM_REFUTED);
   row = find("text_steady_xC", "quadratic", "alpha < 1/2, F1 < F2", false);
   assert_int_equal(row->verdict, CLAIM_HOLDS);
@@ -161,7 +168,11 @@ static void units_do_not_matter(void **state)
 {
   (void)state;
   struct scallop_crawler crawler = { 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic };
-  claims_of_order(&crawler, NULL, keep_other, NULL);
+  struct scallop_rational_crawler exact;
+  scallop_rational_init(&exact);
+  decimal_crawler(&exact, &crawler);
+  assert_null(claims_of_order(&exact, NULL, NULL, keep_other, NULL));
+  scallop_rational_clear(&exact);
   claims_in_words(&crawler, NULL, keep_other, NULL);
   assert_int_equal(others, count);
   for (int i = 0; i < count; i++) {

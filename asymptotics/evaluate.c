@@ -1,0 +1,140 @@
+#include "asymptotics/evaluate.h"
+
+#include <string.h>
+
+#include "asymptotics/expression.h"
+
+static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
+                                            "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };
+
+void scallop_symbols_init(struct scallop_symbols *s)
+{
+  for (int i = 0; i < SYMBOLS; i++)
+    series_init(&s->value[i]);
+}
+
+void scallop_symbols_clear(struct scallop_symbols *s)
+{
+  for (int i = 0; i < SYMBOLS; i++)
+    series_clear(&s->value[i]);
+}
+
+/* |l'| near the start or the end of a phase, in its units: the coefficients of time and of time^3, as constants */
+static void end_coefficients(struct series *first, struct series *third, const struct scallop_piece *piece,
+                             const fmpq_t pi_squared, const struct ring *ring)
+{
+  fmpq_t c;
+  fmpq_poly_t exact;
+  fmpq_init(c);
+  fmpq_poly_init(exact);
+  if (scallop_rational_speed_series(exact, piece, c, 4, pi_squared)) {
+    fmpq_poly_get_coeff_fmpq(c, exact, 1);
+    series_set_rational(first, c);
+    fmpq_poly_get_coeff_fmpq(c, exact, 3);
+    series_set_rational(third, c);
+  } else {
+    arb_t u;
+    arb_poly_t balls;
+    arb_init(u);
+    arb_poly_init(balls);
+    scallop_ball_speed_series(balls, piece, u, 4, ring->precision);
+    arb_poly_get_coeff_arb(u, balls, 1);
+    series_set_ball(first, u);
+    arb_poly_get_coeff_arb(u, balls, 3);
+    series_set_ball(third, u);
+    arb_clear(u);
+    arb_poly_clear(balls);
+  }
+  fmpq_clear(c);
+  fmpq_poly_clear(exact);
+}
+
+/* l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end */
+static void set_shape(struct series *value, const struct scallop_shape *shape, const fmpq_t L, const fmpq_t pi_squared,
+                      const struct ring *ring)
+{
+  const struct scallop_piece *ends[2] = { &shape->pieces[0], &shape->pieces[shape->count - 1] };
+  fmpq_t factor;
+  fmpq_init(factor);
+  for (int i = 0; i < 2; i++) {
+    struct series *l = &value[i == 0 ? SYMBOL_l0 : SYMBOL_lT], *k = &value[i == 0 ? SYMBOL_k0 : SYMBOL_kT];
+    end_coefficients(l, k, ends[i], pi_squared, ring);
+    fmpq_mul_si(factor, L, ends[i]->direction);
+    series_scale(l, l, factor, ring);
+    fmpq_mul_si(factor, factor, 6);
+    series_scale(k, k, factor, ring);
+  }
+  fmpq_clear(factor);
+}
+
+/* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said of it */
+static void set_kinematic_length(struct series *value, enum scallop_phase_kind kind, const struct ring *ring)
+{
+  struct series *L_kin = &value[SYMBOL_L_kin];
+  struct series difference;
+  series_init(&difference);
+  series_sub(&difference, &value[SYMBOL_lT], &value[SYMBOL_l0], ring);
+  series_scale_si(&difference, &difference, kind == SCALLOP_EXTENSION ? 2 : -2, ring);
+  series_mul(L_kin, &value[SYMBOL_l0], &value[SYMBOL_lT], ring);
+  series_div(L_kin, L_kin, &difference, ring);
+  series_clear(&difference);
+}
+
+void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind,
+                         const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring)
+{
+  struct series *v = s->value;
+  bool extension = kind == SCALLOP_EXTENSION;
+  series_set_rational(&v[SYMBOL_m1], c->m1);
+  series_set_rational(&v[SYMBOL_m2], c->m2);
+  series_set_rational(&v[SYMBOL_F1], c->F1);
+  series_set_rational(&v[SYMBOL_F2], c->F2);
+  series_set_rational(&v[SYMBOL_L], c->L);
+  series_set_rational(&v[SYMBOL_alpha], c->alpha);
+  series_add(&v[SYMBOL_M], &v[SYMBOL_m1], &v[SYMBOL_m2], ring);
+  series_set_x(&v[SYMBOL_T]);
+  series_set_si(&v[SYMBOL_l_start], 0);
+  series_set(&v[extension ? SYMBOL_l_end : SYMBOL_l_start], &v[SYMBOL_L]);
+  series_set_si(&v[extension ? SYMBOL_l_start : SYMBOL_l_end], 0);
+  series_set_si(&v[SYMBOL_v0], 0);
+  if (v0)
+    series_set_rational(&v[SYMBOL_v0], v0);
+  set_shape(v, &c->gait->phase[kind], c->L, pi_squared, ring);
+  set_kinematic_length(v, kind, ring);
+}
+
+struct lookup {
+  const struct scallop_symbols *symbols;
+  bool exchanged; /* the bodies, and with them the sign of l                                     */
+};
+
+static int partner(int symbol)
+{
+  static const int pairs[][2] = { { SYMBOL_m1, SYMBOL_m2 }, { SYMBOL_F1, SYMBOL_F2 }, { SYMBOL_l_start, SYMBOL_l_end } };
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+    if (symbol == pairs[i][0] || symbol == pairs[i][1])
+      return pairs[i][0] + pairs[i][1] - symbol;
+  return symbol;
+}
+
+static bool look_up(void *context, const char *name, size_t length, struct series *value)
+{
+  const struct lookup *l = context;
+  for (int i = 0; i < SYMBOLS; i++)
+    if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) {
+      bool turns = i == SYMBOL_l0 || i == SYMBOL_lT || i == SYMBOL_k0 || i == SYMBOL_kT;
+      series_set(value, &l->symbols->value[l->exchanged ? partner(i) : i]);
+      if (l->exchanged && turns)
+        series_neg(value, value);
+      return true;
+    }
+  return false;
+}
+
+bool scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
+                            enum scallop_phase_kind kind, const struct ring *ring)
+{
+  bool of_extension = f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION;
+  struct lookup lookup = { s, of_extension && kind == SCALLOP_CONTRACTION };
+  return expression_evaluate(value, f->text, look_up, &lookup, ring);
+}

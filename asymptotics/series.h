@@ -1,0 +1,67 @@
+/* Truncated Laurent series in one variable x, with coefficients that are exact rationals as long as everything
+ * that went in was exact, and balls otherwise.
+ *
+ * A series knows the terms from x^first up to, not including, x^known; beyond that it says nothing. An exact
+ * constant is known to all orders. Needs FLINT.
+ */
+#ifndef SCALLOP_SERIES_H
+#define SCALLOP_SERIES_H
+
+#include "model/flint.h"
+
+#include <stdbool.h>
+
+struct ring {      /* what a computation keeps                                              */
+  slong length;    /* terms of each series                                                  */
+  slong precision; /* bits of each ball                                                     */
+};
+
+struct series {
+  bool exact;
+  slong first, known;
+  fmpq_poly_t rational; /* the coefficients from x^first on, if exact                        */
+  arb_poly_t ball;      /* otherwise                                                         */
+};
+
+/* known of a series with finitely many terms, all of which are there */
+#define SERIES_ALL (WORD_MAX / 8)
+
+void series_init(struct series *s);
+void series_clear(struct series *s);
+void series_set(struct series *to, const struct series *from);
+void series_set_rational(struct series *s, const fmpq_t value);
+void series_set_si(struct series *s, slong value);
+void series_set_ball(struct series *s, const arb_t value);
+void series_set_rational_poly(struct series *s, const fmpq_poly_t poly, slong known);
+void series_set_ball_poly(struct series *s, const arb_poly_t poly, slong known);
+void series_set_x(struct series *s); /* the variable itself */
+
+/* Aliases are allowed everywhere. */
+void series_add(struct series *sum, const struct series *a, const struct series *b, const struct ring *ring);
+void series_sub(struct series *difference, const struct series *a, const struct series *b, const struct ring *ring);
+void series_mul(struct series *product, const struct series *a, const struct series *b, const struct ring *ring);
+void series_neg(struct series *to, const struct series *a);
+void series_scale(struct series *to, const struct series *a, const fmpq_t factor, const struct ring *ring);
+void series_scale_si(struct series *to, const struct series *a, slong factor, const struct ring *ring);
+/* False: the first coefficient of b that is not exactly 0 may be 0, or there is none; quotient is then unchanged. */
+bool series_div(struct series *quotient, const struct series *a, const struct series *b, const struct ring *ring);
+void series_shift(struct series *to, const struct series *a, slong power);   /* times x^power   */
+void series_inflate(struct series *to, const struct series *a, slong power); /* x becomes x^power */
+/* outer(inner(x)): outer has no negative powers, inner begins with x or later. */
+void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring);
+void series_integral(struct series *to, const struct series *a, const struct ring *ring); /* from 0; no negative powers */
+void series_derivative(struct series *to, const struct series *a, const struct ring *ring);
+/* Forgets everything from x^known on. */
+void series_truncate(struct series *s, slong known);
+
+/* The coefficient of x^power, which must be below known. */
+void series_coefficient(arb_t value, const struct series *s, slong power, slong precision);
+bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power); /* false if it is a ball */
+bool series_coefficient_is_zero(const struct series *s, slong power);                /* exactly            */
+/* States that this coefficient is exactly 0, which the caller has proven. */
+void series_set_zero(struct series *s, slong power);
+
+/* The value at x > 0 of the terms below x^before. */
+void series_value(arb_t value, const struct series *s, const arb_t x, slong before, slong precision);
+
+#endif

@@ -1,0 +1,341 @@
+#include "model/ball.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- rationals ---- */
+
+static fmpq *fields(struct scallop_rational_crawler *c, int i)
+{
+  fmpq *all[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  return all[i];
+}
+enum { FIELDS = 7 };
+
+void scallop_rational_init(struct scallop_rational_crawler *c)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_init(fields(c, i));
+  c->gait = NULL;
+}
+
+void scallop_rational_clear(struct scallop_rational_crawler *c)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_clear(fields(c, i));
+}
+
+void scallop_rational_copy(struct scallop_rational_crawler *to, const struct scallop_rational_crawler *from)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_set(fields(to, i), fields((struct scallop_rational_crawler *)from, i));
+  to->gait = from->gait;
+}
+
+void scallop_rational_set_double(fmpq_t x, double value)
+{
+  arf_t exact;
+  arf_init(exact);
+  arf_set_d(exact, value);
+  arf_get_fmpq(x, exact);
+  arf_clear(exact);
+}
+
+void scallop_rational_of(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
+{
+  const double values[FIELDS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  for (int i = 0; i < FIELDS; i++)
+    scallop_rational_set_double(fields(exact, i), values[i]);
+  exact->gait = c->gait;
+}
+
+void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+{
+  fmpq_set(fraction, c->alpha);
+  if (kind == SCALLOP_CONTRACTION) {
+    fmpq_neg(fraction, fraction);
+    fmpq_add_si(fraction, fraction, 1);
+  }
+}
+
+void scallop_rational_duration(fmpq_t duration, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+{
+  scallop_rational_fraction(duration, c, kind);
+  fmpq_mul(duration, duration, c->T);
+}
+
+/* x = digits base^exponent */
+static void scale_by_power(fmpq_t x, const fmpz_t digits, ulong base, slong exponent)
+{
+  fmpz_t power;
+  fmpz_init(power);
+  fmpz_ui_pow_ui(power, base, (ulong)labs(exponent));
+  fmpq_set_fmpz(x, digits);
+  if (exponent >= 0)
+    fmpq_mul_fmpz(x, x, power);
+  else
+    fmpq_div_fmpz(x, x, power);
+  fmpz_clear(power);
+}
+
+/* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after the point. */
+static const char *read_digits(const char *text, int base, char *digits, slong *places)
+{
+  bool point = false, some = false;
+  *places = 0;
+  for (; isxdigit((unsigned char)*text) || *text == '.'; text++) {
+    if (*text == '.') {
+      if (point)
+        return NULL;
+      point = true;
+    } else if (base == 16 || isdigit((unsigned char)*text)) {
+      *digits++ = *text;
+      *places += point;
+      some = true;
+    } else
+      break;
+  }
+  *digits = '\0';
+  return some ? text : NULL;
+}
+
+bool scallop_rational_parse(fmpq_t x, const char *text)
+{
+  enum { LARGEST_EXPONENT = 100000 };
+  bool negative = *text == '-', read = false;
+  text += negative || *text == '+';
+  bool hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+  text += hexadecimal ? 2 : 0;
+  int base = hexadecimal ? 16 : 10;
+  slong places, exponent = 0;
+  char *digits = malloc(strlen(text) + 1), *end = NULL;
+  fmpz_t mantissa;
+  fmpz_init(mantissa);
+  const char *after = digits ? read_digits(text, base, digits, &places) : NULL;
+  if (after && tolower((unsigned char)*after) == (hexadecimal ? 'p' : 'e')
+      && (isdigit((unsigned char)after[1]) || strchr("+-", after[1]))) {
+    errno = 0;
+    exponent = strtol(after + 1, &end, 10);
+    after = errno == 0 && end != after + 1 ? end : NULL;
+  }
+  if (after && *after == '\0' && labs(exponent) <= LARGEST_EXPONENT && fmpz_set_str(mantissa, digits, base) == 0) {
+    scale_by_power(x, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 : 1) * places);
+    if (negative)
+      fmpq_neg(x, x);
+    read = true;
+  }
+  fmpz_clear(mantissa);
+  free(digits);
+  return read;
+}
+
+/* ---- the law of a piece ---- */
+
+static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
+
+static bool is_exact(const struct scallop_piece *p) { return p->law || p->linear; }
+
+bool scallop_gait_is_exact(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (!is_exact(&gait->phase[kind].pieces[i]))
+        return false;
+  return true;
+}
+
+bool scallop_gait_is_rational(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (!is_exact(&gait->phase[kind].pieces[i]) || is_sine(&gait->phase[kind].pieces[i]))
+        return false;
+  return true;
+}
+
+static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
+
+/* The polynomial |l'|(u) of a piece that is not a sine. */
+static void polynomial(fmpq_poly_t law, const struct scallop_piece *p)
+{
+  fmpq_t c, denominator;
+  fmpq_init(c);
+  fmpq_init(denominator);
+  fmpq_poly_zero(law);
+  int degree = p->law ? p->law->degree : 1;
+  scallop_rational_set_double(denominator, p->law ? p->law->denominator : 1);
+  for (int k = 0; k <= degree; k++) {
+    double linear = p->direction * (k == 0 ? p->velocity : sense(p) * p->acceleration);
+    scallop_rational_set_double(c, p->law ? p->law->numerator[k] : linear);
+    fmpq_div(c, c, denominator);
+    fmpq_poly_set_coeff_fmpq(law, k, c);
+  }
+  fmpq_clear(c);
+  fmpq_clear(denominator);
+}
+
+static void evaluate(arb_t value, const fmpq_poly_t law, const arb_t u, slong precision)
+{
+  arb_poly_t balls;
+  arb_poly_init(balls);
+  arb_poly_set_fmpq_poly(balls, law, precision);
+  arb_poly_evaluate(value, balls, u, precision);
+  arb_poly_clear(balls);
+}
+
+void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
+{
+  if (is_sine(p)) { /* (pi/2) sin(pi u) */
+    arb_t half_pi;
+    arb_init(half_pi);
+    arb_const_pi(half_pi, precision);
+    arb_mul_2exp_si(half_pi, half_pi, -1);
+    arb_sin_pi(speed, u, precision);
+    arb_mul(speed, speed, half_pi, precision);
+    arb_clear(half_pi);
+    return;
+  }
+  fmpq_poly_t law;
+  fmpq_poly_init(law);
+  polynomial(law, p);
+  evaluate(speed, law, u, precision);
+  fmpq_poly_clear(law);
+}
+
+void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
+{
+  if (is_sine(p)) { /* (pi^2/2) cos(pi u) */
+    arb_t pi;
+    arb_init(pi);
+    arb_const_pi(pi, precision);
+    arb_mul(pi, pi, pi, precision);
+    arb_mul_2exp_si(pi, pi, -1);
+    arb_cos_pi(rate, u, precision);
+    arb_mul(rate, rate, pi, precision);
+    arb_clear(pi);
+  } else {
+    fmpq_poly_t law;
+    fmpq_poly_init(law);
+    polynomial(law, p);
+    fmpq_poly_derivative(law, law);
+    evaluate(rate, law, u, precision);
+    fmpq_poly_clear(law);
+  }
+  arb_mul_si(rate, rate, sense(p), precision);
+}
+
+void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, const arb_t v, slong precision)
+{
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  if (is_sine(p)) { /* (cos(pi u) - cos(pi v))/2 = sin(pi (u + v)/2) sin(pi (v - u)/2) */
+    arb_add(a, u, v, precision);
+    arb_sub(b, v, u, precision);
+    arb_mul_2exp_si(a, a, -1);
+    arb_mul_2exp_si(b, b, -1);
+    arb_sin_pi(a, a, precision);
+    arb_sin_pi(b, b, precision);
+    arb_mul(way, a, b, precision);
+  } else {
+    fmpq_poly_t law;
+    fmpq_poly_init(law);
+    polynomial(law, p);
+    fmpq_poly_integral(law, law);
+    evaluate(a, law, u, precision);
+    evaluate(b, law, v, precision);
+    arb_sub(way, b, a, precision);
+    fmpq_poly_clear(law);
+  }
+  arb_mul_si(way, way, sense(p), precision);
+  arb_clear(a);
+  arb_clear(b);
+}
+
+void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p, const arb_t u, slong length,
+                               slong precision)
+{
+  arb_t s;
+  arb_poly_t time;
+  arb_init(s);
+  arb_poly_init(time);
+  arb_set_si(s, sense(p));
+  arb_poly_set_coeff_arb(time, 1, s);
+  arb_poly_set_coeff_arb(time, 0, u);
+  if (is_sine(p)) {
+    arb_poly_sin_pi_series(series, time, length, precision);
+    arb_const_pi(s, precision);
+    arb_mul_2exp_si(s, s, -1);
+    arb_poly_scalar_mul(series, series, s, precision);
+  } else {
+    fmpq_poly_t law;
+    fmpq_poly_init(law);
+    polynomial(law, p);
+    arb_poly_set_fmpq_poly(series, law, precision);
+    arb_poly_compose(series, series, time, precision);
+    arb_poly_truncate(series, length);
+    fmpq_poly_clear(law);
+  }
+  arb_clear(s);
+  arb_poly_clear(time);
+}
+
+bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
+{
+  *turned = p->anchor != next->anchor;
+  if (is_sine(p) || is_sine(next))
+    return is_sine(p) && is_sine(next);
+  fmpq_poly_t here, there, time;
+  fmpq_poly_init(here);
+  fmpq_poly_init(there);
+  fmpq_poly_init(time);
+  polynomial(here, p);
+  polynomial(there, next);
+  fmpq_poly_set_coeff_si(time, 1, *turned ? -1 : 1);
+  fmpq_poly_set_coeff_si(time, 0, *turned ? 1 : 0);
+  fmpq_poly_compose(there, there, time);
+  bool same = fmpq_poly_equal(here, there);
+  fmpq_poly_clear(here);
+  fmpq_poly_clear(there);
+  fmpq_poly_clear(time);
+  return same;
+}
+
+/* (1/2) sum over k of (-1)^k pi^(2k+2) u^(2k+1) / (2k+1)! */
+static void sine_at_its_zero(fmpq_poly_t series, slong length, const fmpq_t pi_squared)
+{
+  fmpq_t c;
+  fmpq_init(c);
+  fmpq_poly_zero(series);
+  fmpq_div_2exp(c, pi_squared, 1);
+  for (slong k = 1; k < length; k += 2) {
+    fmpq_poly_set_coeff_fmpq(series, k, c);
+    fmpq_mul(c, c, pi_squared);
+    fmpq_mul_si(c, c, -1);
+    fmpz_mul_ui(fmpq_denref(c), fmpq_denref(c), (ulong)((k + 1) * (k + 2)));
+    fmpq_canonicalise(c);
+  }
+  fmpq_clear(c);
+}
+
+bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piece *p, const fmpq_t u, slong length,
+                                   const fmpq_t pi_squared)
+{
+  if (is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
+    return false;
+  fmpq_poly_t time;
+  fmpq_poly_init(time);
+  fmpq_poly_set_coeff_si(time, 1, sense(p));
+  fmpq_poly_set_coeff_fmpq(time, 0, u);
+  if (is_sine(p))
+    sine_at_its_zero(series, length, pi_squared);
+  else
+    polynomial(series, p);
+  fmpq_poly_compose(series, series, time);
+  fmpq_poly_truncate(series, length);
+  fmpq_poly_clear(time);
+  return true;
+}
