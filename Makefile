@@ -12,7 +12,7 @@ WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived bound) \
                $(addprefix numerics/,certified march enclose) \
                $(addprefix compare/,decimal ledger claims_order claims_words cmd_claims certified_rows series_derived)
-flint_tests := certified claims
+flint_tests := certified claims series series_terms expression derived formulas bounds
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp

@@ -194,10 +194,38 @@ static enum scallop_status check_order(slong order, slong precision, const struc
   return scallop_gait_is_exact(gait) ? SCALLOP_OK : refuse(why, "the gait has no exact law");
 }
 
+/* Coefficients that vanish are balls around 0 where pi comes in. They are rational functions of pi^2, so they vanish
+ * identically or, pi being transcendental, not at all: those that do with each of two large primes over another in the place of
+ * pi^2 are set to 0. */
+static void find_zeros(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_constants *p,
+                       const struct scallop_rational_crawler *crawler, const fmpq_t v0, const struct ring *ring)
+{
+  static const slong instead[2][2] = { { 1000000007, 99999989 }, { 998244353, 104729 } };
+  struct scallop_phase_expansion exact[2];
+  fmpq_t pi_squared;
+  bool expanded = true;
+  fmpq_init(pi_squared);
+  for (int i = 0; i < 2; i++) {
+    scallop_phase_expansion_init(&exact[i]);
+    fmpq_set_si(pi_squared, instead[i][0], (ulong)instead[i][1]);
+    expanded = expanded && expand_branch(&exact[i], b, p, crawler, v0, pi_squared, ring);
+  }
+  struct series *const all[] = PHASE_SERIES(e), *const first[] = PHASE_SERIES(&exact[0]),
+                       *const second[] = PHASE_SERIES(&exact[1]);
+  for (int i = 0; expanded && i < PHASE_QUANTITIES; i++)
+    for (slong k = all[i]->first; k < ring->length; k++)
+      if (series_coefficient_is_zero(first[i], k) && series_coefficient_is_zero(second[i], k))
+        series_set_zero(all[i], k);
+  scallop_phase_expansion_clear(&exact[0]);
+  scallop_phase_expansion_clear(&exact[1]);
+  fmpq_clear(pi_squared);
+}
+
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why)
 {
+  enum { ZEROS_WANTED = 60 }; /* exact coefficients grow: beyond, balls around 0 remain */
   const struct ring ring = { order + 2, precision };
   enum scallop_status status = check_order(order, precision, crawler->gait, why);
   struct phase_constants p;
@@ -209,6 +237,8 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
   if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
     status = refuse(why, "l'' = 0 at an end of the phase: the switching times go as fractional powers of T");
+  else if (!pi_squared && !scallop_gait_is_rational(crawler->gait) && order <= ZEROS_WANTED)
+    find_zeros(expansion, &b, &p, crawler, v0, &ring);
   branch_clear(&b);
   phase_constants_clear(&p);
   return status;

@@ -34,8 +34,11 @@ struct line {
   struct series a, a_slope, b;
 };
 
-/* q |l'| along a piece, as a series in the time since the base point, and its derivative. */
+/* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
 struct curve {
+  const struct crossing *at;
+  const fmpq *q;
+  bool exact;
   struct series value, rate;
 };
 
@@ -53,41 +56,55 @@ static void line_clear(struct line *l)
   series_clear(&l->b);
 }
 
-/* Exactly if the gait and the base point allow it, in balls otherwise. */
-static void expand_speed(struct series *speed, const struct crossing *at, const fmpq_t pi_squared, const struct ring *ring)
-{
-  const slong length = ring->length + 1; /* one more, for the derivative */
-  fmpq_t u;
-  fmpq_poly_t exact;
-  fmpq_init(u);
-  fmpq_poly_init(exact);
-  if (series_rational_coefficient(u, &at->offset, 0)
-      && scallop_rational_speed_series(exact, at->piece, u, length, pi_squared)) {
-    const struct scallop_law *law = at->piece->law;
-    bool is_whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < length : length > 1;
-    series_set_rational_poly(speed, exact, is_whole ? SERIES_ALL : length);
-  } else {
-    arb_t ball;
-    arb_poly_t balls;
-    arb_init(ball);
-    arb_poly_init(balls);
-    series_coefficient(ball, &at->offset, 0, ring->precision);
-    scallop_ball_speed_series(balls, at->piece, ball, length, ring->precision);
-    series_set_ball_poly(speed, balls, length);
-    arb_clear(ball);
-    arb_poly_clear(balls);
-  }
-  fmpq_clear(u);
-  fmpq_poly_clear(exact);
-}
-
 static void curve_at(struct curve *curve, const struct crossing *at, const struct phase_constants *p,
                      const fmpq_t pi_squared, const struct ring *ring)
 {
-  const struct ring longer = { ring->length + 1, ring->precision };
-  expand_speed(&curve->value, at, pi_squared, ring);
-  series_scale(&curve->value, &curve->value, p->curve[at->curve], &longer);
-  series_derivative(&curve->rate, &curve->value, ring);
+  const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
+  fmpq_t u;
+  fmpq_poly_t speed;
+  fmpq_init(u);
+  fmpq_poly_init(speed);
+  curve->at = at;
+  curve->q = p->curve[at->curve];
+  curve->exact = series_rational_coefficient(u, &at->offset, 0)
+                 && scallop_rational_speed_series(speed, at->piece, u, longer.length, pi_squared);
+  if (curve->exact) {
+    const struct scallop_law *law = at->piece->law;
+    bool whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < longer.length : longer.length > 1;
+    series_set_rational_poly(&curve->value, speed, whole ? SERIES_ALL : longer.length);
+    series_scale(&curve->value, &curve->value, curve->q, &longer);
+    series_derivative(&curve->rate, &curve->value, ring);
+  }
+  fmpq_clear(u);
+  fmpq_poly_clear(speed);
+}
+
+/* The curve and its derivative at time x after the base point, x a series */
+static void curve_along(struct series *value, struct series *rate, const struct curve *curve, const struct series *x,
+                        const struct ring *ring)
+{
+  if (curve->exact && x->exact) {
+    series_compose(value, &curve->value, x, ring);
+    series_compose(rate, &curve->rate, x, ring);
+    return;
+  }
+  arb_t u;
+  arb_poly_t time, speed, slope;
+  arb_init(u);
+  arb_poly_init(time);
+  arb_poly_init(speed);
+  arb_poly_init(slope);
+  series_coefficient(u, &curve->at->offset, 0, ring->precision);
+  series_get_ball_poly(time, x, ring->length, ring->precision);
+  scallop_ball_speed_along(speed, slope, curve->at->piece, u, time, ring->length, ring->precision);
+  series_set_ball_poly(value, speed, ring->length < x->known ? ring->length : x->known);
+  series_set_ball_poly(rate, slope, value->known);
+  series_scale(value, value, curve->q, ring);
+  series_scale(rate, rate, curve->q, ring);
+  arb_clear(u);
+  arb_poly_clear(time);
+  arb_poly_clear(speed);
+  arb_poly_clear(slope);
 }
 
 /* The time of the base point since the start of the phase */
@@ -116,14 +133,13 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
     last = length >= ring->length;
     struct ring part = { last ? ring->length : length, ring->precision };
     x->known = SERIES_ALL; /* a polynomial that is right up to half of this length */
-    series_compose(&gap, &curve->value, x, &part);
+    curve_along(&gap, closing, curve, x, &part);
     series_add(&term, base, x, &part);
     series_mul(&term, &term, &line->b, &part);
     series_add(&term, &term, &line->a, &part);
     series_sub(&gap, &gap, &term, &part);
     for (slong k = 0; !gap.exact && k < length / 2; k++) /* x solves the equation so far, whatever its balls */
       series_set_zero(&gap, k);
-    series_compose(closing, &curve->rate, x, &part);
     series_sub(closing, closing, &line->b, &part);
     solved = series_div(&gap, &gap, closing, &part);
     series_sub(x, x, &gap, &part);

@@ -378,6 +378,16 @@ void series_set_zero(struct series *s, slong power)
     arb_poly_set_coeff_si(s->ball, k, 0);
 }
 
+void series_get_ball_poly(arb_poly_t poly, const struct series *s, slong length, slong precision)
+{
+  if (s->exact)
+    arb_poly_set_fmpq_poly(poly, s->rational, precision);
+  else
+    arb_poly_set_round(poly, s->ball, precision);
+  arb_poly_shift_left(poly, poly, s->first);
+  arb_poly_truncate(poly, length);
+}
+
 void series_value(arb_t value, const struct series *s, const arb_t x, slong before, slong precision)
 {
   struct series cut;

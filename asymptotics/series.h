@@ -61,6 +61,9 @@ bool series_coefficient_is_zero(const struct series *s, slong power);           
 /* States that this coefficient is exactly 0, which the caller has proven. */
 void series_set_zero(struct series *s, slong power);
 
+/* The coefficients from x^0 on, below x^length; there must be none before. */
+void series_get_ball_poly(arb_poly_t poly, const struct series *s, slong length, slong precision);
+
 /* The value at x > 0 of the terms below x^before. */
 void series_value(arb_t value, const struct series *s, const arb_t x, slong before, slong precision);
 

@@ -18,7 +18,7 @@ struct description {
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { MOST_DIGITS = 100000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
 
 static char message[240];
 
@@ -150,13 +150,13 @@ static const char *set_count(struct options *o, const char *name, const char *te
     bool beyond_double = accepted(o->command, "certified") || accepted(o->command, "source");
     return read_count(text, 1, beyond_double ? MOST_DIGITS : DOUBLE_DIGITS, &o->digits) ? NULL
            : beyond_double
-               ? not_allowed(text, "a whole number from 1 to 100000; without --certified or --source from 1 to 17")
+               ? not_allowed(text, "a whole number from 1 to 10000; without --certified or --source from 1 to 17")
                : not_allowed(text, "a whole number from 1 to 17");
   }
   if (strcmp(name, "order") == 0)
     return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
-  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
+  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 100000000");
 }
 
 static const char *set_format(struct options *o, const char *name, const char *text)
@@ -373,8 +373,8 @@ bool options_read(struct options *o, const struct command *command, int count, c
   bool beyond_double = o->certified || o->bound || strcmp(o->source, "published") != 0;
   if (o->digits > DOUBLE_DIGITS && !beyond_double) {
     complain(command->name, "--digits: %ld is more than a double has: 1 to 17%s", o->digits,
-             accepted(command, "certified") ? ", or up to 100000 with --certified"
-             : accepted(command, "source")  ? ", or up to 100000 with --source derived or limit"
+             accepted(command, "certified") ? ", or up to 10000 with --certified"
+             : accepted(command, "source")  ? ", or up to 10000 with --source derived or limit"
                                             : "");
     return refuse(code);
   }

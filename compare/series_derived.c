@@ -115,7 +115,7 @@ static bool is_precise(const struct motion *m, long order, long digits)
 static enum scallop_status expand(struct motion *m, const struct report *r, long order, const char **why)
 {
   enum { TRIES = 6 };
-  slong precision = (slong)(3.33 * (double)r->digits) + 128 + 8 * order;
+  slong precision = (slong)(3.33 * (double)r->digits) + 128 + order;
   enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
     status = m->steady ? scallop_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
@@ -185,42 +185,63 @@ static bool error_of(arb_t error, const arb_t sum, const struct quantity *q, slo
   return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
 }
 
+static void write_term(struct report *r, const struct motion *m, const struct quantity *q, slong power, const arb_t sum,
+                       bool solved, slong precision)
+{
+  struct table *t = &r->table;
+  char number[24], *text;
+  arb_t error;
+  arb_init(error);
+  snprintf(number, sizeof number, "%ld", (long)power);
+  table_text(t, m->phase);
+  table_text(t, m->start);
+  table_text(t, q->name);
+  table_digits(t, number);
+  write_coefficient(t, r, q->series, power);
+  text = decimal_text(sum, r->digits);
+  table_digits(t, text);
+  flint_free(text);
+  if (solved) {
+    error_of(error, sum, q, precision);
+    text = decimal_text(error, ERROR_DIGITS);
+    table_digits(t, arb_contains_zero(error) ? "0" : text);
+    flint_free(text);
+  } else
+    table_number(t, NAN);
+  table_text(t, m->status);
+  arb_clear(error);
+}
+
+/* One row for each term that is not 0; if all are, one row says so. */
 static void write_terms(struct report *r, const struct motion *m, const struct quantity *q, long order, bool solved)
 {
-  slong precision = 8 * ((slong)(3.33 * (double)r->digits) + 64 * order + 2048);
-  struct table *t = &r->table;
-  arb_t T, sum, error;
+  slong accuracy = solved ? arb_rel_accuracy_bits(q->exact) : 0, precision = (slong)(3.33 * (double)r->digits) + 128;
+  if (accuracy + 64 > precision && accuracy < WORD_MAX / 4)
+    precision = accuracy + 64;
+  slong first = q->series->first < 0 ? q->series->first : 0;
+  bool any = false;
+  arb_t T, power, term, sum;
   arb_init(T);
+  arb_init(power);
+  arb_init(term);
   arb_init(sum);
-  arb_init(error);
   arb_set_fmpq(T, m->T, precision);
-  for (slong k = q->series->first < 0 ? q->series->first : 0; k < order; k++) {
-    bool last_chance = k == 0 && q->series->first >= order; /* nothing but zeros: one row says so */
-    if (series_coefficient_is_zero(q->series, k) && !last_chance)
+  arb_one(power);
+  for (slong k = first; k < 0; k++)
+    arb_div(power, power, T, precision);
+  for (slong k = first; k < order; k++, arb_mul(power, power, T, precision)) {
+    bool say_zero = k == order - 1 && !any;
+    if (series_coefficient_is_zero(q->series, k) && !say_zero)
       continue;
-    char power[24], *text;
-    snprintf(power, sizeof power, "%ld", (long)k);
-    table_text(t, m->phase);
-    table_text(t, m->start);
-    table_text(t, q->name);
-    table_digits(t, power);
-    write_coefficient(t, r, q->series, k);
-    series_value(sum, q->series, T, k + 1, precision);
-    text = decimal_text(sum, r->digits);
-    table_digits(t, text);
-    flint_free(text);
-    if (solved) {
-      error_of(error, sum, q, precision);
-      text = decimal_text(error, ERROR_DIGITS);
-      table_digits(t, arb_contains_zero(error) ? "0" : text);
-      flint_free(text);
-    } else
-      table_number(t, NAN);
-    table_text(t, m->status);
+    series_coefficient(term, q->series, k, precision);
+    arb_addmul(sum, term, power, precision);
+    write_term(r, m, q, say_zero ? 0 : k, sum, solved, precision);
+    any = true;
   }
   arb_clear(T);
+  arb_clear(power);
+  arb_clear(term);
   arb_clear(sum);
-  arb_clear(error);
 }
 
 /* The smallest error is seen: as many digits of the exact value as that takes, within reason. */

@@ -283,6 +283,65 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
   arb_poly_clear(time);
 }
 
+/* A polynomial of a series, by Horner's rule */
+static void evaluate_along(arb_poly_t value, const fmpq_poly_t law, const arb_poly_t x, slong length, slong precision)
+{
+  fmpq_t c;
+  arb_t ball, constant;
+  arb_poly_t sum;
+  fmpq_init(c);
+  arb_init(ball);
+  arb_init(constant);
+  arb_poly_init(sum);
+  for (slong k = fmpq_poly_degree(law); k >= 0; k--) {
+    arb_poly_mullow(sum, sum, x, length, precision);
+    fmpq_poly_get_coeff_fmpq(c, law, k);
+    arb_poly_get_coeff_arb(ball, sum, 0);
+    arb_set_fmpq(constant, c, precision);
+    arb_add(ball, ball, constant, precision);
+    arb_poly_set_coeff_arb(sum, 0, ball);
+  }
+  arb_poly_swap(value, sum);
+  fmpq_clear(c);
+  arb_clear(ball);
+  arb_clear(constant);
+  arb_poly_clear(sum);
+}
+
+void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct scallop_piece *p, const arb_t u,
+                              const arb_poly_t time, slong length, slong precision)
+{
+  arb_t pi;
+  arb_poly_t offset;
+  arb_init(pi);
+  arb_poly_init(offset);
+  arb_poly_set(offset, time);
+  if (sense(p) < 0)
+    arb_poly_neg(offset, offset);
+  arb_poly_set_coeff_arb(offset, 0, u);
+  if (is_sine(p)) {
+    arb_poly_sin_cos_pi_series(speed, rate, offset, length, precision);
+    arb_const_pi(pi, precision);
+    arb_mul_2exp_si(pi, pi, -1);
+    arb_poly_scalar_mul(speed, speed, pi, precision);
+    arb_mul(pi, pi, pi, precision);
+    arb_mul_2exp_si(pi, pi, 1);
+    arb_poly_scalar_mul(rate, rate, pi, precision);
+  } else {
+    fmpq_poly_t law;
+    fmpq_poly_init(law);
+    polynomial(law, p);
+    evaluate_along(speed, law, offset, length, precision);
+    fmpq_poly_derivative(law, law);
+    evaluate_along(rate, law, offset, length, precision);
+    fmpq_poly_clear(law);
+  }
+  if (sense(p) < 0)
+    arb_poly_neg(rate, rate);
+  arb_clear(pi);
+  arb_poly_clear(offset);
+}
+
 bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
 {
   *turned = p->anchor != next->anchor;

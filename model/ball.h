@@ -57,7 +57,10 @@ bool scallop_piece_goes_on(const struct scallop_piece *piece, const struct scall
 /* |l'| at time x after the one at offset u, as a series in x with `length` coefficients. */
 void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *piece, const arb_t u, slong length,
                                slong precision);
-/* The same with exact coefficients. A sinusoidal piece has them at u = 0 only, and as rational functions of pi^2,
+/* |l'| and d|l'|/dt where the time after the one at offset u is itself a series, without a constant term. */
+void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct scallop_piece *piece, const arb_t u,
+                              const arb_poly_t time, slong length, slong precision);
+/* |l'| with exact coefficients. A sinusoidal piece has them at u = 0 only, and as rational functions of pi^2,
  * which is then any rational number that the caller puts in its place: an identity between such series for
  * random pi_squared is one for pi^2, because pi is transcendental. pi_squared may be NULL for polynomial pieces.
  * False: there are no such coefficients. */

@@ -1,0 +1,402 @@
+/* What is read from text: formulas into series, numbers into fractions. */
+#include "tests/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "asymptotics/expression.h"
+#include "tests/random_series.h"
+
+/* ---- formulas ---- */
+
+/* x is the variable, three is 3, half is 1/2, none is 0. */
+static bool look_up(void *context, const char *name, size_t length, struct series *value)
+{
+  static const char *const names[] = { "x", "three", "half", "none" };
+  fmpq_t half;
+  ++*(int *)context;
+  for (int i = 0; i < 4; i++)
+    if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) {
+      fmpq_init(half);
+      fmpq_set_si(half, 1, 2);
+      series_set_si(value, i == 1 ? 3 : 0);
+      if (i == 0)
+        series_set_x(value);
+      if (i == 2)
+        series_set_rational(value, half);
+      fmpq_clear(half);
+      return true;
+    }
+  return false;
+}
+
+static bool evaluate(struct series *value, const char *text)
+{
+  int looked_up = 0;
+  return expression_evaluate(value, text, look_up, &looked_up, &ring);
+}
+
+static void check_number(const char *text, slong numerator, ulong denominator)
+{
+  struct series value;
+  fmpq_t wanted, got;
+  series_init(&value);
+  fmpq_init(wanted);
+  fmpq_init(got);
+  fmpq_set_si(wanted, numerator, denominator);
+  bool read = evaluate(&value, text);
+  if (!read || !series_rational_coefficient(got, &value, 0) || !fmpq_equal(got, wanted)
+      || next_nonzero(&value, 1, LENGTH) < LENGTH || next_nonzero(&value, -LENGTH, 0) < 0) {
+    print_error("%s is not %ld/%lu\n", text, (long)numerator, denominator);
+    fail();
+  }
+  fmpq_clear(wanted);
+  fmpq_clear(got);
+  series_clear(&value);
+}
+
+static void precedence(void **state)
+{
+  (void)state;
+  check_number("1 + 2*3", 7, 1);
+  check_number("(1 + 2)*3", 9, 1);
+  check_number("2*3 + 1", 7, 1);
+  check_number("8 - 3 - 2", 3, 1);
+  check_number("8 - (3 - 2)", 7, 1);
+  check_number("12/3/2", 2, 1);
+  check_number("12/(3/2)", 8, 1);
+  check_number("12/3*2", 8, 1);
+  check_number("2*3^2", 18, 1);
+  check_number("12/2^2", 3, 1);
+  check_number("1/3 + 1/6", 1, 2);
+  check_number("  1+ 2 * three ", 7, 1);
+  check_number("half*three", 3, 2);
+  check_number("0", 0, 1);
+}
+
+static void unary_minus(void **state)
+{
+  (void)state;
+  check_number("-1", -1, 1);
+  check_number("-2^2", -4, 1);
+  check_number("(-2)^2", 4, 1);
+  check_number("-three*2", -6, 1);
+  check_number("2*-three", -6, 1);
+  check_number("2--3", 5, 1);
+  check_number("2 - -3", 5, 1);
+  check_number("--3", 3, 1);
+  check_number("-(1 - 3)", 2, 1);
+  check_number("6/-4", -3, 2);
+  check_number("-1/2 - 1/2", -1, 1);
+}
+
+static void powers(void **state)
+{
+  (void)state;
+  check_number("2^10", 1024, 1);
+  check_number("7^1", 7, 1);
+  check_number("7^0", 1, 1);
+  check_number("none^0", 1, 1);
+  check_number("none^3", 0, 1);
+  check_number("(1 + three)^2", 16, 1);
+  check_number("half^3", 1, 8);
+  check_number("2 ^ 3", 8, 1);
+  check_number("(x^2 + 3*x)^2/x^2 - x^2 - 6*x", 9, 1);
+}
+
+static void parentheses(void **state)
+{
+  (void)state;
+  check_number("((((5))))", 5, 1);
+  check_number("((1 + 2)*(3 + (4 - 2)))/(5)", 3, 1);
+  check_number("(2 - (3 - (4 - (5 - 6))))", 4, 1);
+  check_number("1/(1 + 1/(1 + 1/(1 + 1/2)))", 5, 8);
+}
+
+/* 1/(1 - x)^2 and (1 + x)^3/x, by what everybody knows of them */
+static void series_in_the_variable(void **state)
+{
+  (void)state;
+  static const slong binomial[] = { 1, 3, 3, 1 };
+  struct series value;
+  fmpq_t c;
+  series_init(&value);
+  fmpq_init(c);
+  assert_true(evaluate(&value, "1/(1 - x)^2"));
+  assert_int_equal(value.known, LENGTH);
+  for (slong k = 0; k < LENGTH; k++) {
+    assert_true(series_rational_coefficient(c, &value, k));
+    assert_true(fmpq_equal_si(c, k + 1));
+  }
+  assert_true(evaluate(&value, "(1 + x)^3/x"));
+  for (slong k = 0; k < 4; k++) {
+    assert_true(series_rational_coefficient(c, &value, k - 1));
+    assert_true(fmpq_equal_si(c, binomial[k]));
+  }
+  series_clear(&value);
+  fmpq_clear(c);
+}
+
+static void refusals_change_nothing(void **state)
+{
+  (void)state;
+  static const char *const bad[] = { "",
+                                     " ",
+                                     "unknown",
+                                     "1 + unknown",
+                                     "1 +",
+                                     "1 -",
+                                     "1 *",
+                                     "1 /",
+                                     "* 2",
+                                     "/ 2",
+                                     "+ 1",
+                                     "1 + + 2",
+                                     "1 ** 2",
+                                     "(1",
+                                     "1)",
+                                     "()",
+                                     "((1)",
+                                     "(1))",
+                                     "1 2",
+                                     "1 three",
+                                     "three x",
+                                     "2x",
+                                     "2(3)",
+                                     "1/0",
+                                     "1/none",
+                                     "1/(x-x)",
+                                     "1/(3-three)",
+                                     "2^",
+                                     "2^-1",
+                                     "2^x",
+                                     "2^(2)",
+                                     "2^3^2",
+                                     "1.5",
+                                     "1e3",
+                                     "thre",
+                                     "threes",
+                                     "1 + 1 ?",
+                                     "1;",
+                                     "#",
+                                     "1,2",
+                                     "-",
+                                     "x^",
+                                     "half/(half - 1/2)" };
+  struct random r = { 20260812 };
+  struct series w[WORK];
+  work_init(w);
+  random_terms(&w[0], &r, -2, 6);
+  series_set(&w[1], &w[0]);
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    if (evaluate(&w[0], bad[i])) {
+      print_error("\"%s\" is taken\n", bad[i]);
+      fail();
+    }
+    assert_true(w[0].exact && w[0].first == w[1].first && w[0].known == SERIES_ALL);
+    check_same(&w[0], &w[1], bad[i]);
+  }
+  work_clear(w);
+}
+
+/* Random formulas, spelled and evaluated side by side */
+static void random_formula(char *text, size_t size, fmpq_t value, struct random *r, int depth)
+{
+  static const char signs[] = "+-*/";
+  int sign = random_below(r, 4);
+  if (depth == 0) {
+    int number = 1 + random_below(r, 9);
+    fmpq_set_si(value, number, 1);
+    snprintf(text, size, "%d", number);
+    return;
+  }
+  char *left = malloc(size), *right = malloc(size);
+  fmpq_t other;
+  fmpq_init(other);
+  assert_true(left && right);
+  random_formula(left, size, value, r, depth - 1);
+  random_formula(right, size, other, r, random_below(r, depth));
+  if (sign == 3 && fmpq_is_zero(other))
+    sign = 2;
+  assert_true(strlen(left) + strlen(right) + 8 < size);
+  snprintf(text, size, sign < 2 ? "(%s)%c(%s)" : "((%s)%c(%s))", left, signs[sign], right);
+  (sign == 0 ? fmpq_add : sign == 1 ? fmpq_sub : sign == 2 ? fmpq_mul : fmpq_div)(value, value, other);
+  fmpq_clear(other);
+  free(left);
+  free(right);
+}
+
+static void random_formulas(void **state)
+{
+  (void)state;
+  enum { TEXT = 4096 };
+  struct random r = { 20260813 };
+  static char text[TEXT];
+  struct series value;
+  fmpq_t wanted, got;
+  series_init(&value);
+  fmpq_init(wanted);
+  fmpq_init(got);
+  for (int i = 0; i < 300; i++) {
+    random_formula(text, sizeof text, wanted, &r, 1 + random_below(&r, 5));
+    assert_true(evaluate(&value, text) && series_rational_coefficient(got, &value, 0));
+    if (!fmpq_equal(got, wanted)) {
+      print_error("%s\n", text);
+      fail();
+    }
+  }
+  fmpq_clear(wanted);
+  fmpq_clear(got);
+  series_clear(&value);
+}
+
+/* ---- numbers ---- */
+
+/* text is numerator/denominator, both in decimals, which FLINT reads by itself. */
+static void check_parsed(const char *text, const char *fraction)
+{
+  fmpq_t got, wanted;
+  fmpq_init(got);
+  fmpq_init(wanted);
+  assert_int_equal(fmpq_set_str(wanted, fraction, 10), 0);
+  fmpq_canonicalise(wanted);
+  if (!scallop_rational_parse(got, text) || !fmpq_equal(got, wanted)) {
+    print_error("%s is not read as %s\n", text, fraction);
+    fail();
+  }
+  fmpq_clear(got);
+  fmpq_clear(wanted);
+}
+
+static void numbers(void **state)
+{
+  (void)state;
+  static const char *const good[][2] = {
+    { "0.7", "7/10" },
+    { ".5", "1/2" },
+    { "5.", "5/1" },
+    { "+3", "3/1" },
+    { "-3", "-3/1" },
+    { "-.25", "-1/4" },
+    { "0", "0/1" },
+    { "-0", "0/1" },
+    { "0.0", "0/1" },
+    { "007", "7/1" },
+    { "1e3", "1000/1" },
+    { "1E3", "1000/1" },
+    { "1e+3", "1000/1" },
+    { "25e-2", "1/4" },
+    { "1.5e1", "15/1" },
+    { "5.e1", "50/1" },
+    { ".5e1", "5/1" },
+    { "0x1.8p-3", "3/16" },
+    { "0x10", "16/1" },
+    { "0X1P4", "16/1" },
+    { "0x.8", "1/2" },
+    { "0xaB", "171/1" },
+    { "-0x1p0", "-1/1" },
+    { "0x1e5", "485/1" },
+    { "0x1.p+1", "2/1" },
+    { "1e-0", "1/1" },
+    { "0e99999", "0/1" },
+    { "1e-30", "1/1000000000000000000000000000000" },
+    { "123456789012345678901234567890.5", "246913578024691357802469135781/2" },
+  };
+  for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+    check_parsed(good[i][0], good[i][1]);
+}
+
+static void what_is_no_number(void **state)
+{
+  (void)state;
+  static const char *const bad[] = { "",
+                                     " ",
+                                     "1e",
+                                     "1e+",
+                                     "1e-",
+                                     "abc",
+                                     "1e999999",
+                                     "1e-999999",
+                                     "inf",
+                                     "nan",
+                                     "-inf",
+                                     "1 ",
+                                     " 1",
+                                     "--1",
+                                     "+-1",
+                                     "-",
+                                     "+",
+                                     ".",
+                                     "-.",
+                                     "1..2",
+                                     "1.2.3",
+                                     "1,5",
+                                     "1_000",
+                                     "0x",
+                                     "0x.",
+                                     "0xg",
+                                     "0x1p",
+                                     "1p3",
+                                     "1f",
+                                     "1e5.5",
+                                     "1e 5",
+                                     "1e+ 5",
+                                     "e5",
+                                     "1/2",
+                                     "1d5",
+                                     "1-",
+                                     "infinity",
+                                     "0x1.8p-3 ",
+                                     "1e1e1",
+                                     "1e100001",
+                                     "1e99999999999999999999" };
+  fmpq_t x;
+  fmpq_init(x);
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    fmpq_set_si(x, 22, 7);
+    if (scallop_rational_parse(x, bad[i])) {
+      print_error("\"%s\" is taken\n", bad[i]);
+      fail();
+    }
+    assert_true(fmpz_equal_si(fmpq_numref(x), 22) && fmpz_equal_si(fmpq_denref(x), 7));
+  }
+  fmpq_clear(x);
+}
+
+/* In hexadecimal, and in decimals with all of its digits, a double is read as the number it is. */
+static void doubles_in_and_out(void **state)
+{
+  (void)state;
+  struct random r = { 20260814 };
+  static char text[2000];
+  fmpq_t parsed, exact;
+  fmpq_init(parsed);
+  fmpq_init(exact);
+  for (int i = 0; i < 500; i++) {
+    double value = random_decades(&r, 1e-300, 1e300) * (random_below(&r, 2) ? 1 : -1);
+    scallop_rational_set_double(exact, value);
+    snprintf(text, sizeof text, "%a", value);
+    assert_true(scallop_rational_parse(parsed, text) && fmpq_equal(parsed, exact));
+    snprintf(text, sizeof text, "%.1100e", value);
+    assert_true(scallop_rational_parse(parsed, text) && fmpq_equal(parsed, exact));
+  }
+  fmpq_clear(parsed);
+  fmpq_clear(exact);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(precedence),
+    cmocka_unit_test(unary_minus),
+    cmocka_unit_test(powers),
+    cmocka_unit_test(parentheses),
+    cmocka_unit_test(series_in_the_variable),
+    cmocka_unit_test(refusals_change_nothing),
+    cmocka_unit_test(random_formulas),
+    cmocka_unit_test(numbers),
+    cmocka_unit_test(what_is_no_number),
+    cmocka_unit_test(doubles_in_and_out),
+  };
+  return cmocka_run_group_tests_name("expression", tests, NULL, NULL);
+}

@@ -1,0 +1,249 @@
+/* The arithmetic of truncated Laurent series: the laws of a ring, quotients, and what a series claims to know. */
+#include "tests/check.h"
+
+#include "tests/random_series.h"
+
+/* ---- the laws of a ring ---- */
+
+static void check_laws(const struct series *a, const struct series *b, const struct series *c)
+{
+  struct series w[WORK];
+  work_init(w);
+  series_add(&w[0], a, b, &ring);
+  series_add(&w[1], b, a, &ring);
+  check_same(&w[0], &w[1], "a + b = b + a");
+  series_add(&w[0], &w[0], c, &ring);
+  series_add(&w[1], b, c, &ring);
+  series_add(&w[1], a, &w[1], &ring);
+  check_same(&w[0], &w[1], "(a + b) + c = a + (b + c)");
+  series_mul(&w[0], a, b, &ring);
+  series_mul(&w[1], b, a, &ring);
+  check_same(&w[0], &w[1], "a b = b a");
+  series_mul(&w[0], &w[0], c, &ring);
+  series_mul(&w[1], b, c, &ring);
+  series_mul(&w[1], a, &w[1], &ring);
+  check_same(&w[0], &w[1], "(a b) c = a (b c)");
+  series_add(&w[0], b, c, &ring);
+  series_mul(&w[0], a, &w[0], &ring);
+  series_mul(&w[1], a, b, &ring);
+  series_mul(&w[2], a, c, &ring);
+  series_add(&w[1], &w[1], &w[2], &ring);
+  check_same(&w[0], &w[1], "a (b + c) = a b + a c");
+  series_sub(&w[0], a, b, &ring);
+  series_neg(&w[1], b);
+  series_add(&w[1], a, &w[1], &ring);
+  check_same(&w[0], &w[1], "a - b = a + (-b)");
+  series_sub(&w[1], a, a, &ring);
+  series_add(&w[1], &w[1], b, &ring);
+  check_same(&w[1], b, "(a - a) + b = b");
+  work_clear(w);
+}
+
+static void laws_of_a_ring(void **state)
+{
+  (void)state;
+  struct random r = { 20260801 };
+  struct series w[WORK];
+  work_init(w);
+  for (int i = 0; i < 400; i++) {
+    for (int k = 0; k < 3; k++)
+      random_series(&w[k], &r, random_below(&r, 9) - 4);
+    check_laws(&w[0], &w[1], &w[2]);
+    for (int k = 0; k < 3; k++)
+      as_balls(&w[3 + k], &w[k]);
+    check_laws(&w[3], &w[4], &w[5]);
+    check_laws(&w[0], &w[4], &w[2]);
+  }
+  work_clear(w);
+}
+
+/* A quotient of series with n known terms from their first on has n known terms, wherever they begin. */
+static void check_division(const struct series *a, const struct series *b)
+{
+  struct series w[WORK];
+  work_init(w);
+  assert_true(series_div(&w[0], a, b, &ring));
+  check_known(&w[0], least(least(a->known - a->first, b->known - b->first), LENGTH) + a->first - b->first, "a/b");
+  series_mul(&w[1], &w[0], b, &ring);
+  check_known(&w[1], least(w[0].known - w[0].first, least(b->known - b->first, LENGTH)) + a->first, "(a/b) b");
+  check_same(&w[1], a, "(a/b) b = a");
+  series_set(&w[2], a); /* aliases */
+  assert_true(series_div(&w[2], &w[2], b, &ring));
+  check_same(&w[2], &w[0], "a/b in place of a");
+  series_set(&w[2], b);
+  assert_true(series_div(&w[2], a, &w[2], &ring));
+  check_same(&w[2], &w[0], "a/b in place of b");
+  work_clear(w);
+}
+
+static void division_undoes_multiplication(void **state)
+{
+  (void)state;
+  struct random r = { 20260802 };
+  struct series w[WORK];
+  work_init(w);
+  for (int i = 0; i < 400; i++) {
+    random_series(&w[0], &r, random_below(&r, 9) - 4);
+    random_series(&w[1], &r, random_below(&r, 9) - 4);
+    as_balls(&w[2], &w[0]);
+    as_balls(&w[3], &w[1]);
+    check_division(&w[0], &w[1]);
+    check_division(&w[2], &w[3]);
+    check_division(&w[0], &w[3]);
+    check_division(&w[2], &w[1]);
+  }
+  work_clear(w);
+}
+
+/* A divisor whose first coefficients are exactly 0 begins later. */
+static void division_by_a_series_with_leading_zeros(void **state)
+{
+  (void)state;
+  struct series w[WORK];
+  arb_poly_t poly;
+  work_init(w);
+  arb_poly_init(poly);
+  arb_poly_set_coeff_si(poly, 2, 4); /* 4 x^2, with two zeros in front */
+  series_set_ball_poly(&w[0], poly, SERIES_ALL);
+  series_set_si(&w[1], 1);
+  assert_true(series_div(&w[2], &w[1], &w[0], &ring));
+  series_scale_si(&w[2], &w[2], 4, &ring);
+  series_shift(&w[2], &w[2], 2);
+  check_same(&w[2], &w[1], "4 x^2/(4 x^2)");
+  check_known(&w[2], LENGTH, "4 x^2/(4 x^2)");
+  arb_poly_clear(poly);
+  work_clear(w);
+}
+
+/* Refused, with the quotient as it was: 0, 0 with an error term, and a ball that holds 0. */
+static void division_by_what_may_be_zero(void **state)
+{
+  (void)state;
+  struct random r = { 20260803 };
+  struct series w[WORK];
+  arb_t ball;
+  work_init(w);
+  arb_init(ball);
+  random_terms(&w[0], &r, -2, 5);
+  series_set(&w[1], &w[0]);
+  series_set_si(&w[2], 1);
+  series_set_si(&w[3], 0);
+  assert_false(series_div(&w[0], &w[2], &w[3], &ring));
+  series_set_x(&w[3]);
+  series_truncate(&w[3], 1);
+  assert_false(series_div(&w[0], &w[2], &w[3], &ring));
+  arb_set_si(ball, 1);
+  mag_set_d(arb_radref(ball), 1.5);
+  series_set_ball(&w[3], ball);
+  assert_false(series_div(&w[0], &w[2], &w[3], &ring));
+  assert_false(series_div(&w[0], &w[0], &w[3], &ring));
+  series_set_x(&w[4]);
+  series_add(&w[3], &w[3], &w[4], &ring); /* the ball may be 0, so that what is behind it does not count */
+  assert_false(series_div(&w[0], &w[2], &w[3], &ring));
+  assert_true(w[0].exact && w[0].first == -2 && w[0].known == SERIES_ALL);
+  check_same(&w[0], &w[1], "unchanged");
+  arb_clear(ball);
+  work_clear(w);
+}
+
+/* ---- what a series claims to know ---- */
+
+/* One step of a random calculation, the same in both rings. In `shorter` every series may have been cut. */
+static void random_step(struct series *to, const struct series *a, const struct series *b, int step, const struct ring *in)
+{
+  fmpq_t half;
+  switch (step) {
+  case 0: series_add(to, a, b, in); break;
+  case 1: series_sub(to, a, b, in); break;
+  case 2: series_mul(to, a, b, in); break;
+  case 3: series_div(to, a, b, in); break;
+  case 4: series_shift(to, a, 1); break;
+  default:
+    fmpq_init(half);
+    fmpq_set_si(half, -1, 2);
+    series_scale(to, a, half, in);
+    fmpq_clear(half);
+  }
+}
+
+/* Six numbers, each replaced again and again by a result of two others: whatever is known with n terms is the same with 3 n
+ * terms and nothing cut off. Known is never more than the longer calculation knows. */
+static void check_calculation(struct random *r, bool balls)
+{
+  enum { NUMBERS = 6, STEPS = 12 };
+  struct series few[WORK], many[WORK];
+  work_init(few);
+  work_init(many);
+  for (int i = 0; i < NUMBERS; i++) {
+    random_terms(&many[i], r, random_below(r, 5) - 2, 1 + random_below(r, LENGTH));
+    if (balls && i % 2)
+      as_balls(&many[i], &many[i]);
+    series_set(&few[i], &many[i]);
+    if (random_below(r, 3) == 0)
+      series_truncate(&few[i], few[i].first + 1 + random_below(r, LENGTH));
+  }
+  for (int i = 0; i < STEPS; i++) {
+    int to = random_below(r, NUMBERS), a = random_below(r, NUMBERS), b = random_below(r, NUMBERS), step = random_below(r, 6);
+    if (step == 3 && (series_coefficient_is_zero(&few[b], few[b].first) || few[b].known <= few[b].first))
+      step = 2;
+    random_step(&few[to], &few[a], &few[b], step, &ring);
+    random_step(&many[to], &many[a], &many[b], step, &longer);
+    check_known(&many[to], least(few[to].known, FAR / 4), "with three times the terms");
+    check_same(&few[to], &many[to], "n and 3 n terms");
+  }
+  work_clear(few);
+  work_clear(many);
+}
+
+static void what_is_known_is_right(void **state)
+{
+  (void)state;
+  struct random r = { 20260808 };
+  for (int i = 0; i < 400; i++)
+    check_calculation(&r, i % 2);
+}
+
+/* The ball of each coefficient holds the fraction, and is thin. */
+static void balls_hold_the_fractions(void **state)
+{
+  (void)state;
+  struct random r = { 20260809 };
+  struct series w[WORK];
+  fmpq_t exact;
+  arb_t ball;
+  work_init(w);
+  fmpq_init(exact);
+  arb_init(ball);
+  for (int i = 0; i < 300; i++) {
+    int step = random_below(&r, 6);
+    for (int k = 0; k < 2; k++) {
+      random_series(&w[k], &r, random_below(&r, 9) - 4);
+      as_balls(&w[2 + k], &w[k]);
+    }
+    random_step(&w[4], &w[0], &w[1], step, &ring);
+    random_step(&w[5], &w[2], &w[3], step, &ring);
+    assert_true(w[4].exact && !w[5].exact);
+    for (slong k = w[4].first; k < least(least(w[4].known, w[5].known), FAR); k++) {
+      series_rational_coefficient(exact, &w[4], k);
+      series_coefficient(ball, &w[5], k, PRECISION);
+      assert_true(arb_contains_fmpq(ball, exact));
+      assert_true(mag_cmp_2exp_si(arb_radref(ball), -PRECISION / 2) < 0);
+    }
+  }
+  fmpq_clear(exact);
+  arb_clear(ball);
+  work_clear(w);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(laws_of_a_ring),
+    cmocka_unit_test(division_undoes_multiplication),
+    cmocka_unit_test(division_by_a_series_with_leading_zeros),
+    cmocka_unit_test(division_by_what_may_be_zero),
+    cmocka_unit_test(what_is_known_is_right),
+    cmocka_unit_test(balls_hold_the_fractions),
+  };
+  return cmocka_run_group_tests_name("series", tests, NULL, NULL);
+}
