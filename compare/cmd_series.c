@@ -113,9 +113,28 @@ static enum exit_code run_points(const struct options *options)
   return for_each_point(options, extra, list, row);
 }
 
+/* NULL, or which options do not go together */
+static const char *excluded(const struct options *o)
+{
+  bool derived = strcmp(o->source, "derived") == 0, published = strcmp(o->source, "published") == 0;
+  if (o->bound && o->has_source && !derived)
+    return "--bound is for the derived series: leave --source out";
+  if (o->has_order && !o->bound && !derived)
+    return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
+                     : "--order and --source limit exclude each other: the limit is one term";
+  if (o->has_v0 && (o->bound || (!derived && !published)))
+    return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
+  return NULL;
+}
+
 static enum exit_code run(const struct options *options)
 {
   struct table table;
+  const char *wrong = excluded(options);
+  if (wrong) {
+    complain("series", "%s", wrong);
+    return EXIT_USAGE;
+  }
   if (options->bound || strcmp(options->source, "published") != 0)
     return series_derived(options);
   if (options->points)
@@ -144,13 +163,24 @@ static enum exit_code run(const struct options *options)
 
 const struct command command_series = {
   .name = "series",
-  .summary = "the paper's formulas as published, beside the exact values",
-  .example = "scallop series --T 0.1 --v0 2.5",
+  .summary = "the paper's formulas as published, and the series derived to any order, beside the exact values",
+  .example = "scallop series --source derived --order 8 --T 0.1",
   .accepts = accepts,
-  .about = "T is the period; the formulas of one phase are evaluated for its duration, alpha T or (1 - alpha) T.\n"
-           "Formulas from rest start from rest; the others start with --v0, and without it with the exact steady velocity\n"
-           "of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the appendices); phase;\n"
-           "quantity; the remainder as printed; published, exact and error = published - exact.\n"
-           "With --points: one row for each point, the published value of every formula in a column of its own.",
+  .about =
+      "--source published (the default): T is the period; the formulas of one phase are evaluated for its duration,\n"
+      "alpha T or (1 - alpha) T. Formulas from rest start from rest; the others start with --v0, and without it with the\n"
+      "exact steady velocity of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the\n"
+      "appendices); phase; quantity; the remainder as printed; published, exact and error = published - exact.\n"
+      "With --points: one row for each point, the published value of every formula in a column of its own.\n\n"
+      "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it is given, and of\n"
+      "the steady state. Columns: phase, start, quantity as in `phase` and `steady`; power of T, the duration of the phase\n"
+      "or the period; coefficient, an exact fraction where gait and parameters are rational and --digits is not given,\n"
+      "else decimals right to a unit of the last one; sum of the terms so far at this T; error = sum - certified value;\n"
+      "status: ok, or that at this T the motion has other modes than for T -> 0, so that the series is not about it.\n"
+      "The parameters are exactly the numbers that are written: 0.7 is 7/10.\n"
+      "--source limit: the first term of the steady state alone, the limit T -> 0.\n\n"
+      "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and displacement;\n"
+      "bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the modes of T -> 0; ends: what\n"
+      "happens there. T0 is 0.9 of T_end.",
   .run = run,
 };

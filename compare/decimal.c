@@ -33,7 +33,7 @@ void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const st
     scallop_rational_parse(v0, o->written_v0);
 }
 
-char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS | ARB_STR_MORE); }
+char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS); }
 
 char *decimal_fraction(const fmpq_t x) { return fmpq_get_str(NULL, 10, x); }
 

@@ -12,8 +12,8 @@ void decimal_crawler(struct scallop_rational_crawler *exact, const struct scallo
 /* The crawler of the options, as it was written: every digit that was given counts. v0 likewise (may be NULL). */
 void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const struct options *options);
 
-/* The middle of a ball with so many digits, wrong by less than one unit of the last one if the ball is that narrow; "0" for an
- * exact zero. To be freed with flint_free. */
+/* The middle of a ball with so many digits, or as many as it has, wrong by less than one unit of the last one; "0" for an exact
+ * zero, "0e-50" for what is 0 to that many places. To be freed with flint_free. */
 char *decimal_text(const arb_t x, long digits);
 /* "-3/8", or "[0.1013 +/- 3.1e-5]" with so many digits. To be freed with flint_free. */
 char *decimal_fraction(const fmpq_t x);

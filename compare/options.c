@@ -153,6 +153,7 @@ static const char *set_count(struct options *o, const char *name, const char *te
                ? not_allowed(text, "a whole number from 1 to 10000; without --certified or --source from 1 to 17")
                : not_allowed(text, "a whole number from 1 to 17");
   }
+  o->has_order |= strcmp(name, "order") == 0;
   if (strcmp(name, "order") == 0)
     return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
@@ -197,6 +198,7 @@ static const char *set_source(struct options *o, const char *name, const char *t
   if (strcmp(text, "published") != 0 && strcmp(text, "derived") != 0 && strcmp(text, "limit") != 0)
     return not_allowed(text, "published, derived or limit");
   o->source = text;
+  o->has_source = true;
   return NULL;
 }
 
@@ -239,7 +241,8 @@ static const struct description descriptions[] = {
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
-  { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly)", set_count },
+  { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly); up to 10000 where they are proven",
+    set_count },
   { "output", "FILE", "write there instead of to standard output; also -o", set_file },
   { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
 };

@@ -32,7 +32,7 @@ struct options {
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  bool has_expect, has_v0, has_gait, quiet;
+  bool has_expect, has_v0, has_gait, has_source, has_order, quiet;
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it

@@ -15,6 +15,8 @@ static const char *const columns[] = {
 };
 static const char *const bound_columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
 
+static bool is_limit(const struct options *o) { return !o->bound && strcmp(o->source, "limit") == 0; }
+
 /* ---- one motion: its expansion and its certified values ---- */
 
 struct quantity {
@@ -230,8 +232,8 @@ static void write_terms(struct report *r, const struct motion *m, const struct q
   for (slong k = first; k < 0; k++)
     arb_div(power, power, T, precision);
   for (slong k = first; k < order; k++, arb_mul(power, power, T, precision)) {
-    bool say_zero = k == order - 1 && !any;
-    if (series_coefficient_is_zero(q->series, k) && !say_zero)
+    bool zero = series_coefficient_is_zero(q->series, k), say_zero = zero && k == order - 1 && !any;
+    if (zero && !say_zero)
       continue;
     series_coefficient(term, q->series, k, precision);
     arb_addmul(sum, term, power, precision);
@@ -270,14 +272,31 @@ static bool solve_well(struct motion *m, const struct report *r, long order)
   return solved;
 }
 
+/* A motion without a series has its reason in status. */
+static void write_failure(struct report *r, const struct motion *m)
+{
+  struct table *t = &r->table;
+  char status[240];
+  snprintf(status, sizeof status, "no series: %s", r->why);
+  table_text(t, m->phase);
+  table_text(t, m->start);
+  table_text(t, "-");
+  table_number(t, NAN);
+  table_text(t, "-");
+  table_number(t, NAN);
+  table_number(t, NAN);
+  table_text(t, status);
+}
+
 static bool report_motion(struct report *r, struct motion *m)
 {
-  bool limit = strcmp(r->options->source, "limit") == 0;
+  bool limit = is_limit(r->options);
   long order = limit ? 1 : r->options->order;
   const char *why = NULL;
   enum scallop_status status = expand(m, r, order, &why);
   if (status != SCALLOP_OK) {
     r->why = why ? why : scallop_status_text(status);
+    write_failure(r, m);
     return false;
   }
   bool solved = solve_well(m, r, order);
@@ -320,12 +339,39 @@ static bool report_all(struct report *r)
 {
   bool done = true;
   if (strcmp(r->options->source, "derived") == 0)
-    for (int kind = 0; kind < 2 && done; kind++) {
-      done = report_phase(r, (enum scallop_phase_kind)kind, true);
-      if (done && r->options->has_v0 && r->options->v0 != 0)
-        done = report_phase(r, (enum scallop_phase_kind)kind, false);
+    for (int kind = 0; kind < 2; kind++) {
+      done = report_phase(r, (enum scallop_phase_kind)kind, true) && done;
+      if (r->options->has_v0 && r->options->v0 != 0)
+        done = report_phase(r, (enum scallop_phase_kind)kind, false) && done;
     }
-  return done && report_steady(r);
+  return report_steady(r) && done;
+}
+
+static bool begin(struct report *r)
+{
+  const struct options *o = r->options;
+  if (!table_open(&r->table, o))
+    return false;
+  table_note(&r->table, "scallop " SCALLOP_VERSION);
+  if (is_limit(o))
+    table_note(&r->table, "command: series --source limit");
+  else
+    table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order);
+  table_parameters(&r->table, o);
+  if (o->has_v0) {
+    char v0[NUMBER_TEXT];
+    number_text(v0, o->v0, 0);
+    table_note(&r->table, "v0: %s", v0);
+  }
+  if (o->bound)
+    table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
+  else
+    table_note(
+        &r->table,
+        "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; error: sum - exact");
+  table_columns(&r->table, o->bound ? bound_columns : columns);
+  table_begin_rows(&r->table);
+  return true;
 }
 
 /* ---- bounds ---- */
@@ -338,70 +384,67 @@ static void write_rounded(struct table *t, const arb_t x, int direction)
   table_rounded(t, value * (1 + direction * 1.0 / SPARE), "%.3e");
 }
 
-static bool report_bounds(struct report *r)
+static void write_bound(struct table *t, const struct scallop_bound *b, const char *quantity, const struct report *r)
 {
-  static const char *const names[2] = { "v_start", "displacement" };
-  struct scallop_bound bounds[2];
-  struct table *t = &r->table;
   arb_t T, here;
   char text[24];
-  const char *why = NULL;
   arb_init(T);
   arb_init(here);
+  table_text(t, quantity);
+  snprintf(text, sizeof text, "%ld", r->options->order);
+  table_digits(t, text);
+  write_rounded(t, b->C, 1);
+  snprintf(text, sizeof text, "%d", b->power);
+  table_digits(t, text);
+  write_rounded(t, b->T0, -1);
+  arb_set_fmpq(T, r->crawler.T, BOUND_PRECISION);
+  arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
+  arb_mul(here, here, b->C, BOUND_PRECISION);
+  if (arb_le(T, b->T0))
+    write_rounded(t, here, 1);
+  else
+    table_number(t, NAN);
+  write_rounded(t, b->T_end, -1);
+  table_text(t, b->ends);
+  arb_clear(T);
+  arb_clear(here);
+}
+
+static enum exit_code report_bounds(struct report *r)
+{
+  struct scallop_bound bounds[2];
+  const char *why = NULL;
+  enum exit_code code = EXIT_UNSOLVED;
   scallop_bound_init(&bounds[0]);
   scallop_bound_init(&bounds[1]);
   enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order, BOUND_PRECISION, bounds, &why);
   if (status != SCALLOP_OK)
-    r->why = why ? why : scallop_status_text(status);
-  for (int i = 0; status == SCALLOP_OK && i < 2; i++) {
-    const struct scallop_bound *b = &bounds[i];
-    table_text(t, names[i]);
-    snprintf(text, sizeof text, "%ld", r->options->order);
-    table_digits(t, text);
-    write_rounded(t, b->C, 1);
-    snprintf(text, sizeof text, "%d", b->power);
-    table_digits(t, text);
-    write_rounded(t, b->T0, -1);
-    arb_set_fmpq(T, r->crawler.T, BOUND_PRECISION);
-    arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
-    arb_mul(here, here, b->C, BOUND_PRECISION);
-    arb_mul_si(T, T, 1001, BOUND_PRECISION); /* within T0 as it is printed */
-    arb_div_si(T, T, 1000, BOUND_PRECISION);
-    if (arb_le(T, b->T0))
-      write_rounded(t, here, 1);
-    else
-      table_number(t, NAN);
-    write_rounded(t, b->T_end, -1);
-    table_text(t, b->ends);
+    complain("series", "no bound: %s", why ? why : scallop_status_text(status));
+  else if (!begin(r))
+    code = EXIT_FILE;
+  else {
+    write_bound(&r->table, &bounds[0], "v_start", r);
+    write_bound(&r->table, &bounds[1], "displacement", r);
+    code = table_close(&r->table) ? EXIT_DONE : EXIT_FILE;
   }
   scallop_bound_clear(&bounds[0]);
   scallop_bound_clear(&bounds[1]);
-  arb_clear(T);
-  arb_clear(here);
-  return status == SCALLOP_OK;
+  return code;
+}
+
+static enum exit_code report_series(struct report *r)
+{
+  if (!begin(r))
+    return EXIT_FILE;
+  bool done = report_all(r);
+  if (!table_close(&r->table))
+    return EXIT_FILE;
+  if (!done)
+    complain("series", "a motion has no series in powers of T: %s", r->why);
+  return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
 /* ---- the command ---- */
-
-static bool begin(struct report *r)
-{
-  const struct options *o = r->options;
-  if (!table_open(&r->table, o))
-    return false;
-  table_note(&r->table, "scallop " SCALLOP_VERSION);
-  table_note(&r->table, "command: series%s%s%s --order %ld", o->bound ? " --bound" : " --source ", o->bound ? "" : o->source,
-             "", o->order);
-  table_parameters(&r->table, o);
-  if (o->bound)
-    table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
-  else
-    table_note(
-        &r->table,
-        "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; error: sum - exact");
-  table_columns(&r->table, o->bound ? bound_columns : columns);
-  table_begin_rows(&r->table);
-  return true;
-}
 
 enum exit_code series_derived(const struct options *options)
 {
@@ -412,17 +455,7 @@ enum exit_code series_derived(const struct options *options)
   }
   scallop_rational_init(&r.crawler);
   decimal_options(&r.crawler, NULL, options);
-  enum exit_code code = EXIT_FILE;
-  if (begin(&r)) {
-    bool done = options->bound ? report_bounds(&r) : report_all(&r);
-    if (done)
-      code = table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
-    else {
-      table_abandon(&r.table);
-      complain("series", "no series: %s", r.why);
-      code = EXIT_UNSOLVED;
-    }
-  }
+  enum exit_code code = options->bound ? report_bounds(&r) : report_series(&r);
   scallop_rational_clear(&r.crawler);
   return code;
 }

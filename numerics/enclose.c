@@ -52,11 +52,16 @@ static void enclose(arb_t value, const struct scallop_track *f, const arb_t s, i
   }
 }
 
+/* Most signs show at once: few bits are tried first. */
+enum { FEW = 128 };
+
 static int sign_over(const struct scallop_track *f, const arb_t s, int derivative, slong precision)
 {
   arb_t value;
   arb_init(value);
-  enclose(value, f, s, derivative, precision);
+  enclose(value, f, s, derivative, FLINT_MIN(FEW, precision));
+  if (precision > FEW && arb_contains_zero(value))
+    enclose(value, f, s, derivative, precision);
   int sign = arb_sgn_nonzero(value);
   arb_clear(value);
   return sign;
@@ -92,21 +97,23 @@ static void halve(arb_t x, bool earlier, slong precision)
 }
 
 /* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides, the sign in
- * the middle tells the half: for slopes too uncertain for a good step. */
+ * the middle tells the half: for slopes too uncertain for a good step. A step doubles the bits at most, so it needs no more. */
 static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 {
   arb_ptr t = _arb_vec_init(3), middle = t, value = t + 1, slope = t + 2;
   mag_t enough;
   mag_init(enough);
   bool right = true, going = true;
-  while (right && going) {
+  slong bits = FLINT_MIN(FEW, precision);
+  while (right && (going || bits < precision)) {
+    bits = going ? FLINT_MIN(precision, FLINT_MAX(bits, 2 * arb_rel_accuracy_bits(zero) + FEW)) : precision;
     mag_mul_ui(enough, arb_radref(zero), 3);
     mag_mul_2exp_si(enough, enough, -2);
     arb_get_mid_arb(middle, zero);
-    enclose(value, f, middle, 0, precision);
-    enclose(slope, f, zero, 1, precision);
+    enclose(value, f, middle, 0, bits);
+    enclose(slope, f, zero, 1, bits);
     int side = arb_sgn_nonzero(value) * arb_sgn_nonzero(slope);
-    arb_div(value, value, slope, precision);
+    arb_div(value, value, slope, bits);
     arb_sub(middle, middle, value, precision);
     if (side != 0)
       halve(zero, side > 0, precision);

@@ -63,12 +63,14 @@ void scallop_march_init(struct scallop_march *m)
 {
   for (int i = 0; i < BALLS; i++)
     arb_init(ball(m, i));
+  fmpq_init(m->bend);
 }
 
 void scallop_march_clear(struct scallop_march *m)
 {
   for (int i = 0; i < BALLS; i++)
     arb_clear(ball(m, i));
+  fmpq_clear(m->bend);
 }
 
 static void reset(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)
@@ -105,46 +107,62 @@ static bool undecided(struct scallop_march *m, const char *why)
 
 /* ---- forces: accelerations, in fact, those of equal masses M ---- */
 
-/* n1 F1 + n2 F2, rounded once: exactly 0 where it is. */
-static void friction_sum(arb_t sum, const struct scallop_march *m, int n1, int n2)
+/* n1 F1 + n2 F2 */
+static void friction(fmpq_t sum, const struct scallop_march *m, int n1, int n2)
 {
-  fmpq_t total, term;
-  fmpq_init(total);
+  fmpq_t term;
   fmpq_init(term);
-  fmpq_mul_si(total, m->forces->friction[0], n1);
+  fmpq_mul_si(sum, m->forces->friction[0], n1);
   fmpq_mul_si(term, m->forces->friction[1], n2);
-  fmpq_add(total, total, term);
-  arb_set_fmpq(sum, total, m->precision);
-  fmpq_clear(total);
+  fmpq_add(sum, sum, term);
   fmpq_clear(term);
 }
 
-/* x_body'' now, if the directions are these. */
-static void acceleration(arb_t value, struct scallop_march *m, int body, int s1, int s2)
+/* The same, rounded once: exactly 0 where it is. */
+static void friction_sum(arb_t sum, const struct scallop_march *m, int n1, int n2)
 {
-  arb_t drag;
-  arb_init(drag);
-  friction_sum(drag, m, s1, s2);
-  scallop_enclose_gait(value, m->piece, m->now, 1, m->precision);
-  arb_mul(value, value, share(m, body), m->precision);
-  arb_sub(value, value, drag, m->precision);
-  arb_clear(drag);
+  fmpq_t exact;
+  fmpq_init(exact);
+  friction(exact, m, n1, n2);
+  arb_set_fmpq(sum, exact, m->precision);
+  fmpq_clear(exact);
 }
 
-/* The same with the body going in direction s and the other one as it goes. */
-static void acceleration_going(arb_t value, struct scallop_march *m, int body, int s)
+/* x_body'' now if it goes in direction s and the other body as it goes; where l'' is even, rounded once. */
+static void acceleration(arb_t value, struct scallop_march *m, int body, int s)
 {
-  acceleration(value, m, body, body == 0 ? s : m->s1, body == 0 ? m->s2 : s);
+  fmpq_t drag, exact;
+  fmpq_init(drag);
+  fmpq_init(exact);
+  friction(drag, m, body == 0 ? s : m->s1, body == 0 ? m->s2 : s);
+  if (m->even) {
+    fmpq_mul(exact, m->forces->share[body], m->bend);
+    fmpq_sub(exact, exact, drag);
+    arb_set_fmpq(value, exact, m->precision);
+  } else {
+    arb_t force;
+    arb_init(force);
+    scallop_enclose_gait(value, m->piece, m->now, 1, m->precision);
+    arb_mul(value, value, share(m, body), m->precision);
+    arb_set_fmpq(force, drag, m->precision);
+    arb_sub(value, value, force, m->precision);
+    arb_clear(force);
+  }
+  fmpq_clear(drag);
+  fmpq_clear(exact);
 }
 
-static int sign_going(struct scallop_march *m, int body, int s)
+/* What becomes of a body at rest that would go in direction side. A force exactly at its limit holds it as long as it is there. */
+enum hold { HELD, PULLED, UNDECIDED };
+static enum hold hold_against(struct scallop_march *m, int body, int side)
 {
   arb_t value;
   arb_init(value);
-  acceleration_going(value, m, body, s);
+  acceleration(value, m, body, side);
   int sign = arb_sgn_nonzero(value);
+  bool at_its_limit = m->even && arb_is_zero(value);
   arb_clear(value);
-  return sign;
+  return sign == side ? PULLED : sign == -side || at_its_limit ? HELD : UNDECIDED;
 }
 
 /* A body turned from direction s: the flow is sheared by the ratio of its accelerations after and before. */
@@ -153,8 +171,8 @@ static void shear(struct scallop_march *m, int body, int s)
   arb_t before, after;
   arb_init(before);
   arb_init(after);
-  acceleration_going(before, m, body, s);
-  acceleration_going(after, m, body, -s);
+  acceleration(before, m, body, s);
+  acceleration(after, m, body, -s);
   arb_div(after, after, before, m->precision);
   arb_mul(m->multiplier, m->multiplier, after, m->precision);
   arb_clear(before);
@@ -258,11 +276,11 @@ static bool turn(struct scallop_march *m, int body)
   int *s = direction(m, body);
   settle(m);
   rest(m, body);
-  int beyond = sign_going(m, body, -*s);
-  if (beyond == 0)
+  enum hold beyond = hold_against(m, body, -*s);
+  if (beyond == UNDECIDED)
     return undecided(m, at_limit[body]);
   m->departure[0] = m->departure[1] = SCALLOP_APART;
-  if (beyond == *s) {
+  if (beyond == HELD) {
     arb_zero(m->multiplier);
     *s = 0;
   } else {
@@ -289,10 +307,10 @@ static bool hold(struct scallop_march *m)
 {
   int body = the_stuck(m);
   for (int side = -1; side <= 1; side += 2) {
-    int sign = sign_going(m, body, side);
-    if (sign == 0)
+    enum hold held = hold_against(m, body, side);
+    if (held == UNDECIDED)
       return undecided(m, at_limit[body]);
-    if (sign == side) {
+    if (held == PULLED) {
       release(m, side, SCALLOP_FROM_ZERO);
       return true;
     }
@@ -309,11 +327,11 @@ static bool start_from_rest(struct scallop_march *m)
   int turning = m->piece->direction > 0 ? 0 : 1;
   m->s1 = -m->piece->direction;
   m->s2 = m->piece->direction;
-  int goes = equal ? *direction(m, stronger) : sign_going(m, stronger, *direction(m, stronger));
-  if (goes == 0)
+  enum hold held = equal ? PULLED : hold_against(m, stronger, *direction(m, stronger));
+  if (held == UNDECIDED)
     return undecided(m, at_limit[stronger]);
   m->departure[0] = m->departure[1] = SCALLOP_FROM_ZERO;
-  if (goes == *direction(m, stronger))
+  if (held == PULLED)
     shear(m, turning, 1);
   else {
     *direction(m, stronger) = 0;
@@ -350,6 +368,21 @@ static bool jump(struct scallop_march *m)
   return set_directions(m);
 }
 
+/* Whether l'' is constant over the piece and rational; bend is l'' then. */
+static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
+{
+  fmpq_poly_t law;
+  fmpq_poly_init(law);
+  fmpq_zero(bend);
+  bool even = scallop_rational_speed_series(law, piece, bend, WORD_MAX, NULL) && fmpq_poly_degree(law) <= 1;
+  if (even) {
+    fmpq_poly_get_coeff_fmpq(bend, law, 1);
+    fmpq_mul_si(bend, bend, piece->direction);
+  }
+  fmpq_poly_clear(law);
+  return even;
+}
+
 /* Where a piece begins. settle() looks at m->piece: the piece before must have been settled if l' jumps. */
 static bool enter(struct scallop_march *m, const struct scallop_piece *piece, bool first)
 {
@@ -357,6 +390,7 @@ static bool enter(struct scallop_march *m, const struct scallop_piece *piece, bo
   if (!first && (piece->jump || turns))
     settle(m);
   m->piece = piece;
+  m->even = is_even(m->bend, piece);
   m->departure[0] = m->departure[1] = SCALLOP_APART;
   if (piece->jump)
     return jump(m);
@@ -426,6 +460,9 @@ static bool earlier(struct scallop_march *m, const struct scallop_track *f, cons
 
 static bool next_change(struct scallop_march *m, const arb_t end, arb_t when, int *which)
 {
+  *which = -1;
+  if (is_stuck(m) && m->even) /* what holds it is constant */
+    return true;
   struct scallop_track f[2];
   int signs[2] = { 1, 1 };
   for (int i = 0; i < 2; i++) {

@@ -21,6 +21,8 @@ void scallop_forces_of(struct scallop_forces *forces, const struct scallop_ratio
 struct scallop_march {
   const struct scallop_forces *forces;
   const struct scallop_piece *piece;
+  bool even;   /* l'' is constant over the piece and rational: */
+  fmpq_t bend; /* this                                         */
   slong precision;
 
   arb_t now;            /* how far it has come                                                   */

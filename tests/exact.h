@@ -34,7 +34,7 @@ static inline void random_exact_crawler(struct scallop_rational_crawler *c, stru
     fmpq_add_si(c->F1, c->F1, 1);
   int of_forty = 1 + random_below(r, 38);
   fmpq_set_si(c->alpha, of_forty < 20 ? of_forty : of_forty + 1, 40);
-  fmpq_one(c->T);
+  fmpq_set_si(c->T, 1, 1);
   c->gait = gait;
 }
 
@@ -48,7 +48,7 @@ static inline double exact_eps(const struct scallop_rational_crawler *c)
 /* T becomes a power of 2, the largest with eps at most this. */
 static inline void set_small_T(struct scallop_rational_crawler *c, double eps)
 {
-  fmpq_one(c->T);
+  fmpq_set_si(c->T, 1, 1);
   int exponent = (int)floor(0.5 * log2(eps / exact_eps(c)));
   if (exponent < 0)
     fmpq_div_2exp(c->T, c->T, (flint_bitcnt_t)-exponent);
