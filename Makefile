@@ -7,31 +7,33 @@ WARN     = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototyp
 ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off $(WARN) $(CFLAGS)
 B       ?= build
 
-# FLINT: derived series, certified numbers and the ledger. make WITH_FLINT=0 leaves it out: see compare/with_flint.h.
+# FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
+# (compare/with_flint.h). make WITH_FLINT=0 leaves it out.
 WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived bound) \
                $(addprefix numerics/,certified march enclose) \
-               $(addprefix compare/,decimal ledger claims_order claims_words cmd_claims certified_rows series_derived)
-flint_tests := certified claims series series_terms expression derived formulas bounds
+               $(addprefix compare/,decimal ledger claims_order claims_words claims_table certified_rows series_derived)
+flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger)|tests/expansions
+flint_tests := $(patsubst tests/test_%.c,%,$(shell grep -l -E '^.include "($(flint_headers)).h"' tests/test_*.c))
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
 
 rooms    = $(wildcard $(1)/*.c)
 parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r))))
-core    := $(filter-out compare/main compare/without_flint $(flint_parts),$(parts))
 objects  = $(patsubst %,$(B)/%.o,$(1))
+core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts),$(parts)))
+alone   := $(core) $(call objects,compare/hand_over)
+full    := $(core) $(call objects,$(flint_parts))
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 ifeq ($(WITH_FLINT),0)
-  library := $(call objects,$(core) compare/without_flint)
-  tests   := $(filter-out $(flint_tests),$(tests))
-  LINK     = $(LDLIBS)
+  programs := $(B)/scallop
+  tests    := $(filter-out $(flint_tests),$(tests))
 else
-  library := $(call objects,$(core) $(flint_parts))
-  LINK     = $(FLINT) $(LDLIBS)
+  programs := $(B)/scallop $(B)/scallop-flint
 endif
 tests   := $(patsubst %,$(B)/test_%,$(tests))
-link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
+link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^
 
 .PHONY: all help check reproduce bench lint format asan clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
@@ -39,7 +41,8 @@ link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
 ## all:        build the command, build/scallop; WITH_FLINT=0 leaves FLINT out, and what needs it
 all: setup-build
-	@$(MAKE) --no-print-directory $(B)/scallop
+	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint
+	@$(MAKE) --no-print-directory $(programs)
 
 ## help:       this list
 help:
@@ -52,41 +55,37 @@ setup-check:
 setup-plots:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build plots
 
-# Changes when WITH_FLINT does: then what is linked is linked anew.
-chosen := $(B)/with-flint-$(WITH_FLINT)
-$(chosen):
-	@mkdir -p $(B)
-	@rm -f $(B)/with-flint-*
-	@touch $@
-
-$(B)/scallop: $(B)/compare/main.o $(library) $(chosen)
-	@echo "  LD $@"
-	@$(link) $(LINK)
-
-# For the tests: that a build without FLINT works and says what it lacks
-$(B)/scallop-without-flint: $(B)/compare/main.o $(call objects,$(core) compare/without_flint)
+$(B)/scallop: $(B)/compare/main.o $(alone)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
+
+$(B)/scallop-flint: $(B)/compare/main.o $(full)
+	@echo "  LD $@"
+	@$(link) $(FLINT) $(LDLIBS)
 
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	@echo "  CC $<"
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
-$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(library) $(chosen)
+$(patsubst %,$(B)/test_%,$(flint_tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(full)
 	@echo "  LD $@"
-	@$(link) -lcmocka $(LINK)
+	@$(link) -lcmocka $(FLINT) $(LDLIBS)
+
+$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(alone)
+	@echo "  LD $@"
+	@$(link) -lcmocka $(LDLIBS)
 
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
 
 ## check:      build with warnings as errors and run every test, the commands included
 check: setup-check
-	@$(MAKE) --no-print-directory $(B)/scallop $(B)/scallop-without-flint $(tests)
+	@$(MAKE) --no-print-directory $(programs) $(tests)
 	@WITH_FLINT=$(WITH_FLINT) scripts/check.sh $(B) $(tests)
 
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 reproduce: setup-plots
-	@$(MAKE) --no-print-directory $(B)/scallop
+	@$(MAKE) --no-print-directory $(programs)
 	@sh scripts/reproduce.sh $(B)
 
 ## bench:      nanoseconds per period and steady state beside GSL's ODE solvers, as ratios of one run
@@ -94,9 +93,9 @@ bench: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@$(B)/scallop-bench
 
-$(B)/scallop-bench: $(B)/bench/bench.o $(library) $(chosen)
+$(B)/scallop-bench: $(B)/bench/bench.o $(alone)
 	@echo "  LD $@"
-	@$(link) $(LINK)
+	@$(link) $(LDLIBS)
 
 ## asan:       the tests under the address and undefined-behaviour sanitizers
 asan:

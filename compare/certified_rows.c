@@ -8,9 +8,9 @@
 
 enum { DEFAULT_DIGITS = 30 };
 
-bool has_flint(const char *command, const char *what)
+bool has_flint(const struct options *options, const char *what)
 {
-  (void)command, (void)what;
+  (void)options, (void)what;
   return true;
 }
 

@@ -38,7 +38,7 @@ static const char *row(struct table *table, const struct options *point, const c
 
 static enum exit_code run(const struct options *options)
 {
-  if (options->certified && !has_flint("phase", "--certified"))
+  if (options->certified && !has_flint(options, "--certified"))
     return EXIT_UNSOLVED;
   return for_each_point(options, extra, columns, row);
 }

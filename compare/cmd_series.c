@@ -135,8 +135,10 @@ static enum exit_code run(const struct options *options)
     complain("series", "%s", wrong);
     return EXIT_USAGE;
   }
-  if (options->bound || strcmp(options->source, "published") != 0)
-    return series_derived(options);
+  if (options->bound || strcmp(options->source, "published") != 0) {
+    const char *what = options->bound ? "--bound" : "--source derived or limit";
+    return has_flint(options, what) ? series_derived(options) : EXIT_UNSOLVED;
+  }
   if (options->points)
     return run_points(options);
   enum scallop_status status = each_value(options, skip_value, NULL);

@@ -82,7 +82,7 @@ int main(int count, char **arguments)
     return unknown(first);
   struct options options;
   int code;
-  if (options_read(&options, command, count - 2, arguments + 2, &code))
+  if (options_read(&options, command, count, arguments, &code))
     return (int)command->run(&options);
   return code == EXIT_DONE ? flushed() : code;
 }

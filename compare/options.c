@@ -306,16 +306,11 @@ static bool refuse(int *code)
   return false;
 }
 
-static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
+/* The option called name, whose value is text, or the next argument. argument: as it was written. */
+static bool take_option(struct options *o, int count, char **arguments, int *i, int *code, char *name, const char *text)
 {
-  char *argument = arguments[*i];
+  const char *argument = arguments[*i];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
-  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + (two_dashes ? 2 : 0);
-  char *equals = strchr(name, '='), *text = NULL;
-  if (equals && two_dashes) {
-    *equals = '\0';
-    text = equals + 1;
-  }
   const struct description *d = accepted(o->command, name) ? describe(name) : NULL;
   if (!d || (!two_dashes && strcmp(argument, "-o") != 0)) {
     const char *near = nearest(name + strspn(name, "-"), o->command->accepts);
@@ -343,9 +338,24 @@ static bool read_option(struct options *o, int count, char **arguments, int *i, 
   return wrong ? refuse(code) : true;
 }
 
+static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
+{
+  char *argument = arguments[*i];
+  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
+  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + (two_dashes ? 2 : 0);
+  char *equals = two_dashes ? strchr(name, '=') : NULL;
+  if (equals)
+    *equals = '\0';
+  bool taken = take_option(o, count, arguments, i, code, name, equals ? equals + 1 : NULL);
+  if (equals) /* the arguments may be handed on: with_flint.h */
+    *equals = '=';
+  return taken;
+}
+
 bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
 {
   *o = (struct options){ .command = command,
+                         .arguments = arguments,
                          .start = "rest",
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10,
@@ -353,7 +363,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .source = "published",
                          .order = 8,
                          .tolerance = 0.1 };
-  for (int i = 0; i < count; i++) {
+  for (int i = 2; i < count; i++) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
       options_help(stdout, command);
       *code = EXIT_DONE;

@@ -13,6 +13,7 @@ enum format { FORMAT_TSV, FORMAT_JSON };
 
 struct options {
   const struct command *command;
+  char **arguments; /* of the program, all of them, NULL-terminated                     */
   struct scallop_crawler crawler;
   const char *written[7]; /* m1 m2 F1 F2 L T alpha as they were written, NULL where not given  */
   enum scallop_phase_kind phase;
@@ -43,7 +44,7 @@ const char *options_set_parameter(struct options *options, const char *name, con
 extern const char *const crawler_parameters[];
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
 
-/* Reads the arguments after the command's name. True: run it. False: *code is the exit code (help was
+/* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
  * asked for, or the message is on stderr). */
 bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);
 

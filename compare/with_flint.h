@@ -1,12 +1,16 @@
-/* What the commands ask of the parts that need FLINT. A build without it has compare/without_flint.c instead, where
- * each of these says what is missing. */
+/* What the commands ask of the parts that need FLINT.
+ *
+ * `scallop` itself is linked without FLINT, so that a command that needs none does not load it. A command that does is
+ * handed over to `scallop-flint`, the same program linked with it, which stands beside (hand_over.c). A build with
+ * WITH_FLINT=0 has no such program, and these commands say what is missing. */
 #ifndef SCALLOP_WITH_FLINT_H
 #define SCALLOP_WITH_FLINT_H
 
 #include "compare/compare.h"
 
-/* True; or false, and what is missing is on stderr. what: "steady --certified". */
-bool has_flint(const char *command, const char *what);
+/* True: FLINT is here, go on. Where it is not, the other program takes over and this does not return; or, if there is none, false,
+ * with the message on stderr. To be called before anything is read or written. what needs it: "--certified". */
+bool has_flint(const struct options *options, const char *what);
 
 /* The rows of `phase` and `steady` in ball arithmetic, every digit proven. As point_row (points.h). */
 const char *certified_phase_row(struct table *table, const struct options *point, const char *refused);
@@ -14,5 +18,8 @@ const char *certified_steady_row(struct table *table, const struct options *poin
 
 /* series --source derived|limit and series --bound */
 enum exit_code series_derived(const struct options *options);
+
+/* The ledger */
+enum exit_code claims_table(const struct options *options);
 
 #endif

@@ -33,7 +33,7 @@ for program in "$@"; do
 done
 for script in tests/cli_*.sh; do
   case $script in
-    *_without_flint.sh) run "$(basename "$script")" sh "$script" "$build/scallop-without-flint" ;;
+    *_without_flint.sh) run "$(basename "$script")" sh "$script" "$build/scallop" ;;
     *) [ "${WITH_FLINT:-1}" = 0 ] || run "$(basename "$script")" sh "$script" "$build/scallop" ;;
   esac
 done

@@ -1,6 +1,9 @@
 #!/bin/sh
-# A build that leaves FLINT out: everything else works, and what needs FLINT says so.
+# Without FLINT: the command does not load it, and where scallop-flint is not there everything else works, and what needs it
+# says so.
 . "$(dirname "$0")/common.sh"
+cp "$tool" alone
+tool=$scratch/alone
 
 ldd "$tool" >libraries 2>&1
 ! grep -q -E 'flint|libarb|libgmp' libraries || note "linked with $(grep -E 'flint|libarb|libgmp' libraries)"

@@ -1,0 +1,63 @@
+/* In place of the parts that need FLINT: hands the command over to the program that has them. */
+#include <errno.h>
+#include <limits.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "compare/with_flint.h"
+
+/* The program called name in the folder of this one; false if its path is not known. */
+static bool beside(char path[PATH_MAX], const char *name)
+{
+  ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - 1);
+  if (length < 0)
+    return false;
+  path[length] = '\0';
+  char *base = strrchr(path, '/');
+  size_t room = base ? (size_t)(PATH_MAX - (base + 1 - path)) : 0;
+  if (room <= strlen(name))
+    return false;
+  memcpy(base + 1, name, strlen(name) + 1);
+  return true;
+}
+
+bool has_flint(const struct options *options, const char *what)
+{
+  char path[PATH_MAX];
+  const char *why = "unknown folder";
+  if (beside(path, "scallop-flint")) {
+    execv(path, options->arguments);
+    why = strerror(errno);
+  }
+  complain(options->command->name,
+           "%s needs FLINT: it is in the program scallop-flint, which `make` builds beside this one and `make WITH_FLINT=0` "
+           "leaves "
+           "out (%s)",
+           what, why);
+  return false;
+}
+
+/* Not reached: has_flint has said no. */
+const char *certified_phase_row(struct table *table, const struct options *point, const char *refused)
+{
+  (void)table, (void)point;
+  return refused;
+}
+
+const char *certified_steady_row(struct table *table, const struct options *point, const char *refused)
+{
+  (void)table, (void)point;
+  return refused;
+}
+
+enum exit_code series_derived(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code claims_table(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}

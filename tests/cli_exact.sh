@@ -1,0 +1,228 @@
+#!/bin/sh
+# What needs FLINT: derived series, bounds, certified digits, and the ledger against the committed one.
+# shellcheck disable=SC2154
+root=$(cd "$(dirname "$0")/.." && pwd)
+. "$(dirname "$0")/common.sh"
+cp "$root/data/claims.tsv" ledger.tsv
+
+# ---- derived series ----
+run 0 series --source derived --order 9
+cp out derived
+python derived <<'END'
+# By hand for the default crawler: U = (F1-F2)(2a-1) L m*/(a^2 F1 m1 + (1-a)^2 F2 m2) = 3/2 10/2 / (37/16)
+wanted = {("v_start", "-1"): "120/37", ("displacement", "0"): "120/37", ("displacement", "4"): "-711/350464"}
+t = read("derived")
+found = {(r["quantity"], r["power"]): r["coefficient"] for r in t if r["start"] == "steady"}
+for key, value in wanted.items():
+    if found.get(key) != value:
+        bad(key, found.get(key), "for", value)
+rest = {(r["quantity"], r["power"]): r["coefficient"] for r in t if r["phase"] == "extension" and r["start"] == "rest"}
+if rest.get(("dT", "3")) != "3/40" or rest.get(("dxC", "2")) != "3/4":
+    bad("from rest:", rest)
+if {r["status"] for r in t} != {"ok"}:
+    bad({r["status"] for r in t})
+from fractions import Fraction
+for name in ("v_start", "displacement"):
+    s = sum(Fraction(r["coefficient"]) for r in t if r["start"] == "steady" and r["quantity"] == name) # T = 1
+    last = [r for r in t if r["start"] == "steady" and r["quantity"] == name][-1]
+    if abs(float(s) - float(last["sum"])) > 1e-15:
+        bad(name, float(s), last["sum"])
+END
+finish "series --source derived: exact coefficients and their sums"
+
+run 0 series --source derived --order 9 --T 0.01
+python out <<'END'
+import sys
+last = {}
+for r in read("out"):
+    key = (r["phase"], r["start"], r["quantity"])
+    error = abs(float(r["error"]))
+    if key in last and last[key] > 0 and not error < last[key]:
+        bad("a further term does not help:", r)
+    last[key] = error
+END
+finish "series --source derived: every term makes the error smaller at a small T"
+
+run 0 series --source limit --gait sinusoidal --digits 30
+grep -q 'v_start	-1	3.90671748503650533459407563048	' out || note "$(grep v_start out)"
+finish "series --source limit: the sinusoidal gait's, 30 digits"
+run 0 series --source derived --gait sinusoidal --digits 20 --order 6
+cp out short
+run 0 series --source derived --gait sinusoidal --digits 60 --order 6
+python <<'END'
+for a, b in zip(read("short"), read("out")):
+    x, y = a["coefficient"], b["coefficient"]
+    if x.lstrip("-").replace(".", "").strip("0")[:18] != y.lstrip("-").replace(".", "").strip("0")[:18]:
+        bad(x, "and", y)
+    if len(y.lstrip("-").replace(".", "").lstrip("0").split("e")[0]) not in range(1, 61):
+        bad("digits:", y)
+END
+finish "series: 20 digits are the first 20 of 60"
+
+run 0 series --source derived --v0 2.5 --order 4
+[ "$(rows out | cut -f 1,2 | sort -u | tr '\t\n' ' ,')" = "contraction rest,contraction v0,extension rest,extension v0,period steady," ] \
+  || note "$(rows out | cut -f 1,2 | sort -u)"
+finish "series --source derived --v0: phases from that velocity too"
+
+run 0 series --source derived --T 4 --order 3
+grep -q 'not of this motion: its modes are -- -+ 0+ | +- --' out || note "$(tail -n 1 out)"
+finish "series: where a body sticks, the status says that the series is not about that motion"
+
+# ---- bounds ----
+for gait in quadratic sinusoidal; do
+  for T in 2.4 0.3 1e-8; do
+    run 0 series --bound --order 4 --T $T --gait $gait
+    cp out bound
+    run 0 series --source derived --order 4 --T $T --gait $gait
+    python <<'END'
+t, s = read("bound"), read("out")
+for b in t:
+    last = [r for r in s if r["start"] == "steady" and r["quantity"] == b["quantity"]][-1]
+    error, bound = abs(float(last["error"])), float(b["bound"])
+    if not error <= bound:
+        bad(b["quantity"], "error", error, "above its bound", bound)
+    if not error >= 1e-3 * bound:
+        bad(b["quantity"], "error", error, "far below its bound", bound)
+END
+  done
+done
+finish "series --bound: above the error, and not far, from 1e-8 to T0"
+run 0 series --bound --T 2.6
+[ "$(cells out bound | sort -u)" = nan ] || note "$(rows out)"
+finish "series --bound: none beyond T0"
+
+# ---- bad input: a reason, at once, and nothing half-written ----
+printf 'old\n' >kept
+refused_at_once() { # NAME CODE TEXT ARGUMENT...
+  name=$1 wanted=$2 text=$3
+  shift 3
+  timeout 10 "$tool" "$@" -o kept </dev/null >out 2>err
+  code=$?
+  [ $code = "$wanted" ] || note "exit code $code, not $wanted"
+  grep -q -e "$text" err || note "no '$text' in: $(cat err)"
+  [ "$(cat kept)" = old ] || note "the output was touched"
+  [ ! -s out ] || note "something on standard output"
+  [ "$(ls)" = "$(ls | grep -v part)" ] || note "a part is left behind"
+  finish "$name"
+}
+refused_at_once "order 0" 2 "from 1 to 1000" series --source derived --order 0
+refused_at_once "order 10000" 2 "from 1 to 1000" series --source derived --order 10000
+refused_at_once "order 0 of a bound" 2 "from 1 to 1000" series --bound --order 0
+refused_at_once "digits 0" 2 "from 1 to 10000" steady --certified --digits 0
+refused_at_once "10 million digits" 2 "from 1 to 10000" steady --certified --digits 10000000
+refused_at_once "10 million digits of a series" 2 "from 1 to 10000" series --source derived --digits 10000000
+refused_at_once "20 digits of a double" 2 "up to 10000 with --certified" steady --digits 20
+refused_at_once "20 digits of a published value" 2 "with --source" series --digits 20
+refused_at_once "unknown source" 2 "published, derived or limit" series --source guessed
+refused_at_once "order of the published" 2 "needs --source derived" series --order 4
+refused_at_once "order of the limit" 2 "exclude each other" series --source limit --order 4
+refused_at_once "start velocity of the limit" 2 "steady state" series --source limit --v0 1
+refused_at_once "bound of the published" 2 "leave --source out" series --bound --source published
+refused_at_once "points of the derived" 2 "one point at a time" series --source derived --points kept
+refused_at_once "bound where the limit is at rest" 3 "alpha = 1/2" series --bound --alpha 0.5
+refused_at_once "bound of equal forces" 3 "F1 = F2" series --bound --F2 4
+timeout 20 "$tool" series --source derived --order 1000 >out 2>err || note "$(cat err)"
+finish "order 1000 within its time"
+
+# ---- certified digits ----
+for gait in quadratic sinusoidal; do
+  run 0 steady --certified --digits 1000 --T 1e-30 --gait $gait
+  cp out long
+  run 0 steady --certified --digits 30 --T 1e-30 --gait $gait
+  python <<'END'
+a, b = read("long")[0], read("out")[0]
+for name in ("v_start", "v_mid", "displacement", "mean_velocity"):
+    x, y = a[name].replace(".", ""), b[name].replace(".", "")
+    if len(x) < 1000 or x[:28] != y[:28]:
+        bad(name, len(x), x[:40], y)
+if a["v_start"].replace(".", "")[:50] != a["displacement"].replace(".", "")[:50]:
+    bad("v_start T is not the displacement to 50 digits at T = 1e-30")
+END
+done
+finish "steady --certified: 1000 digits at T = 1e-30"
+run 0 steady --certified --T 0.1 --digits 40
+[ "$(cells out froude)" = "400.$(printf '%037d' 0)" ] || note "$(cells out froude)"
+finish "certified: 0.1 is 1/10, not a double"
+run 0 phase --certified --v0 0.1 --digits 25
+run 0 phase --certified --v0 1e-1 --digits 25
+finish "phase --certified"
+run 0 steady --certified --F2 4
+[ "$(cells out v_start displacement)" = "0 0" ] || note "$(rows out)"
+finish "certified: an exact 0 is 0"
+run 0 steady --certified --alpha 0.5 --digits 10
+case $(cells out displacement) in
+  0 | 0e-[1-9]*) ;;
+  *) note "$(cells out displacement)" ;;
+esac
+finish "certified: what cannot be told from 0 shows no digit"
+printf 'T\tF1\n1\t4\n0.5\tx\n1e-30\t3\n' >points.tsv
+run 3 steady --certified --points points.tsv --digits 50
+[ "$(rows out | wc -l)" = 3 ] || note "$(rows out | wc -l) rows"
+[ "$(cells out status | sed -n 3p)" = certified ] || note "$(cells out status)"
+finish "steady --certified --points"
+run 0 steady --certified --format json --digits 40
+python <<'END'
+import decimal
+r = json.loads(open("out").read(), parse_float=decimal.Decimal)
+if len(str(r["v_start"])) < 40 or r["status"] != "certified":
+    bad(r)
+END
+finish "steady --certified --format json: all digits, as numbers"
+run 0 steady --certified --m1 1.00000000000000000000000000001 --digits 40
+cells out m1 | grep -q '1.00000000000000000000000000001' || note "$(cells out m1)"
+one=$(cells out v_start)
+run 0 steady --certified --digits 40
+[ "$one" != "$(cells out v_start)" ] || note "the 30th digit of m1 does not count"
+finish "certified: every digit that is written counts"
+
+# ---- nothing of FLINT where nobody asked ----
+LD_DEBUG=files "$tool" steady >out 2>loaded
+! grep -q -E 'libflint|libgmp' loaded || note "$(grep -m 1 -E 'libflint|libgmp' loaded)"
+LD_DEBUG=files "$tool" steady --certified >out 2>loaded
+grep -q -E 'libflint' loaded || note "the other program is not seen to load FLINT: this test sees nothing"
+finish "steady does not load FLINT, steady --certified does"
+
+# ---- claims --check ----
+run 0 claims --against ledger.tsv --quiet
+[ "$(rows out | wc -l)" = 0 ] || note "$(rows out)"
+finish "claims --against the committed ledger: no difference"
+awk -F '\t' 'BEGIN { OFS = "\t" } !done && $10 == "holds" { $10 = "refuted"; done = 1 } { print }' ledger.tsv >changed.tsv
+run 1 claims --against changed.tsv --gait quadratic
+[ "$(cells out verdict committed)" = "holds refuted" ] || note "$(rows out)"
+grep -q '1 differ' err || note "$(cat err)"
+finish "claims --check: a verdict that differs"
+awk -F '\t' '!done && $1 == "rest_dT" { done = 1; next } { print }' ledger.tsv >fewer.tsv
+run 1 claims --against fewer.tsv --quiet --gait quadratic
+[ "$(cells out committed)" = "-" ] || note "$(rows out)"
+finish "claims --check: a row that is not in the ledger"
+{ cat ledger.tsv; grep -m 1 '^rest_dT' ledger.tsv | sed 's/^rest_dT/gone/'; } >more.tsv
+run 1 claims --against more.tsv --quiet --gait quadratic
+[ "$(cells out claim verdict)" = "gone -" ] || note "$(rows out)"
+finish "claims --check: a row that is no longer there"
+mkdir data
+cp ledger.tsv data/claims.tsv
+run 0 claims --check --quiet --gait quadratic
+finish "claims --check reads data/claims.tsv, and of one gait what is about it"
+refused_at_once "claims --check of no ledger" 2 "no row of a ledger" claims --against points.tsv
+refused_at_once "claims --check of no file" 4 "cannot read" claims --against nowhere.tsv
+refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT
+python <<'END'
+rows = [r for r in read("ledger.tsv")]
+by = {(r["claim"], r["gait"], r["conditions"]): r for r in rows}
+for r in rows:
+    if r["derived_order"] == "-":
+        continue
+    if r["verdict"] == "refuted":
+        right = by.get((r["corrected"], r["gait"], r["conditions"]))
+        if not right or right["verdict"] not in ("holds", "sharper"):
+            bad(r["claim"], r["conditions"], "is refuted, and", r["corrected"], "does not hold")
+    if r["derived_order"] == "none":
+        if r["order"] != "nan":
+            bad("exact, but measured:", r)
+    elif abs(float(r["order"]) - int(r["derived_order"])) > 1e-6:
+        bad("proven", r["derived_order"], "measured", r["order"], r["claim"])
+    if (r["coefficient"] == "-") != (r["derived_order"] == "none"):
+        bad("coefficient", r)
+END
+finish "the ledger: what is measured is what is proven, and every refuted formula names one that holds"
+exit $failed
