@@ -1,18 +1,11 @@
 /* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
-#include "compare/claims.h"
-#include "compare/decimal.h"
+#include "compare/claims_book.h"
 #include "compare/exact.h"
-#include "compare/ledger.h"
 
-/* The order is fitted over the smallest T. */
-enum { FITTED = 12, DIGITS = 12 };
-/* What is left of the next terms there, many times over. */
-static const double AGREEMENT = 1e-6;
 static const double SPEED = 0.37;
 
 static const struct condition extension_from_rest[] = {
@@ -37,54 +30,6 @@ static const struct condition steady[] = { { .text = "alpha > 1/2, F1 > F2", .in
                                            { .text = "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
                                            { .text = "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
                                            { .text = NULL } };
-enum { MOST_CONDITIONS = 5, SETTINGS = 3, MOST_ROWS = 1024 };
-
-const char *claim_verdict_text(enum claim_verdict verdict)
-{
-  static const char *const text[] = { "holds", "sharper", "refuted", "undecided" };
-  return text[verdict];
-}
-
-bool claim_is_listed(const char *list, const char *name)
-{
-  size_t length = strlen(name);
-  if (strcmp(list, "all") == 0)
-    return true;
-  for (const char *at = strstr(list, name); at; at = strstr(at + 1, name))
-    if ((at == list || at[-1] == ',') && (at[length] == ',' || at[length] == '\0'))
-      return true;
-  return false;
-}
-
-/* ---- one gait's ledger ---- */
-
-struct entry {
-  char claim[64];
-  const char *conditions;
-  char corrected[64];
-  bool stands; /* holds or is sharper                                                             */
-};
-
-struct book {
-  const struct scallop_rational_crawler *crawler; /* with the gait                                */
-  const char *only; /* the rows that are wanted, NULL for all                                     */
-  claim_sink *sink;
-  void *context;
-  struct ledger_case cases[SETTINGS][2][MOST_CONDITIONS][2]; /* setting, kind, condition, mirrored */
-  bool opened[SETTINGS][2][MOST_CONDITIONS][2];
-  struct entry *entries;
-  int count;
-  const char *contradiction;
-};
-
-static char contradiction[300]; /* the last one */
-
-static void contradict(struct book *book, const struct claim_row *row, const char *what)
-{
-  snprintf(contradiction, sizeof contradiction, "%s, %s, %s: %s", row->claim, row->gait, row->conditions, what);
-  book->contradiction = contradiction;
-}
-
 static const struct condition *conditions_of(enum scallop_setting setting, int kind)
 {
   return setting == SCALLOP_STEADY          ? steady
@@ -118,117 +63,6 @@ static void close_cases(struct book *book)
         for (int m = 0; m < 2; m++)
           if (book->cases[s][kind][i][m].condition)
             ledger_case_clear(&book->cases[s][kind][i][m]);
-}
-
-/* ---- verdicts ---- */
-
-static void set_coefficient(struct claim_row *row, const struct series *coefficient)
-{
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
-  bool is_rational = series_rational_coefficient(q, coefficient, 0);
-  series_coefficient(x, coefficient, 0, 128);
-  if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
-    arf_get_fmpq(q, arb_midref(x));
-    is_rational = true;
-  }
-  char *text = is_rational ? decimal_fraction(q) : NULL;
-  if (!text || strlen(text) >= sizeof row->coefficient) {
-    flint_free(text);
-    text = decimal_ball(x, DIGITS);
-  }
-  snprintf(row->coefficient, sizeof row->coefficient, "%s", text);
-  flint_free(text);
-  fmpq_clear(q);
-  arb_clear(x);
-}
-
-static void judge(struct claim_row *row, const struct ledger_proof *proof)
-{
-  row->proven = !proof->undecided;
-  row->exact = !proof->undecided && !proof->found;
-  row->derived_order = proof->order;
-  row->verdict = CLAIM_UNDECIDED;
-  if (proof->undecided) {
-    snprintf(row->reason, sizeof row->reason, "the coefficient of T^%ld cannot be told from 0", (long)proof->order);
-    return;
-  }
-  if (row->exact) {
-    row->verdict = CLAIM_SHARPER;
-    snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
-    return;
-  }
-  set_coefficient(row, &proof->coefficient);
-  row->verdict = row->derived_order == row->claimed_order  ? CLAIM_HOLDS
-                 : row->derived_order > row->claimed_order ? CLAIM_SHARPER
-                                                           : CLAIM_REFUTED;
-  if (row->verdict == CLAIM_REFUTED && row->derived_order == 0)
-    snprintf(row->reason, sizeof row->reason, "the error does not fall");
-  else if (row->verdict != CLAIM_HOLDS)
-    snprintf(row->reason, sizeof row->reason, "the error goes as T^%ld", row->derived_order);
-  if (proof->general < proof->order)
-    snprintf(row->reason + strlen(row->reason), sizeof row->reason - strlen(row->reason), "%sof other crawlers as T^%ld",
-             *row->reason ? "; " : "", (long)proof->general);
-}
-
-/* The measured slope is the derived order, or the error is enclosed by 0 throughout. */
-static bool agrees(const struct claim_row *row)
-{
-  if (!row->proven)
-    return true;
-  for (int i = 0; row->exact && i < row->count; i++)
-    if (!(fabs(row->points[i].err) <= row->points[i].noise))
-      return false;
-  return row->exact ? row->count > 0 : fabs(row->slope - (double)row->derived_order) <= AGREEMENT;
-}
-
-static void enter(struct book *book, struct claim_row *row, struct order_point *points)
-{
-  int tail = row->count < FITTED ? row->count : FITTED;
-  for (int i = 0; i < row->count; i++) {
-    points[i].pairwise = i + 1 < row->count
-                             ? log(fabs(points[i].err / points[i + 1].err)) / log(points[i].h / points[i + 1].h)
-                             : NAN;
-    points[i].use = row->exact ? ORDER_ZERO : ORDER_COARSE;
-  }
-  row->fit = order_estimate(points + row->count - tail, tail);
-  row->points = points;
-  if (!agrees(row)) {
-    char what[120];
-    snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
-    contradict(book, row, what);
-  }
-  if (row->verdict != CLAIM_REFUTED)
-    *row->corrected = '\0';
-  if (book->count < MOST_ROWS) {
-    struct entry *e = &book->entries[book->count++];
-    memcpy(e->claim, row->claim, sizeof e->claim);
-    memcpy(e->corrected, row->corrected, sizeof e->corrected);
-    e->conditions = row->conditions;
-    e->stands = row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER;
-    if (row->verdict == CLAIM_REFUTED && !*row->corrected)
-      contradict(book, row, "refuted, and nothing is named that holds");
-  }
-  book->sink(book->context, row);
-}
-
-/* Every formula named as right where another is wrong has its row for the same conditions, and holds. */
-static void check_corrections(struct book *book)
-{
-  for (int i = 0; i < book->count; i++) {
-    const struct entry *wrong = &book->entries[i];
-    bool stands = !*wrong->corrected;
-    for (int j = 0; j < book->count && !stands; j++)
-      stands = book->entries[j].stands && strcmp(book->entries[j].claim, wrong->corrected) == 0
-               && strcmp(book->entries[j].conditions, wrong->conditions) == 0;
-    if (!stands) {
-      snprintf(contradiction, sizeof contradiction, "%s, %s: %s, which is to take its place, has no row that holds",
-               wrong->claim, wrong->conditions, wrong->corrected);
-      book->contradiction = contradiction;
-    }
-  }
 }
 
 /* ---- rows ---- */
@@ -309,11 +143,11 @@ static void add_row(struct book *book, const struct claimed *claimed, int kind, 
     row.verdict = CLAIM_UNDECIDED;
     snprintf(row.reason, sizeof row.reason, "this motion has no expansion in powers of T");
   } else {
-    judge(&row, &proof);
+    claim_judge(&row, &proof);
     row.count = ledger_measure(points, &row.slope, c, claimed->formula, claimed->quantity, claimed->limit);
     name_correction(book, &row, claimed, condition, kind);
   }
-  enter(book, &row, points);
+  book_enter(book, &row, points);
   ledger_proof_clear(&proof);
 }
 
@@ -371,153 +205,6 @@ static void add_limits(struct book *book)
   add_rows(book, &displacement, SCALLOP_EXTENSION, false);
 }
 
-/* ---- (A.11), (A.12): l' and l near the end of an extension, T = L = 1 ---- */
-
-struct end_claim {
-  const char *name, *equation, *quantity;
-  int order;
-  bool velocity;    /* l'(T-h) = -h l''(T); otherwise l(T-h) = [l(T) +] h^2/2 l''(T)             */
-  bool with_length; /* l(T) is there                                                              */
-  const char *corrected;
-};
-static const struct end_claim end_claims[] = {
-  { "A_dl_near_end", "(A.11)", "l'(T-h)", 2, true, true, "" },
-  { "A_l_near_end", "(A.12)", "l(T-h)", 3, false, false, "corrected_l_near_end" },
-  { "corrected_l_near_end", "(A.12)", "l(T-h)", 3, false, true, "" },
-};
-
-/* |l'(T-h)| without its term in h, as a series in h */
-static void speed_before_end(struct series *speed, const struct scallop_piece *last, const fmpq_t pi_squared,
-                             const struct ring *ring)
-{
-  fmpq_t zero;
-  fmpq_poly_t exact;
-  struct series back;
-  fmpq_init(zero);
-  fmpq_poly_init(exact);
-  series_init(&back);
-  if (scallop_rational_speed_series(exact, last, zero, ring->length, pi_squared))
-    series_set_rational_poly(speed, exact, ring->length);
-  else {
-    arb_t u;
-    arb_poly_t balls;
-    arb_init(u);
-    arb_poly_init(balls);
-    scallop_ball_speed_series(balls, last, u, ring->length, ring->precision);
-    series_set_ball_poly(speed, balls, ring->length);
-    arb_clear(u);
-    arb_poly_clear(balls);
-  }
-  series_set_x(&back);
-  series_neg(&back, &back);
-  series_compose(speed, speed, &back, ring);
-  series_set_zero(speed, 1);
-  fmpq_clear(zero);
-  fmpq_poly_clear(exact);
-  series_clear(&back);
-}
-
-/* What the claim leaves out: its first coefficient that does not vanish */
-static void prove_end(struct ledger_proof *proof, const struct end_claim *claim, const struct scallop_piece *last)
-{
-  const struct ring ring = { 40, 256 };
-  struct series left_out, one;
-  arb_t x;
-  fmpq_t q;
-  series_init(&left_out);
-  series_init(&one);
-  arb_init(x);
-  fmpq_init(q);
-  speed_before_end(&left_out, last, NULL, &ring);
-  if (!claim->velocity) {
-    series_integral(&left_out, &left_out, &ring);
-    series_set_si(&one, claim->with_length ? 0 : 1);
-    series_sub(&left_out, &one, &left_out, &ring);
-  }
-  while (proof->order < ring.length && series_coefficient_is_zero(&left_out, proof->order))
-    proof->order++;
-  proof->known = ring.length;
-  proof->general = proof->order;
-  proof->found = proof->order < ring.length;
-  if (series_rational_coefficient(q, &left_out, proof->order))
-    series_set_rational(&proof->coefficient, q);
-  else {
-    series_coefficient(x, &left_out, proof->order, ring.precision);
-    proof->undecided = arb_contains_zero(x);
-    series_set_ball(&proof->coefficient, x);
-  }
-  series_clear(&left_out);
-  series_clear(&one);
-  arb_clear(x);
-  fmpq_clear(q);
-}
-
-/* The same, measured at h = 4^-k */
-static void measure_end(struct claim_row *row, struct order_point points[LEDGER_SAMPLES], const struct end_claim *claim,
-                        const struct scallop_piece *last)
-{
-  enum { PRECISION = 1400 };
-  arb_t h, zero, error, rate;
-  arb_init(h);
-  arb_init(zero);
-  arb_init(error);
-  arb_init(rate);
-  scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
-  for (int k = 1; k < LEDGER_SAMPLES; k++) {
-    arb_one(h);
-    arb_mul_2exp_si(h, h, -2 * k);
-    if (claim->velocity) {
-      scallop_ball_speed(error, last, h, PRECISION);
-      arb_addmul(error, h, rate, PRECISION);
-    } else {
-      scallop_ball_way(error, last, h, zero, PRECISION);
-      arb_neg(error, error);
-      arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
-      arb_mul(zero, h, h, PRECISION);
-      arb_mul_2exp_si(zero, zero, -1);
-      arb_submul(error, zero, rate, PRECISION);
-      arb_zero(zero);
-    }
-    points[row->count++] = (struct order_point){ .h = ldexp(1, -2 * k),
-                                                 .err = arf_get_d(arb_midref(error), ARF_RND_NEAR),
-                                                 .noise = mag_get_d(arb_radref(error)) };
-  }
-  const struct order_point *finest = &points[row->count - 1];
-  row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
-  arb_clear(h);
-  arb_clear(zero);
-  arb_clear(error);
-  arb_clear(rate);
-}
-
-static void add_end_claims(struct book *book)
-{
-  const struct scallop_shape *shape = &book->crawler->gait->phase[SCALLOP_EXTENSION];
-  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
-  for (size_t i = 0; i < sizeof end_claims / sizeof *end_claims; i++) {
-    const struct end_claim *claim = &end_claims[i];
-    if (book->only && !claim_is_listed(book->only, claim->name))
-      continue;
-    struct order_point points[LEDGER_SAMPLES];
-    struct ledger_proof proof;
-    struct claim_row row = { .equation = claim->equation,
-                             .quantity = claim->quantity,
-                             .gait = book->crawler->gait->name,
-                             .conditions = "h -> 0 at T = 1",
-                             .inside = true,
-                             .ours = strncmp(claim->name, "corrected", 9) == 0,
-                             .claimed_order = claim->order };
-    snprintf(row.claim, sizeof row.claim, "%s", claim->name);
-    snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);
-    ledger_proof_init(&proof);
-    prove_end(&proof, claim, last);
-    judge(&row, &proof);
-    measure_end(&row, points, claim, last);
-    enter(book, &row, points);
-    ledger_proof_clear(&proof);
-  }
-}
-
 /* ---- all of it ---- */
 
 static bool lists_formula(const char *list, const struct scallop_formula *formulas)
@@ -539,16 +226,14 @@ bool claims_have_order(const char *list)
   bool found = lists_formula(list, scallop_published) || lists_formula(list, scallop_corrected);
   for (size_t i = 0; i < sizeof others / sizeof *others; i++)
     found |= claim_is_listed(list, others[i]);
-  for (size_t i = 0; i < sizeof end_claims / sizeof *end_claims; i++)
-    found |= claim_is_listed(list, end_claims[i].name);
-  return found;
+  return found || claims_of_ends_listed(list);
 }
 
 static void fill(struct book *book)
 {
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     add_formula(book, f, false);
-  add_end_claims(book);
+  book_add_ends(book);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     add_corrected(book, f);
   add_limits(book);
@@ -572,7 +257,7 @@ const char *claims_of_order(const struct scallop_rational_crawler *crawler, cons
     struct book book = { .crawler = &c, .only = only, .sink = sink, .context = context, .entries = entries };
     fill(&book);
     if (!only)
-      check_corrections(&book);
+      book_check_corrections(&book);
     close_cases(&book);
     wrong = book.contradiction ? book.contradiction : wrong;
   }

@@ -60,7 +60,8 @@ struct scallop_phase_result {
 };
 
 /* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
- * Relative accuracy: a few ulp of each result, times its condition number.
+ * Relative accuracy: a few ulp of each result, times its condition number; of dx1 and dx2, whose parts cancel where a body hardly
+ * moves, a few ulp of L.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);

@@ -1,0 +1,260 @@
+#include "asymptotics/holds.h"
+
+#include <stddef.h>
+
+struct segment { /* c = a + b s in one region of one phase                                    */
+  const struct phase_constants *p;
+  int region;
+  arb_t a, b;
+  slong precision;
+};
+
+/* How far c is inside the region from curve j at offset u, and the derivative of that by u */
+static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u)
+{
+  slong precision = g->precision;
+  bool forward = piece->anchor == SCALLOP_FROM_START;
+  arb_t term;
+  arb_init(term);
+  if (forward)
+    arb_set(term, u);
+  else
+    arb_sub_si(term, u, 1, precision), arb_neg(term, term);
+  arb_mul(gap, g->b, term, precision);
+  arb_add(gap, gap, g->a, precision);
+  scallop_ball_speed(term, piece, u, precision);
+  arb_mul_fmpz(term, term, fmpq_numref(g->p->curve[j]), precision);
+  arb_div_fmpz(term, term, fmpq_denref(g->p->curve[j]), precision);
+  arb_sub(gap, gap, term, precision);
+  scallop_ball_rate(slope, piece, u, precision);
+  arb_mul_fmpz(slope, slope, fmpq_numref(g->p->curve[j]), precision);
+  arb_div_fmpz(slope, slope, fmpq_denref(g->p->curve[j]), precision);
+  arb_sub(slope, g->b, slope, precision);
+  if (!forward)
+    arb_neg(slope, slope);
+  if (g->region > j) { /* below it */
+    arb_neg(gap, gap);
+    arb_neg(slope, slope);
+  }
+  arb_clear(term);
+}
+
+/* c keeps off curve j between offsets lo and hi; it touches it, transversally, within the end whose flag is set. */
+static bool keeps_off(const struct segment *g, const struct scallop_piece *piece, int j, const arf_t lo, const arf_t hi,
+                      bool touches_lo, bool touches_hi, int depth)
+{
+  arb_t u, gap, slope;
+  arf_t middle;
+  arb_init(u);
+  arb_init(gap);
+  arb_init(slope);
+  arf_init(middle);
+  arb_set_interval_arf(u, lo, hi, g->precision);
+  room(gap, slope, g, piece, j, u);
+  bool off = arb_is_positive(gap) || (touches_lo && !touches_hi && arb_is_positive(slope))
+             || (touches_hi && !touches_lo && arb_is_negative(slope));
+  if (!off && depth > 0) {
+    arf_add(middle, lo, hi, ARF_PREC_EXACT, ARF_RND_DOWN);
+    arf_mul_2exp_si(middle, middle, -1);
+    off = keeps_off(g, piece, j, lo, middle, touches_lo, false, depth - 1)
+          && keeps_off(g, piece, j, middle, hi, false, touches_hi, depth - 1);
+  }
+  arb_clear(u);
+  arb_clear(gap);
+  arb_clear(slope);
+  arf_clear(middle);
+  return off;
+}
+
+/* One end of a segment: a crossing, or an end of the phase (curve -1) */
+struct edge {
+  int curve;
+  int piece;    /* its index                                                                    */
+  arb_t offset; /* in that piece                                                                */
+};
+
+static void edge_at_end(struct edge *e, int piece, double offset)
+{
+  e->curve = -1;
+  e->piece = piece;
+  arb_set_d(e->offset, offset);
+}
+
+/* Where a crossing is by now: a crossing may have moved on into the next piece, or back, if l' has no corner there. */
+static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct phase_constants *p, slong precision)
+{
+  const struct scallop_shape *shape = p->shape;
+  e->curve = at->curve;
+  e->piece = (int)(at->piece - shape->pieces);
+  series_coefficient(e->offset, &at->offset, 0, precision);
+  for (int moved = 1; moved != 0;) {
+    const struct scallop_piece *piece = &shape->pieces[e->piece];
+    double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = piece->anchor == SCALLOP_FROM_START ? 1 : -1;
+    bool goes_on = false, turns = false;
+    moved = sense * (u - piece->end) > 0 ? 1 : sense * (piece->begin - u) > 0 ? -1 : 0;
+    if (moved > 0 && e->piece + 1 < shape->count)
+      goes_on = scallop_piece_goes_on(piece, piece + 1, &turns);
+    else if (moved < 0 && e->piece > 0)
+      goes_on = scallop_piece_goes_on(piece - 1, piece, &turns);
+    if (!goes_on)
+      return;
+    e->piece += moved;
+    if (turns)
+      arb_sub_si(e->offset, e->offset, 1, precision), arb_neg(e->offset, e->offset);
+  }
+}
+
+/* The segment between two edges keeps off the curves of its region. */
+static bool segment_is_clear(const struct segment *g, const struct edge *from, const struct edge *to)
+{
+  enum { DEPTH = 30 };
+  bool clear = true;
+  arf_t early, late;
+  arf_init(early);
+  arf_init(late);
+  for (int i = from->piece; clear && i <= to->piece; i++) {
+    const struct scallop_piece *piece = &g->p->shape->pieces[i];
+    bool forward = piece->anchor == SCALLOP_FROM_START;
+    arf_set_d(early, piece->begin);
+    arf_set_d(late, piece->end);
+    if (i == from->piece)
+      (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, from->offset, g->precision);
+    if (i == to->piece)
+      (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, to->offset, g->precision);
+    for (int j = g->region == 2 ? 1 : 0; clear && j <= (g->region == 0 ? 0 : 1); j++) {
+      bool at_early = i == from->piece && from->curve == j, at_late = i == to->piece && to->curve == j;
+      clear = keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,
+                        forward ? at_late : at_early, DEPTH);
+    }
+  }
+  arf_clear(early);
+  arf_clear(late);
+  return clear;
+}
+
+static const char *const sticks[2][2] = {
+  { "body 1 comes to rest in the extension", "body 2 comes to rest in the extension" },
+  { "body 2 comes to rest in the contraction", "body 1 comes to rest in the contraction" }
+};
+static const char *const grazes[2] = { "a body begins or ceases to turn in the extension",
+                                       "a body begins or ceases to turn in the contraction" };
+static const char *const starts[2] = { "the velocity at the start of the extension reaches 0",
+                                       "the velocity at the start of the contraction reaches 0" };
+static const char *const leaves[2] = { "a switching time of the extension reaches a corner of l'",
+                                       "a switching time of the contraction reaches a corner of l'" };
+
+/* The curve is crossed, not followed: its slope lies beyond those of c on both of its sides. And it happens in its piece. */
+static const char *crossing_holds(const struct edge *at, const struct phase_constants *p, int from, int into,
+                                  const arb_t eps, slong precision)
+{
+  const struct scallop_piece *piece = &p->shape->pieces[at->piece];
+  const char *why = NULL;
+  arb_t along, limit;
+  arb_init(along);
+  arb_init(limit);
+  scallop_ball_rate(along, piece, at->offset, precision);
+  arb_mul_fmpz(along, along, fmpq_numref(p->curve[at->curve]), precision);
+  arb_div_fmpz(along, along, fmpq_denref(p->curve[at->curve]), precision);
+  arb_set_fmpq(limit, p->beta[into], precision);
+  arb_mul(limit, limit, eps, precision);
+  arb_sub(along, along, limit, precision);
+  if (!(from < into ? arb_is_positive(along) : arb_is_negative(along)))
+    why = sticks[p->kind][at->curve];
+  bool forward = piece->anchor == SCALLOP_FROM_START, goes_on = false, turned;
+  if (at->piece + 1 < p->shape->count)
+    goes_on = scallop_piece_goes_on(piece, piece + 1, &turned);
+  arb_set_d(limit, piece->end);
+  arb_sub(limit, limit, at->offset, precision);
+  if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
+    why = at->piece + 1 < p->shape->count ? leaves[p->kind] : starts[1 - p->kind]; /* where the other phase starts */
+  goes_on = at->piece > 0 && scallop_piece_goes_on(piece - 1, piece, &turned);
+  arb_set_d(limit, piece->begin);
+  arb_sub(limit, at->offset, limit, precision);
+  if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
+    why = at->piece > 0 ? leaves[p->kind] : starts[p->kind];
+  arb_clear(along);
+  arb_clear(limit);
+  return why;
+}
+
+/* The line after a crossing meets the one before it there. */
+static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
+{
+  slong precision = g->precision;
+  arb_t s, b;
+  arb_init(s);
+  arb_init(b);
+  series_coefficient(s, &at->offset, 0, precision);
+  if (at->piece->anchor == SCALLOP_FROM_END)
+    arb_sub_si(s, s, 1, precision), arb_neg(s, s);
+  arb_set_fmpq(b, g->p->beta[at->to], precision);
+  arb_mul(b, b, eps, precision);
+  arb_sub(g->b, g->b, b, precision);
+  arb_addmul(g->a, g->b, s, precision);
+  arb_set(g->b, b);
+  g->region = at->to;
+  arb_clear(s);
+  arb_clear(b);
+}
+
+/* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start; becomes that at its end. */
+static const char *phase_holds(const struct branch *b, const struct phase_constants *p, const arb_t eps, arb_t c,
+                               slong precision)
+{
+  const struct scallop_shape *shape = p->shape;
+  struct segment g = { .p = p, .region = b->first_region, .precision = precision };
+  struct edge from, to;
+  const char *why = NULL;
+  arb_init(g.a);
+  arb_init(g.b);
+  arb_init(from.offset);
+  arb_init(to.offset);
+  arb_set(g.a, c);
+  arb_set_fmpq(g.b, p->beta[g.region], precision);
+  arb_mul(g.b, g.b, eps, precision);
+  if (g.region != 1 && !(g.region == 0 ? arb_is_positive(c) : arb_is_negative(c)))
+    why = starts[p->kind];
+  edge_at_end(&from, 0, shape->pieces[0].begin);
+  for (int i = 0; !why && i < b->count; i++) {
+    const struct crossing *at = &b->crossing[i];
+    edge_at_crossing(&to, at, p, precision);
+    why = crossing_holds(&to, p, g.region, at->to, eps, precision);
+    if (!why && !segment_is_clear(&g, &from, &to))
+      why = grazes[p->kind];
+    bend(&g, at, eps);
+    from.curve = to.curve;
+    from.piece = to.piece;
+    arb_set(from.offset, to.offset);
+  }
+  edge_at_end(&to, shape->count - 1, shape->pieces[shape->count - 1].end);
+  if (!why && !segment_is_clear(&g, &from, &to))
+    why = grazes[p->kind];
+  arb_add(c, g.a, g.b, precision);
+  arb_clear(g.a);
+  arb_clear(g.b);
+  arb_clear(from.offset);
+  arb_clear(to.offset);
+  return why;
+}
+
+const char *limit_holds(const struct limit *l, const arb_t w, const arb_t eps, slong precision)
+{
+  const char *why = NULL;
+  arb_t c, here, fraction;
+  arb_init(c);
+  arb_init(here);
+  arb_init(fraction);
+  arb_set(c, w);
+  for (int k = 0; !why && k < 2; k++) {
+    arb_set_fmpq(fraction, l->phase[k].fraction, precision);
+    arb_mul(here, eps, fraction, precision);
+    arb_mul(here, here, fraction, precision);
+    arb_mul(c, c, fraction, precision);
+    why = phase_holds(&l->branch[k], &l->phase[k], here, c, precision);
+    arb_div(c, c, fraction, precision);
+  }
+  arb_clear(c);
+  arb_clear(here);
+  arb_clear(fraction);
+  return why;
+}
