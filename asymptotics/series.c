@@ -348,15 +348,12 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
 
 bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power)
 {
-  if (power < s->first)
+  bool zero = series_coefficient_is_zero(s, power);
+  if (zero)
     fmpq_zero(value);
   else if (s->exact)
     fmpq_poly_get_coeff_fmpq(value, s->rational, power - s->first);
-  else if (series_coefficient_is_zero(s, power))
-    fmpq_zero(value);
-  else
-    return false;
-  return true;
+  return zero || s->exact;
 }
 
 bool series_coefficient_is_zero(const struct series *s, slong power)

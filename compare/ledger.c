@@ -181,7 +181,7 @@ static struct ledger_sample *take_samples(const struct ledger_case *c, const fmp
   for (int k = 0; samples && k < LEDGER_SAMPLES; k++) {
     struct ledger_sample *s = &samples[k];
     fmpq_init(s->T);
-    fmpq_div_2exp(s->T, T0, (mp_bitcnt_t)(2 * k));
+    fmpq_div_2exp(s->T, T0, 2 * (mp_bitcnt_t)k);
     s->digits = digits_at(k);
     scallop_certified_phase_init(&s->phase);
     scallop_certified_steady_init(&s->steady);

@@ -218,7 +218,7 @@ static void write_term(struct report *r, const struct motion *m, const struct qu
 static void write_terms(struct report *r, const struct motion *m, const struct quantity *q, long order, bool solved)
 {
   slong accuracy = solved ? arb_rel_accuracy_bits(q->exact) : 0, precision = (slong)(3.33 * (double)r->digits) + 128;
-  if (accuracy + 64 > precision && accuracy < WORD_MAX / 4)
+  if (accuracy < WORD_MAX / 4 && accuracy + 64 > precision)
     precision = accuracy + 64;
   slong first = q->series->first < 0 ? q->series->first : 0;
   bool any = false;

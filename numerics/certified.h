@@ -4,7 +4,7 @@
  * velocities of the bodies themselves, forces from Newton's law, P(v) = v solved as it stands; digits that
  * this loses are put back by working with more. Each switching time is enclosed and shown to be the only one
  * in its interval, each mode follows from the forces, and precision is raised until the digits asked for hold.
- * What cannot be decided at any precision, a body that touches v = 0 exactly, a force exactly at its limit,
+ * What cannot be decided at any precision, a body that touches v = 0 exactly, a force exactly at its limit where l'' varies,
  * is said. Needs FLINT. Parameters are exact rationals: nothing is rounded on the way in.
  */
 #ifndef SCALLOP_CERTIFIED_H
@@ -46,7 +46,7 @@ struct scallop_certified_steady {
 void scallop_certified_steady_init(struct scallop_certified_steady *steady);
 void scallop_certified_steady_clear(struct scallop_certified_steady *steady);
 
-/* The steady state, proven to exist and to be the only one: P(v) - v falls strictly (docs/theory.md) and changes its sign
+/* The steady state, proven to exist and to be the only one: P(v) - v never rises, is 0 only once (docs/theory.md) and changes its sign
  * across the ball v_start, over all of which the modes are the same. For gaits whose l' is continuous and 0 at the ends of
  * its phases: others are SCALLOP_EDOMAIN. Accuracy and statuses as above. */
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,

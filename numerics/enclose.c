@@ -106,7 +106,8 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
   bool right = true, going = true;
   slong bits = FLINT_MIN(FEW, precision);
   while (right && (going || bits < precision)) {
-    bits = going ? FLINT_MIN(precision, FLINT_MAX(bits, 2 * arb_rel_accuracy_bits(zero) + FEW)) : precision;
+    slong known = FLINT_MIN(FLINT_MAX(arb_rel_accuracy_bits(zero), 0), precision);
+    bits = going ? FLINT_MIN(FLINT_MAX(bits, 2 * known + FEW), precision) : precision;
     mag_mul_ui(enough, arb_radref(zero), 3);
     mag_mul_2exp_si(enough, enough, -2);
     arb_get_mid_arb(middle, zero);

@@ -180,7 +180,7 @@ static void phases_of_ordinary_crawlers(void **state)
   struct random r = { 20260821 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
-  for (int i = 0; i < 15 * WITH_SERIES_OF_PHASES; i++) {
+  for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
     random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     if (i % 10 == 9)
       fmpq_set(c.F2, c.F1);
@@ -316,7 +316,7 @@ static void steady_states_of_ordinary_crawlers(void **state)
   struct random r = { 20260824 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
-  for (int i = 0; i < 25 * GAITS; i++) {
+  for (int i = 0; i < 16 * GAITS; i++) {
     random_exact_crawler(&c, &r, gaits[i % GAITS]);
     set_small_T(&c, ordinary.eps);
     assert_true(steady_is_right(&c, &ordinary));
@@ -331,7 +331,7 @@ static void steady_states_of_wild_crawlers(void **state)
   struct random r = { 20260825 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
-  for (int i = 0; i < 2 * WILD * WITH_SERIES_OF_PHASES; i++) {
+  for (int i = 0; i < WILD * WITH_SERIES_OF_PHASES; i++) {
     wild_crawler(&c, &r, i / WITH_SERIES_OF_PHASES, gaits[i % WITH_SERIES_OF_PHASES]);
     assert_true(steady_is_right(&c, &wild));
   }
@@ -347,7 +347,7 @@ static void steady_states_that_go_nowhere(void **state)
   struct random r = { 20260826 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
-  for (int i = 0; i < 12 * WITH_SERIES_OF_PHASES; i++) {
+  for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
     random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     if (i % 4 != 3)
       fmpq_set_si(c.alpha, 1, 2);

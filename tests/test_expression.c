@@ -2,7 +2,6 @@
 #include "tests/check.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "asymptotics/expression.h"
 #include "tests/random_series.h"
@@ -200,36 +199,34 @@ static void refusals_change_nothing(void **state)
 }
 
 /* Random formulas, spelled and evaluated side by side */
-static void random_formula(char *text, size_t size, fmpq_t value, struct random *r, int depth)
+enum { TEXT = 4096 };
+
+static void random_formula(char text[TEXT], fmpq_t value, struct random *r, int depth)
 {
   static const char signs[] = "+-*/";
   int sign = random_below(r, 4);
   if (depth == 0) {
     int number = 1 + random_below(r, 9);
     fmpq_set_si(value, number, 1);
-    snprintf(text, size, "%d", number);
+    snprintf(text, TEXT, "%d", number);
     return;
   }
-  char *left = malloc(size), *right = malloc(size);
+  char left[TEXT], right[TEXT];
   fmpq_t other;
   fmpq_init(other);
-  assert_true(left && right);
-  random_formula(left, size, value, r, depth - 1);
-  random_formula(right, size, other, r, random_below(r, depth));
+  random_formula(left, value, r, depth - 1);
+  random_formula(right, other, r, random_below(r, depth));
   if (sign == 3 && fmpq_is_zero(other))
     sign = 2;
-  assert_true(strlen(left) + strlen(right) + 8 < size);
-  snprintf(text, size, sign < 2 ? "(%s)%c(%s)" : "((%s)%c(%s))", left, signs[sign], right);
+  assert_true(strlen(left) + strlen(right) + 8 < TEXT);
+  snprintf(text, TEXT, sign < 2 ? "(%s)%c(%s)" : "((%s)%c(%s))", left, signs[sign], right);
   (sign == 0 ? fmpq_add : sign == 1 ? fmpq_sub : sign == 2 ? fmpq_mul : fmpq_div)(value, value, other);
   fmpq_clear(other);
-  free(left);
-  free(right);
 }
 
 static void random_formulas(void **state)
 {
   (void)state;
-  enum { TEXT = 4096 };
   struct random r = { 20260813 };
   static char text[TEXT];
   struct series value;
@@ -238,7 +235,7 @@ static void random_formulas(void **state)
   fmpq_init(wanted);
   fmpq_init(got);
   for (int i = 0; i < 300; i++) {
-    random_formula(text, sizeof text, wanted, &r, 1 + random_below(&r, 5));
+    random_formula(text, wanted, &r, 1 + random_below(&r, 5));
     assert_true(evaluate(&value, text) && series_rational_coefficient(got, &value, 0));
     if (!fmpq_equal(got, wanted)) {
       print_error("%s\n", text);

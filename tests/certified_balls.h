@@ -1,0 +1,41 @@
+/* What the tests of the certified solver share: balls seen from the outside, and modes. Header-only; needs FLINT. */
+#ifndef CERTIFIED_BALLS_H
+#define CERTIFIED_BALLS_H
+
+#include "numerics/certified.h"
+#include "tests/check.h"
+
+static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
+
+/* At least how far apart, seen from the outside: |x - y| with the radii of both. */
+static inline double apart(const arb_t x, const arb_t y)
+{
+  arb_t d;
+  arf_t most;
+  arb_init(d);
+  arf_init(most);
+  arb_sub(d, x, y, 400);
+  arb_get_abs_ubound_arf(most, d, 53);
+  double far = arf_get_d(most, ARF_RND_UP);
+  arb_clear(d);
+  arf_clear(most);
+  return far;
+}
+
+static inline void check_overlap(const arb_t x, const arb_t y, const char *what)
+{
+  if (!arb_overlaps(x, y)) {
+    print_error("%s: %.17g and %.17g do not overlap\n", what, nearest(x), nearest(y));
+    fail();
+  }
+}
+
+static inline bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
+{
+  char one[SCALLOP_MODES_TEXT], other[SCALLOP_MODES_TEXT];
+  scallop_modes_text(a, one);
+  scallop_modes_text(b, other);
+  return strcmp(one, other) == 0;
+}
+
+#endif

@@ -1,0 +1,286 @@
+/* The proven error bounds of the steady state's series, held against certified values; and that the modes change where it is said. */
+#include "tests/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "asymptotics/derived.h"
+#include "numerics/certified.h"
+#include "tests/exact.h"
+
+enum { PRECISION = 128, MOST_ORDER = 9, DIGITS = 60, CRAWLERS = 108, QUANTITIES = 2 };
+
+/* T as parts of T0: to the very end, and down to where the first term left out is nearly all of the error */
+static const double parts[] = { 1, 0.999, 0.7, 0.1, 1e-4 };
+enum { PARTS = sizeof parts / sizeof *parts };
+
+static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
+enum { GAITS = 3 };
+
+/* ---- |exact - terms below T^order| <= C T^power ---- */
+
+struct ratios { /* of the bound to the error                                                 */
+  double all[CRAWLERS];
+  int count;
+};
+
+static int ascending(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static void print_ratios(struct ratios *r, const char *what)
+{
+  qsort(r->all, (size_t)r->count, sizeof *r->all, ascending);
+  print_message("%s: %d bounds, of the error: least %.4g, median %.3g, nine of ten below %.3g, most %.3g\n", what, r->count,
+                r->all[0], r->all[r->count / 2], r->all[9 * r->count / 10], r->all[r->count - 1]);
+}
+
+/* T = part T0, rounded down to a fraction */
+static void set_T(struct scallop_rational_crawler *c, const arb_t T0, double part)
+{
+  arb_t T;
+  arf_t low;
+  arb_init(T);
+  arf_init(low);
+  arb_set_d(T, part);
+  arb_mul(T, T, T0, PRECISION);
+  arb_get_lbound_arf(low, part == 1 ? T0 : T, PRECISION);
+  arf_get_fmpq(c->T, low);
+  arf_clear(low);
+  arb_clear(T);
+}
+
+struct subject {
+  struct scallop_rational_crawler crawler;
+  struct scallop_steady_expansion expansion;
+  slong order;
+  struct scallop_bound bounds[QUANTITIES];
+};
+
+/* The bound over the error. Below 1 for certain, and it is no bound. */
+static double ratio(const struct subject *s, const arb_t exact, int quantity)
+{
+  const struct scallop_bound *b = &s->bounds[quantity];
+  const struct series *series = quantity == 0 ? &s->expansion.v_start : &s->expansion.displacement;
+  arb_t T, error, bound;
+  arb_init(T);
+  arb_init(error);
+  arb_init(bound);
+  arb_set_fmpq(T, s->crawler.T, 4 * PRECISION);
+  series_value(error, series, T, s->order, 4 * PRECISION);
+  arb_sub(error, exact, error, 4 * PRECISION);
+  arb_abs(error, error);
+  arb_pow_ui(bound, T, (ulong)b->power, PRECISION);
+  arb_mul(bound, bound, b->C, PRECISION);
+  bool holds = !arb_gt(error, bound);
+  arb_div(bound, bound, error, PRECISION);
+  double times = arb_is_finite(bound) ? nearest(bound) : INFINITY;
+  arb_clear(T);
+  arb_clear(error);
+  arb_clear(bound);
+  return holds ? times : -times;
+}
+
+static void check_at(struct subject *s, double part, struct ratios *small)
+{
+  struct scallop_certified_steady c;
+  scallop_certified_steady_init(&c);
+  set_T(&s->crawler, s->bounds[0].T0, part);
+  assert_int_equal(scallop_certified_steady(&s->crawler, DIGITS, &c, NULL), SCALLOP_OK);
+  for (int q = 0; q < QUANTITIES; q++) {
+    double times = ratio(s, q == 0 ? c.v_start : c.displacement, q);
+    if (times < 0) {
+      print_exact_crawler(&s->crawler);
+      print_error("order %ld, quantity %d: the bound is %.17g of the error at %g T0\n", (long)s->order, q, -times, part);
+      fail();
+    }
+    if (part < 1e-3 && isfinite(times)) /* some series end, and nothing is left to bound */
+      small[q].all[small[q].count++] = times;
+  }
+  scallop_certified_steady_clear(&c);
+}
+
+static void modes_at(const struct subject *s, double part, char *text, size_t size)
+{
+  struct scallop_rational_crawler c;
+  struct scallop_certified_steady there;
+  char modes[2][SCALLOP_MODES_TEXT];
+  scallop_rational_init(&c);
+  scallop_certified_steady_init(&there);
+  scallop_rational_copy(&c, &s->crawler);
+  set_T(&c, s->bounds[0].T_end, part);
+  assert_int_equal(scallop_certified_steady(&c, 20, &there, NULL), SCALLOP_OK);
+  scallop_modes_text(&there.modes[0], modes[0]);
+  scallop_modes_text(&there.modes[1], modes[1]);
+  snprintf(text, size, "%s | %s", modes[0], modes[1]);
+  scallop_certified_steady_clear(&there);
+  scallop_rational_clear(&c);
+}
+
+/* False: they are refused. */
+static bool find_bounds(struct subject *s, const char **why)
+{
+  struct scallop_bound *b = s->bounds;
+  if (scallop_steady_bounds(&s->crawler, s->order, PRECISION, b, why) != SCALLOP_OK)
+    return false;
+  assert_int_equal(scallop_expand_steady(&s->crawler, MOST_ORDER + 1, 4 * PRECISION, &s->expansion, NULL), SCALLOP_OK);
+  for (int q = 0; q < QUANTITIES; q++) {
+    assert_true(b[q].power >= s->order);
+    assert_true(arb_is_positive(b[q].T0) && arb_lt(b[q].T0, b[q].T_end));
+    assert_non_null(b[q].ends);
+  }
+  return true;
+}
+
+/* Every order for every gait. A few trapezoids have no series. */
+static void draw(struct subject *s, struct random *r, int i)
+{
+  const char *why;
+  s->order = 1 + i / GAITS % MOST_ORDER;
+  do
+    random_exact_crawler(&s->crawler, r, gaits[i % GAITS]);
+  while (!find_bounds(s, &why) && s->crawler.gait == &trapezoid_gait);
+}
+
+static void subject_init(struct subject *s)
+{
+  scallop_rational_init(&s->crawler);
+  scallop_steady_expansion_init(&s->expansion);
+  scallop_bound_init(&s->bounds[0]);
+  scallop_bound_init(&s->bounds[1]);
+}
+static void subject_clear(struct subject *s)
+{
+  scallop_rational_clear(&s->crawler);
+  scallop_steady_expansion_clear(&s->expansion);
+  scallop_bound_clear(&s->bounds[0]);
+  scallop_bound_clear(&s->bounds[1]);
+}
+
+/* What both tests look at: crawlers with their bounds, found once */
+static struct subject subjects[CRAWLERS];
+
+static int find_all(void **state)
+{
+  (void)state;
+  struct random r = { 20260841 };
+  for (int i = 0; i < CRAWLERS; i++) {
+    subject_init(&subjects[i]);
+    draw(&subjects[i], &r, i);
+  }
+  return 0;
+}
+
+static int forget_all(void **state)
+{
+  (void)state;
+  for (int i = 0; i < CRAWLERS; i++)
+    subject_clear(&subjects[i]);
+  return 0;
+}
+
+static void bounds_hold(void **state)
+{
+  (void)state;
+  static struct ratios small[QUANTITIES];
+  for (int i = 0; i < CRAWLERS; i++)
+    for (int k = 0; k < PARTS; k++)
+      check_at(&subjects[i], parts[k], small);
+  for (int q = 0; q < QUANTITIES; q++) {
+    assert_true(small[q].count > CRAWLERS / 2);
+    print_ratios(&small[q], q == 0 ? "v_start" : "displacement");
+    CHECK_AT_MOST(small[q].all[small[q].count / 2], 3);
+    CHECK_AT_MOST(small[q].all[9 * small[q].count / 10], 1e3);
+  }
+}
+
+/* ---- T_end ---- */
+
+static void modes_of_the_limit_up_to_the_end(void **state)
+{
+  (void)state;
+  static const double before[] = { 1e-3, 0.7, 0.999 };
+  char modes[2 * SCALLOP_MODES_TEXT + 4];
+  for (int i = 0; i < CRAWLERS; i++)
+    for (size_t k = 0; k < sizeof before / sizeof *before; k++) {
+      modes_at(&subjects[i], before[k], modes, sizeof modes);
+      assert_string_equal(modes, subjects[i].expansion.modes);
+    }
+}
+
+/* And others beyond, or else a switching time passes a corner of l'. */
+static bool ends_at(const struct subject *s, double part)
+{
+  char modes[2 * SCALLOP_MODES_TEXT + 4];
+  modes_at(s, part, modes, sizeof modes);
+  return strcmp(modes, s->expansion.modes) != 0 || strstr(s->bounds[0].ends, "corner");
+}
+
+static void other_modes_beyond_the_end(void **state)
+{
+  (void)state;
+  int soon = 0, late = 0;
+  for (int i = 0; i < CRAWLERS; i++) {
+    bool later = ends_at(&subjects[i], 1.05);
+    soon += !ends_at(&subjects[i], 1.01);
+    late += !later;
+    if (!later) {
+      print_exact_crawler(&subjects[i].crawler);
+      print_error("T_end = %.4g, \"%s\": the modes at 1.05 T_end are still %s\n", nearest(subjects[i].bounds[0].T_end),
+                  subjects[i].bounds[0].ends, subjects[i].expansion.modes);
+    }
+  }
+  print_message("the same modes at 1.01 T_end: %d of %d, at 1.05 T_end: %d\n", soon, CRAWLERS, late);
+  assert_int_equal(late, 0);
+  assert_true(soon <= CRAWLERS / 10);
+}
+
+/* ---- refusals ---- */
+
+/* Refused, with a reason, and the bounds as they were */
+static void refuses(struct subject *s, slong order, enum scallop_status wanted, const char *fragment)
+{
+  const char *why = NULL;
+  arb_one(s->bounds[0].C);
+  s->bounds[0].power = 77;
+  assert_int_equal(scallop_steady_bounds(&s->crawler, order, PRECISION, s->bounds, &why), wanted);
+  assert_non_null(why);
+  assert_non_null(strstr(why, fragment));
+  assert_int_equal(scallop_steady_bounds(&s->crawler, order, PRECISION, s->bounds, NULL), wanted);
+  assert_true(arb_is_one(s->bounds[0].C) && s->bounds[0].power == 77);
+}
+
+static void refusals(void **state)
+{
+  (void)state;
+  struct random r = { 20260842 };
+  struct subject s;
+  subject_init(&s);
+  for (int i = 0; i < 2; i++) {
+    random_exact_crawler(&s.crawler, &r, gaits[i]);
+    refuses(&s, 0, SCALLOP_EDOMAIN, "order");
+    refuses(&s, -3, SCALLOP_EDOMAIN, "order");
+    refuses(&s, SCALLOP_MOST_TERMS + 1, SCALLOP_EDOMAIN, "order");
+    fmpq_set_si(s.crawler.alpha, 1, 2);
+    refuses(&s, 4, SCALLOP_EDOMAIN, "alpha = 1/2");
+    fmpq_set_si(s.crawler.alpha, 1, 3);
+    fmpq_set(s.crawler.F2, s.crawler.F1);
+    refuses(&s, 4, SCALLOP_EDOMAIN, "F1 = F2");
+  }
+  random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
+  refuses(&s, 4, SCALLOP_EUNDECIDED, "");
+  subject_clear(&s);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(bounds_hold),
+    cmocka_unit_test(modes_of_the_limit_up_to_the_end),
+    cmocka_unit_test(other_modes_beyond_the_end),
+    cmocka_unit_test(refusals),
+  };
+  return cmocka_run_group_tests_name("bounds", tests, find_all, forget_all);
+}

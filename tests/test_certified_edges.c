@@ -1,0 +1,215 @@
+/* The certified solver at the edges: what it refuses, what it says that it cannot decide, and what must be exact. */
+#include "tests/check.h"
+
+#include "numerics/certified.h"
+#include "tests/random_crawler.h"
+
+/* ---- what is refused ---- */
+
+/* l' = 6 u (1 - u) in one piece: a parabola, which a straight line can touch at a rational point. */
+static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
+static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
+static const struct scallop_piece parabola_contraction[] = { { .end = 1, .direction = -1, .law = &parabola_law } };
+static const struct scallop_gait parabola_gait = {
+  "parabola", { { parabola_extension, 1, 6, -6, 1.5, 1 }, { parabola_contraction, 1, -6, 6, 1.5, -1 } }
+};
+
+static void check_undecided(const struct scallop_crawler *c, const char *v0_text, const char *reason)
+{
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_phase p;
+  const char *why = NULL;
+  fmpq_t v0;
+  fmpq_init(v0);
+  scallop_rational_init(&exact);
+  scallop_certified_phase_init(&p);
+  scallop_rational_of(&exact, c);
+  assert_true(scallop_rational_parse(v0, v0_text));
+  arb_set_ui(p.v_end, 7);
+  p.modes.count = 77;
+  assert_int_equal(scallop_certified_phase(&exact, SCALLOP_EXTENSION, v0, 20, &p, &why), SCALLOP_EUNDECIDED);
+  assert_non_null(why);
+  if (!strstr(why, reason))
+    fail_msg("%s, not %s", why, reason);
+  assert_true(arb_equal_si(p.v_end, 7) && p.modes.count == 77);
+  scallop_certified_phase_clear(&p);
+  scallop_rational_clear(&exact);
+  fmpq_clear(v0);
+}
+
+/* m1 = m2 = 1, tau = 1, L = 1: while both go forward v1 = v0 - (F1 + F2) t/2 - l'/2. */
+static void exact_coincidences_are_said(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &parabola_gait };
+  check_undecided(&c, "1.6875", "body 1 touches"); /* v0 - 3 t/2 - 3 t (1 - t): 0 and least at t = 3/4 */
+  c.gait = &scallop_gait_quadratic;
+  c.F1 = 1;
+  c.F2 = 0.5;
+  check_undecided(&c, "1.375", "body 1 comes to rest just as"); /* v0 - 3 t/4 - 2 t until t = 1/2, where it is 0 */
+  c.gait = &parabola_gait;
+  c.F1 = 7;
+  c.F2 = 1;
+  check_undecided(&c, "0", "force that holds body 1"); /* m2 l'' = 6 = F1 - F2 at the start, and falls */
+  c.F1 = 1;
+  c.F2 = 7;
+  check_undecided(&c, "0", "force that holds body 2");
+}
+
+static void check_domain(const struct scallop_rational_crawler *c, long digits)
+{
+  struct scallop_certified_phase p;
+  struct scallop_certified_steady s;
+  fmpq_t v0;
+  fmpq_init(v0);
+  scallop_certified_phase_init(&p);
+  scallop_certified_steady_init(&s);
+  arb_set_ui(p.t1, 7);
+  arb_set_ui(s.v_start, 7);
+  assert_int_equal(scallop_certified_phase(c, SCALLOP_EXTENSION, v0, digits, &p, NULL), SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_certified_steady(c, digits, &s, NULL), SCALLOP_EDOMAIN);
+  assert_true(arb_equal_si(p.t1, 7) && arb_equal_si(s.v_start, 7));
+  scallop_certified_steady_clear(&s);
+  scallop_certified_phase_clear(&p);
+  fmpq_clear(v0);
+}
+
+static void domain(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady s;
+  scallop_rational_init(&exact);
+  fmpq *inputs[] = { exact.m1, exact.m2, exact.F1, exact.F2, exact.L, exact.T, exact.alpha };
+  for (int i = 0; i < 7; i++)
+    for (int value = -1; value <= 0; value++) {
+      scallop_rational_of(&exact, &c);
+      fmpq_set_si(inputs[i], value, 1);
+      check_domain(&exact, 20);
+    }
+  scallop_rational_of(&exact, &c);
+  fmpq_one(exact.alpha);
+  check_domain(&exact, 20);
+  scallop_rational_of(&exact, &c);
+  check_domain(&exact, 0);
+  check_domain(&exact, SCALLOP_MOST_DIGITS + 1L);
+  exact.gait = NULL;
+  check_domain(&exact, 20);
+  struct scallop_piece lawless = parabola_extension[0];
+  lawless.law = NULL;
+  struct scallop_gait unknown = parabola_gait;
+  unknown.phase[0].pieces = &lawless;
+  exact.gait = &unknown;
+  check_domain(&exact, 20);
+  scallop_certified_steady_init(&s);
+  exact.gait = &sawtooth_gait;
+  assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
+  scallop_certified_steady_clear(&s);
+  scallop_rational_clear(&exact);
+}
+
+/* ---- exact zeros ---- */
+
+static void zeros_are_exact(void **state)
+{
+  (void)state;
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady s;
+  scallop_rational_init(&exact);
+  scallop_certified_steady_init(&s);
+  for (int g = 0; g < SMOOTH_GAITS; g++) {
+    struct scallop_crawler c = { 0.3, 0.7, 1.1, 1.1, 3, 0.9, 0.3, every_gait[g] };
+    scallop_rational_of(&exact, &c);
+    assert_int_equal(scallop_certified_steady(&exact, 40, &s, NULL), SCALLOP_OK);
+    assert_true(arb_is_zero(s.v_start) && arb_is_zero(s.v_mid) && arb_is_zero(s.displacement));
+    assert_int_equal(s.regime, SCALLOP_SLIDING);
+    c.F1 = 200;
+    c.T = 30;
+    scallop_rational_of(&exact, &c);
+    assert_int_equal(scallop_certified_steady(&exact, 40, &s, NULL), SCALLOP_OK);
+    assert_true(arb_is_zero(s.v_start) && arb_is_zero(s.v_mid) && arb_is_zero(s.displacement));
+    assert_int_equal(s.regime, SCALLOP_AT_REST);
+    assert_true(arb_is_zero(s.multiplier));
+  }
+  scallop_certified_steady_clear(&s);
+  scallop_rational_clear(&exact);
+}
+
+/* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the exact answer. */
+static void barely_held(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_quadratic };
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady s;
+  scallop_rational_init(&exact);
+  scallop_certified_steady_init(&s);
+  scallop_rational_of(&exact, &c);
+  assert_true(scallop_rational_parse(exact.F1, "5.000000000000000000000000000000000000000000000000000000000001"));
+  assert_int_equal(scallop_certified_steady(&exact, 100, &s, NULL), SCALLOP_OK);
+  assert_true(arb_is_zero(s.v_start));
+  assert_int_equal(s.regime, SCALLOP_AT_REST);
+  scallop_certified_steady_clear(&s);
+  scallop_rational_clear(&exact);
+}
+
+/* ---- forces exactly at their limits, where l'' is constant ---- */
+
+struct at_limit {
+  int m1, m2, F1, F2, L, T, alpha[2];
+  const char *modes[2];
+};
+
+/* tau^2 l'' = +-4 L in all of them. m2 |l''| = F1 - F2 or F1 + F2, or the same with the bodies exchanged: in the extension, in the
+ * contraction or in both. Thirds and fifths are no doubles: exact arithmetic it is. */
+static const struct at_limit at_limits[] = {
+  { 1, 1, 5, 1, 1, 2, { 1, 2 }, { "0+", "0-" } },          /* 4 = F1 - F2 from the first moment on    */
+  { 1, 1, 1, 5, 1, 2, { 1, 2 }, { "-0", "+0" } },          /* the mirror image                        */
+  { 1, 1, 6, 2, 2, 2, { 1, 2 }, { "-+ 0+", "+- 0-" } },    /* 8 = F1 + F2: caught while l' slows down */
+  { 1, 1, 3, 2, 1, 4, { 1, 2 }, { "0+", "0-" } },          /* 1 = F1 - F2                             */
+  { 5, 5, 3, 2, 1, 3, { 2, 3 }, { "-- -+ 0+", "+- --" } }, /* 5 = F1 + F2 in the extension            */
+  { 6, 2, 1, 5, 1, 3, { 2, 3 }, { "++ -+ -0", "+- ++" } }, /* 6 = F1 + F2, body 2                     */
+  { 4, 1, 2, 1, 3, 3, { 1, 3 }, { "-+ ++", "++ +- 0-" } }, /* 3 = F1 + F2 in the contraction          */
+  { 2, 4, 3, 6, 2, 2, { 2, 3 }, { "++ -+ -0", "+- ++" } }, /* 9 = F1 + F2, body 2                     */
+};
+
+/* Held, and so at rest: the motion of a body that friction would just let slide with acceleration 0 is the same. */
+static void forces_at_their_limits_hold(void **state)
+{
+  (void)state;
+  struct scallop_rational_crawler c;
+  struct scallop_certified_steady s;
+  char text[SCALLOP_MODES_TEXT];
+  scallop_rational_init(&c);
+  scallop_certified_steady_init(&s);
+  c.gait = &scallop_gait_quadratic;
+  for (size_t i = 0; i < sizeof at_limits / sizeof *at_limits; i++) {
+    const struct at_limit *a = &at_limits[i];
+    fmpq *inputs[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T };
+    const int values[] = { a->m1, a->m2, a->F1, a->F2, a->L, a->T };
+    for (int k = 0; k < 6; k++)
+      fmpq_set_si(inputs[k], values[k], 1);
+    fmpq_set_si(c.alpha, a->alpha[0], (ulong)a->alpha[1]);
+    assert_int_equal(scallop_certified_steady(&c, 40, &s, NULL), SCALLOP_OK);
+    for (int kind = 0; kind < 2; kind++) {
+      scallop_modes_text(&s.modes[kind], text);
+      assert_string_equal(text, a->modes[kind]);
+    }
+    assert_true(arb_is_zero(s.multiplier)); /* a body has stuck: the start is forgotten */
+  }
+  scallop_certified_steady_clear(&s);
+  scallop_rational_clear(&c);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(exact_coincidences_are_said),
+    cmocka_unit_test(domain),
+    cmocka_unit_test(zeros_are_exact),
+    cmocka_unit_test(barely_held),
+    cmocka_unit_test(forces_at_their_limits_hold),
+  };
+  return cmocka_run_group_tests_name("certified: edges", tests, NULL, NULL);
+}
