@@ -7,6 +7,8 @@
 
 #include "asymptotics/holds.h"
 
+enum { LEAST_PRECISION = 32 };
+
 void scallop_bound_init(struct scallop_bound *b)
 {
   arb_init(b->C);
@@ -40,91 +42,62 @@ static void copy_offsets(struct limit *to, const struct limit *from)
   series_set(&to->w, &from->w);
 }
 
-/* Follows the branch to every eps in the ball: crossings and w become enclosures. NULL, or why not. */
-static const char *follow_to(struct limit *l, const arb_t eps, bool check_modes, slong precision)
-{
-  const char *why = "the steady state is not shown to be smooth in T";
-  arb_t w;
-  arb_init(w);
-  series_coefficient(w, &l->w, 0, precision);
-  if (limit_follow(l, w, eps, precision)) {
-    series_set_ball(&l->w, w);
-    why = check_modes ? limit_holds(l, w, eps, precision) : NULL;
-  }
-  arb_clear(w);
-  return why;
-}
+/* ---- for every eps in a ball ---- */
 
-/* The largest eps, to a thousandth, up to which the modes are shown to be those of the branch; *ends: what happens there. */
-static void find_end(arf_t end, const char **ends, const struct limit *from, const struct scallop_rational_crawler *crawler,
-                     slong precision)
-{
-  enum { STEPS = 5000, FINEST = -10, SMALLEST = -400 };
-  struct limit here, trial;
-  arf_t step, next;
-  arb_t eps;
-  limit_init(&here, crawler);
-  limit_init(&trial, crawler);
-  arf_init(step);
-  arf_init(next);
-  arb_init(eps);
-  copy_offsets(&here, from);
-  arf_zero(end);
-  arf_one(step);
-  for (int i = 0; i < STEPS; i++) {
-    arf_add(next, end, step, precision, ARF_RND_NEAR);
-    arb_set_interval_arf(eps, end, next, precision);
-    copy_offsets(&trial, &here);
-    const char *why = follow_to(&trial, eps, true, precision);
-    if (!why) {
-      copy_offsets(&here, &trial);
-      arf_set(end, next);
-      arf_mul_2exp_si(step, step, 1);
-      continue;
-    }
-    *ends = why;
-    arf_mul_2exp_si(step, step, -1);
-    if (arf_cmpabs_2exp_si(step, SMALLEST) < 0)
-      break;
-    arf_mul_2exp_si(next, end, FINEST);
-    if (arf_cmp(step, next) < 0)
-      break;
-  }
-  limit_clear(&here);
-  limit_clear(&trial);
-  arf_clear(step);
-  arf_clear(next);
-  arb_clear(eps);
-}
+enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the middle of a ball to all of it */
 
-struct cover {
-  struct limit here; /* followed to where we are                                               */
-  const slong *power;
-  slong precision;
-  arb_t most[2]; /* the largest |coefficient of x^power[i]| so far, of w and of the displacement over L */
+struct around { /* the expansions around the middle of the ball, and around anywhere in it              */
+  struct steady_lift middle, all;
 };
 
-enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the middle of an interval to all of it */
-
-static bool lift_at(struct cover *cover, struct steady_lift *lifted, const arb_t eps)
+static void around_init(struct around *a)
 {
-  slong n = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
-  const struct ring ring = { n + MORE + 1, cover->precision };
+  steady_lift_init(&a->middle);
+  steady_lift_init(&a->all);
+}
+
+static void around_clear(struct around *a)
+{
+  steady_lift_clear(&a->middle);
+  steady_lift_clear(&a->all);
+}
+
+/* The branch followed to every eps in the ball, and expanded there to so many terms */
+static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps, slong terms, slong precision)
+{
+  const struct ring ring = { terms, precision };
   struct series eps_series, x;
+  arb_t w;
+  arb_init(w);
   series_init(&eps_series);
   series_init(&x);
   series_set_x(&x);
   series_set_ball(&eps_series, eps);
   series_add(&eps_series, &eps_series, &x, &ring);
-  bool found = !follow_to(&cover->here, eps, false, cover->precision)
-               && steady_lift(lifted, &cover->here, &eps_series, &ring);
+  series_coefficient(w, &l->w, 0, precision);
+  bool found = limit_follow(l, w, eps, precision);
+  if (found)
+    series_set_ball(&l->w, w);
+  found = found && steady_lift(lifted, l, &eps_series, &ring);
+  arb_clear(w);
   series_clear(&eps_series);
   series_clear(&x);
   return found;
 }
 
+/* First the middle, which is near where l is; l ends enclosing all of it. */
+static bool lift_around(struct around *a, struct limit *l, const arb_t eps, slong terms, slong precision)
+{
+  arb_t middle;
+  arb_init(middle);
+  arb_get_mid_arb(middle, eps);
+  bool found = lift_at(&a->middle, l, middle, terms, precision) && lift_at(&a->all, l, eps, terms, precision);
+  arb_clear(middle);
+  return found;
+}
+
 /* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and the last
- * term with c_(n+MORE) from anywhere in the interval. Its absolute value. */
+ * term with c_(n+MORE) from anywhere in the ball. */
 static void carry(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
                   slong precision)
 {
@@ -144,31 +117,118 @@ static void carry(arb_t value, const struct series *middle, const struct series 
     arb_addmul(value, term, power, precision);
     arb_mul(power, power, h, precision);
   }
-  arb_abs(value, value);
   fmpz_clear(ways);
   arb_clear(h);
   arb_clear(power);
   arb_clear(term);
 }
 
+/* A ball for all of them becomes as narrow as the expansion says. */
+static void narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
+{
+  arb_t value;
+  arb_init(value);
+  carry(value, middle, all, 0, r, precision);
+  arb_intersection(ball, ball, value, precision);
+  arb_clear(value);
+}
+
+/* Crossings and start velocities, enclosed by plain ball arithmetic, are narrowed, and the modes looked at. NULL, or why not. */
+static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
+{
+  const mag_struct *r = arb_radref(eps);
+  arb_t u, w, w_mid;
+  arb_init(u);
+  arb_init(w);
+  arb_init(w_mid);
+  series_coefficient(w, &a->all.w, 0, precision);
+  series_coefficient(w_mid, &a->all.w_mid, 0, precision);
+  narrow(w, &a->middle.w, &a->all.w, r, precision);
+  narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision);
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < l->branch[k].count; i++) {
+      struct crossing *at = &l->branch[k].crossing[i];
+      bool forward = at->piece->anchor == SCALLOP_FROM_START;
+      const struct lift *middle = &a->middle.phase[k], *all = &a->all.phase[k];
+      series_coefficient(u, &at->offset, 0, precision);
+      narrow(u, forward ? &middle->when[i] : &middle->left[i], forward ? &all->when[i] : &all->left[i], r, precision);
+      series_set_ball(&at->offset, u);
+    }
+  const char *why = limit_holds(l, w, w_mid, eps, precision);
+  arb_clear(u);
+  arb_clear(w);
+  arb_clear(w_mid);
+  return why;
+}
+
+/* The largest eps, to a thousandth, up to which the modes are shown to be those of the branch; *ends: what happens there. */
+static void find_end(arf_t end, const char **ends, const struct limit *from, const struct scallop_rational_crawler *crawler,
+                     slong precision)
+{
+  enum { STEPS = 5000, FINEST = -10, SMALLEST = -400 };
+  struct limit here, trial;
+  struct around around;
+  arf_t step, next;
+  arb_t eps;
+  around_init(&around);
+  limit_init(&here, crawler);
+  limit_init(&trial, crawler);
+  arf_init(step);
+  arf_init(next);
+  arb_init(eps);
+  copy_offsets(&here, from);
+  arf_zero(end);
+  arf_one(step);
+  for (int i = 0; i < STEPS; i++) {
+    arf_add(next, end, step, precision, ARF_RND_NEAR);
+    arb_set_interval_arf(eps, end, next, precision);
+    copy_offsets(&trial, &here);
+    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision)
+                          ? modes_around(&around, &trial, eps, precision)
+                          : "the steady state is not shown to be smooth in T";
+    if (!why) {
+      copy_offsets(&here, &trial);
+      arf_set(end, next);
+      arf_mul_2exp_si(step, step, 1);
+      continue;
+    }
+    *ends = why;
+    arf_mul_2exp_si(step, step, -1);
+    if (arf_cmpabs_2exp_si(step, SMALLEST) < 0)
+      break;
+    arf_mul_2exp_si(next, end, FINEST);
+    if (arf_cmp(step, next) < 0)
+      break;
+  }
+  around_clear(&around);
+  limit_clear(&here);
+  limit_clear(&trial);
+  arf_clear(step);
+  arf_clear(next);
+  arb_clear(eps);
+}
+
+struct cover {
+  struct limit here; /* followed to where we are                                               */
+  const slong *power;
+  slong precision;
+  arb_t most[2]; /* the largest |coefficient of x^power[i]| so far, of w and of the displacement over L */
+};
+
 /* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there. */
 static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 {
-  struct steady_lift middle, all;
-  arb_t point;
-  steady_lift_init(&middle);
-  steady_lift_init(&all);
-  arb_init(point);
-  arb_set_arf(point, arb_midref(eps));
-  bool found = lift_at(cover, &middle, point) && lift_at(cover, &all, eps);
+  slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
+  struct around a;
+  around_init(&a);
+  bool found = lift_around(&a, &cover->here, eps, most + MORE + 1, cover->precision);
   for (int i = 0; found && i < 2; i++) {
-    carry(value[i], i == 0 ? &middle.w : &middle.travel, i == 0 ? &all.w : &all.travel, cover->power[i], arb_radref(eps),
-          cover->precision);
+    carry(value[i], i == 0 ? &a.middle.w : &a.middle.travel, i == 0 ? &a.all.w : &a.all.travel, cover->power[i],
+          arb_radref(eps), cover->precision);
+    arb_abs(value[i], value[i]);
     found = arb_is_finite(value[i]);
   }
-  steady_lift_clear(&middle);
-  steady_lift_clear(&all);
-  arb_clear(point);
+  around_clear(&a);
   return found;
 }
 
@@ -342,9 +402,9 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   struct limit l;
   const char *reason = NULL;
   enum scallop_status status = SCALLOP_EDOMAIN;
-  if (order < 1 || order > SCALLOP_MOST_TERMS) {
+  if (order < 1 || order > SCALLOP_MOST_TERMS || precision < LEAST_PRECISION) {
     if (why)
-      *why = "the order is outside of 1 to 1000";
+      *why = precision < LEAST_PRECISION ? "fewer than 32 bits" : "the order is outside of 1 to 1000";
     return status;
   }
   limit_init(&l, crawler);

@@ -194,51 +194,69 @@ static enum scallop_status check_order(slong order, slong precision, const struc
   return scallop_gait_is_exact(gait) ? SCALLOP_OK : refuse(why, "the gait has no exact law");
 }
 
-/* Coefficients that vanish are balls around 0 where pi comes in. They are rational functions of pi^2, so they vanish
- * identically or, pi being transcendental, not at all: those that do with each of two large primes over another in the place of
- * pi^2 are set to 0. */
-static void find_zeros(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_constants *p,
-                       const struct scallop_rational_crawler *crawler, const fmpq_t v0, const struct ring *ring)
+static bool may_vanish(const struct series *s, slong power)
 {
-  static const slong instead[2][2] = { { 1000000007, 99999989 }, { 998244353, 104729 } };
-  struct scallop_phase_expansion exact[2];
+  arb_t x;
+  arb_init(x);
+  series_coefficient(x, s, power, 64);
+  bool may = arb_contains_zero(x) && !arb_is_zero(x);
+  arb_clear(x);
+  return may;
+}
+
+/* Coefficients that vanish are balls around 0 where pi comes in. Those below x^end that are shown to vanish are set to 0. */
+static void find_zeros(struct scallop_phase_expansion *e, slong end, const struct branch *b, const struct phase_constants *p,
+                       const struct scallop_rational_crawler *crawler, const fmpq_t v0, slong precision)
+{
+  enum { SPARE = 3 };
+  struct scallop_phase_expansion exact;
+  struct series *const all[] = PHASE_SERIES(e), *const instead[] = PHASE_SERIES(&exact);
+  bool *vanishes = flint_malloc(sizeof *vanishes * (size_t)(PHASE_QUANTITIES * end)), expanded = true;
+  slong last = -1;
+  for (int i = 0; i < PHASE_QUANTITIES; i++)
+    for (slong k = 0; k < end; k++)
+      if ((vanishes[i * end + k] = may_vanish(all[i], k)))
+        last = k > last ? k : last;
+  const struct ring ring = { last + SPARE, precision };
   fmpq_t pi_squared;
-  bool expanded = true;
   fmpq_init(pi_squared);
-  for (int i = 0; i < 2; i++) {
-    scallop_phase_expansion_init(&exact[i]);
-    fmpq_set_si(pi_squared, instead[i][0], (ulong)instead[i][1]);
-    expanded = expanded && expand_branch(&exact[i], b, p, crawler, v0, pi_squared, ring);
+  scallop_phase_expansion_init(&exact);
+  for (slong n = 1; expanded && last >= 0 && n <= scallop_zero_tests(last); n++) {
+    fmpq_set_si(pi_squared, n, 1);
+    expanded = expand_branch(&exact, b, p, crawler, v0, pi_squared, &ring);
+    for (int i = 0; i < PHASE_QUANTITIES; i++)
+      for (slong k = 0; k <= last; k++)
+        vanishes[i * end + k] &= k < instead[i]->known && series_coefficient_is_zero(instead[i], k);
   }
-  struct series *const all[] = PHASE_SERIES(e), *const first[] = PHASE_SERIES(&exact[0]),
-                       *const second[] = PHASE_SERIES(&exact[1]);
   for (int i = 0; expanded && i < PHASE_QUANTITIES; i++)
-    for (slong k = all[i]->first; k < ring->length; k++)
-      if (series_coefficient_is_zero(first[i], k) && series_coefficient_is_zero(second[i], k))
+    for (slong k = 0; k <= last; k++)
+      if (vanishes[i * end + k])
         series_set_zero(all[i], k);
-  scallop_phase_expansion_clear(&exact[0]);
-  scallop_phase_expansion_clear(&exact[1]);
+  flint_free(vanishes);
+  scallop_phase_expansion_clear(&exact);
   fmpq_clear(pi_squared);
 }
+
+slong scallop_zero_tests(slong power) { return power + 16; }
 
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why)
 {
-  enum { ZEROS_WANTED = 60 }; /* exact coefficients grow: beyond, balls around 0 remain */
-  const struct ring ring = { order + 2, precision };
+  enum { ZEROS_WANTED = 40 }; /* beyond, balls around 0 remain */
   enum scallop_status status = check_order(order, precision, crawler->gait, why);
   struct phase_constants p;
   struct branch b;
   if (status != SCALLOP_OK)
     return status;
+  const struct ring ring = { order + 2, precision };
   phase_constants_init(&p, crawler, kind);
   branch_init(&b);
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
   if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
     status = refuse(why, "l'' = 0 at an end of the phase: the switching times go as fractional powers of T");
   else if (!pi_squared && !scallop_gait_is_rational(crawler->gait) && order <= ZEROS_WANTED)
-    find_zeros(expansion, &b, &p, crawler, v0, &ring);
+    find_zeros(expansion, order, &b, &p, crawler, v0, precision);
   branch_clear(&b);
   phase_constants_clear(&p);
   return status;
@@ -295,7 +313,6 @@ static void set_eps(struct series *eps, const struct scallop_rational_crawler *c
 enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_steady_expansion *e, const char **why)
 {
-  const struct ring ring = { order / 2 + 2, precision };
   const char *reason = NULL;
   enum scallop_status status = check_order(order, precision, crawler->gait, why);
   struct limit l;
@@ -303,6 +320,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   struct series eps;
   if (status != SCALLOP_OK)
     return status;
+  const struct ring ring = { order / 2 + 2, precision };
   limit_init(&l, crawler);
   steady_lift_init(&s);
   series_init(&eps);

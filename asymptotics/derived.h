@@ -35,6 +35,11 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why);
 
+/* How many different numbers in the place of pi^2 show that a coefficient of T^power vanishes, in the expansion of a phase or
+ * in its difference to a formula: it is a sum of powers of pi^2, fewer of them than this, because each power of T brings at
+ * most one division by pi^2 and little else (docs/theory.md); and such a sum has fewer zeros than terms. */
+slong scallop_zero_tests(slong power);
+
 /* The steady state, in powers of the period T. */
 struct scallop_steady_expansion {
   struct series v_start, v_mid;        /* odd powers from T^-1 on: the first coefficient is the limit U of v_start T */

@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <stdlib.h>
 
+enum { LARGEST_NUMBER = 1000000000, LARGEST_POWER = 64 };
+
 struct reader {
   const char *at;
   expression_lookup *lookup;
@@ -32,9 +34,10 @@ static bool read_atom(struct reader *r, struct series *value)
   char c = peek(r);
   if (isdigit((unsigned char)c)) {
     char *end;
-    series_set_si(value, strtol(r->at, &end, 10));
+    long number = strtol(r->at, &end, 10);
     r->at = end;
-    return true;
+    series_set_si(value, number);
+    return number <= LARGEST_NUMBER;
   }
   if (c != '(')
     return read_name(r, value);
@@ -57,6 +60,8 @@ static bool read_power(struct reader *r, struct series *value)
   char *end;
   long power = strtol(r->at, &end, 10);
   r->at = end;
+  if (power > LARGEST_POWER)
+    return false;
   struct series base;
   series_init(&base);
   series_set(&base, value);

@@ -1,5 +1,5 @@
 /* A formula as text, evaluated in series arithmetic: how the published formulas are put beside the derived ones
- * coefficient by coefficient. Whole numbers, names, + - * / ( ) and whole powers >= 0 after ^. Needs FLINT. */
+ * coefficient by coefficient. Whole numbers up to 10^9, names, + - * / ( ) and whole powers from 0 to 64 after ^. Needs FLINT. */
 #ifndef SCALLOP_EXPRESSION_H
 #define SCALLOP_EXPRESSION_H
 

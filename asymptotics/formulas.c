@@ -93,7 +93,9 @@ const struct scallop_formula scallop_published[] = {
   { .name = NULL },
 };
 
-/* An extension; a contraction is one with the bodies exchanged, and v0 < 0 one with the bodies exchanged and mirrored. */
+/* For an extension; a contraction is one with the bodies exchanged, and v0 < 0 one with the bodies exchanged and mirrored. The third
+ * derivative of l is 0 at both ends of a phase; for _rear_end and _xC_end lT = -l0, else they end with O(T^4). _no_turn: for the
+ * quadratic gait, where in the limit no body turns in the contraction, or in the extension. */
 #define MOVING SCALLOP_MOVING_EXTENSION
 const struct scallop_formula scallop_corrected[] = {
   NEW("corrected_t1", "(A.6), (B.2)", MOVING, SCALLOP_FIRST_SWITCH, 6,

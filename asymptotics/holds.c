@@ -1,5 +1,6 @@
 #include "asymptotics/holds.h"
 
+#include <math.h>
 #include <stddef.h>
 
 struct segment { /* c = a + b s in one region of one phase                                    */
@@ -177,28 +178,41 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
   return why;
 }
 
-/* The line after a crossing meets the one before it there. */
+/* A crossing next to a corner of l': what cannot be shown there is due to it. Only for the name of what happens. */
+static bool is_near_corner(const struct edge *e, const struct phase_constants *p)
+{
+  static const double NEAR = 0x1p-8;
+  const struct scallop_piece *piece = &p->shape->pieces[e->piece];
+  double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR);
+  bool turned;
+  if (e->curve < 0)
+    return false;
+  return (fabs(u - piece->end) < NEAR && e->piece + 1 < p->shape->count && !scallop_piece_goes_on(piece, piece + 1, &turned))
+         || (fabs(u - piece->begin) < NEAR && e->piece > 0 && !scallop_piece_goes_on(piece - 1, piece, &turned));
+}
+
+/* The line after a crossing goes through it: a = q |l'| - b s there. */
 static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
 {
   slong precision = g->precision;
-  arb_t s, b;
+  const fmpq *q = g->p->curve[at->curve];
+  arb_t s;
   arb_init(s);
-  arb_init(b);
   series_coefficient(s, &at->offset, 0, precision);
+  scallop_ball_speed(g->a, at->piece, s, precision);
+  arb_mul_fmpz(g->a, g->a, fmpq_numref(q), precision);
+  arb_div_fmpz(g->a, g->a, fmpq_denref(q), precision);
   if (at->piece->anchor == SCALLOP_FROM_END)
     arb_sub_si(s, s, 1, precision), arb_neg(s, s);
-  arb_set_fmpq(b, g->p->beta[at->to], precision);
-  arb_mul(b, b, eps, precision);
-  arb_sub(g->b, g->b, b, precision);
-  arb_addmul(g->a, g->b, s, precision);
-  arb_set(g->b, b);
+  arb_set_fmpq(g->b, g->p->beta[at->to], precision);
+  arb_mul(g->b, g->b, eps, precision);
+  arb_submul(g->a, g->b, s, precision);
   g->region = at->to;
   arb_clear(s);
-  arb_clear(b);
 }
 
-/* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start; becomes that at its end. */
-static const char *phase_holds(const struct branch *b, const struct phase_constants *p, const arb_t eps, arb_t c,
+/* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start. */
+static const char *phase_holds(const struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                                slong precision)
 {
   const struct scallop_shape *shape = p->shape;
@@ -220,7 +234,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
     edge_at_crossing(&to, at, p, precision);
     why = crossing_holds(&to, p, g.region, at->to, eps, precision);
     if (!why && !segment_is_clear(&g, &from, &to))
-      why = grazes[p->kind];
+      why = is_near_corner(&from, p) || is_near_corner(&to, p) ? leaves[p->kind] : grazes[p->kind];
     bend(&g, at, eps);
     from.curve = to.curve;
     from.piece = to.piece;
@@ -228,8 +242,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
   }
   edge_at_end(&to, shape->count - 1, shape->pieces[shape->count - 1].end);
   if (!why && !segment_is_clear(&g, &from, &to))
-    why = grazes[p->kind];
-  arb_add(c, g.a, g.b, precision);
+    why = is_near_corner(&from, p) ? leaves[p->kind] : grazes[p->kind];
   arb_clear(g.a);
   arb_clear(g.b);
   arb_clear(from.offset);
@@ -237,21 +250,19 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
   return why;
 }
 
-const char *limit_holds(const struct limit *l, const arb_t w, const arb_t eps, slong precision)
+const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision)
 {
   const char *why = NULL;
   arb_t c, here, fraction;
   arb_init(c);
   arb_init(here);
   arb_init(fraction);
-  arb_set(c, w);
-  for (int k = 0; !why && k < 2; k++) {
+  for (int k = 0; !why && k < 2; k++) { /* in the units of the phase */
     arb_set_fmpq(fraction, l->phase[k].fraction, precision);
     arb_mul(here, eps, fraction, precision);
     arb_mul(here, here, fraction, precision);
-    arb_mul(c, c, fraction, precision);
+    arb_mul(c, k == SCALLOP_EXTENSION ? w : w_mid, fraction, precision);
     why = phase_holds(&l->branch[k], &l->phase[k], here, c, precision);
-    arb_div(c, c, fraction, precision);
   }
   arb_clear(c);
   arb_clear(here);

@@ -256,6 +256,11 @@ static bool make_exact(struct limit *l, const arb_t near)
 static enum scallop_status from_ends(struct limit *l, int sign, const char **why)
 {
   series_set_si(&l->w, 0);
+  for (int k = 0; k < 2; k++)
+    if (l->phase[k].shape->pieces[0].jump) {
+      *why = "l' jumps where a phase begins: the steady states may fill an interval";
+      return SCALLOP_EDOMAIN;
+    }
   if (branch_from_ends(&l->branch[0], &l->phase[0], -sign, sign)
       && branch_from_ends(&l->branch[1], &l->phase[1], sign, -sign))
     return SCALLOP_OK;

@@ -2,6 +2,9 @@
 
 static slong least(slong a, slong b) { return a < b ? a : b; }
 
+/* known, when the series is multiplied by x^power: what is known to all orders stays so. */
+static slong moved(slong known, slong power) { return known >= SERIES_ALL ? SERIES_ALL : known + power; }
+
 void series_init(struct series *s)
 {
   s->exact = true;
@@ -160,7 +163,7 @@ void series_sub(struct series *difference, const struct series *a, const struct 
 void series_mul(struct series *product, const struct series *a, const struct series *b, const struct ring *ring)
 {
   bool exact = a->exact && b->exact;
-  slong first = a->first + b->first, known = least(least(a->known + b->first, b->known + a->first), SERIES_ALL);
+  slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
   if (exact)
     fmpq_poly_mullow(product->rational, a->rational, b->rational, ring->length);
   else {
@@ -215,7 +218,7 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
   if (possible) {
     bool exact = a->exact && divisor.exact;
     slong first = a->first - divisor.first;
-    slong known = least(a->known - divisor.first, divisor.known - 2 * divisor.first + a->first);
+    slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
     if (terms(&divisor) > 1 || terms(a) > ring->length)
       known = least(known, first + ring->length);
     if (exact)
@@ -229,7 +232,7 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
       arb_poly_clear(p);
       arb_poly_clear(q);
     }
-    begin(quotient, exact, first, least(known, SERIES_ALL));
+    begin(quotient, exact, first, known);
     tidy(quotient, ring);
   }
   series_clear(&divisor);
@@ -240,8 +243,7 @@ void series_shift(struct series *to, const struct series *a, slong power)
 {
   series_set(to, a);
   to->first += power;
-  if (to->known < SERIES_ALL)
-    to->known += power;
+  to->known = moved(to->known, power);
 }
 
 void series_inflate(struct series *to, const struct series *a, slong power)
@@ -316,7 +318,7 @@ void series_integral(struct series *to, const struct series *a, const struct rin
     fmpq_poly_integral(to->rational, to->rational);
   else
     arb_poly_integral(to->ball, to->ball, ring->precision);
-  to->known += to->known < SERIES_ALL;
+  to->known = moved(to->known, 1);
   tidy(to, ring);
 }
 
@@ -327,7 +329,7 @@ void series_derivative(struct series *to, const struct series *a, const struct r
     fmpq_poly_derivative(to->rational, to->rational);
   else
     arb_poly_derivative(to->ball, to->ball, ring->precision);
-  to->known -= to->known < SERIES_ALL;
+  to->known = moved(to->known, -1);
   tidy(to, ring);
 }
 

@@ -49,8 +49,8 @@ void series_shift(struct series *to, const struct series *a, slong power);   /* 
 void series_inflate(struct series *to, const struct series *a, slong power); /* x becomes x^power */
 /* outer(inner(x)): outer has no negative powers, inner begins with x or later. */
 void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring);
-void series_integral(struct series *to, const struct series *a, const struct ring *ring); /* from 0; no negative powers */
-void series_derivative(struct series *to, const struct series *a, const struct ring *ring);
+void series_integral(struct series *to, const struct series *a, const struct ring *ring);   /* from 0; no negative powers */
+void series_derivative(struct series *to, const struct series *a, const struct ring *ring); /* no negative powers */
 /* Forgets everything from x^known on. */
 void series_truncate(struct series *s, slong known);
 

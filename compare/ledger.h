@@ -7,7 +7,12 @@
 #include "compare/order.h"
 
 /* T = T0 4^-k: T0 is the duration at which the Froude number is 1, and the last T is below 1e-20 T0. */
-enum { LEDGER_SAMPLES = 35, LEDGER_IDENTITIES = 3, LEDGER_QUANTITIES = SCALLOP_STEADY_DISPLACEMENT + 1 };
+enum {
+  LEDGER_SAMPLES = 35,
+  LEDGER_IDENTITIES = 3,
+  LEDGER_NUMBERS = 32,
+  LEDGER_QUANTITIES = SCALLOP_STEADY_DISPLACEMENT + 1
+};
 
 struct condition {
   const char *text;
@@ -29,7 +34,9 @@ struct ledger_case {
   struct ledger_motion *motion; /* of the crawler                                 */
   struct ledger_motion
       *others[LEDGER_IDENTITIES]; /* of random crawlers with the same modes, exact coefficients; NULL: none */
-  struct ledger_sample *samples;  /* LEDGER_SAMPLES, from the largest T             */
+  struct ledger_motion
+      *numbers[LEDGER_NUMBERS];  /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL: none */
+  struct ledger_sample *samples; /* LEDGER_SAMPLES, from the largest T             */
 };
 
 enum scallop_status ledger_case_init(struct ledger_case *c, const struct scallop_rational_crawler *crawler,

@@ -121,7 +121,8 @@ bool scallop_rational_parse(fmpq_t x, const char *text)
     exponent = strtol(after + 1, &end, 10);
     after = errno == 0 && end != after + 1 ? end : NULL;
   }
-  if (after && *after == '\0' && labs(exponent) <= LARGEST_EXPONENT && fmpz_set_str(mantissa, digits, base) == 0) {
+  if (after && *after == '\0' && exponent >= -LARGEST_EXPONENT && exponent <= LARGEST_EXPONENT
+      && fmpz_set_str(mantissa, digits, base) == 0) {
     scale_by_power(x, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 : 1) * places);
     if (negative)
       fmpq_neg(x, x);
