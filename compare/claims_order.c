@@ -1,4 +1,5 @@
 /* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
