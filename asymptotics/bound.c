@@ -379,8 +379,7 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
     b->ends = ends;
     arb_pow_ui(b->C, kappa, (ulong)power[i], precision);
     arb_mul(b->C, b->C, most[i], precision);
-    arb_mul_fmpz(b->C, b->C, fmpq_numref(crawler->L), precision);
-    arb_div_fmpz(b->C, b->C, fmpq_denref(crawler->L), precision);
+    ball_times(b->C, b->C, crawler->L, precision);
     if (i == 1 && l->returns)
       arb_zero(b->C);
     time_of(b->T0, eps0, kappa, precision);

@@ -2,6 +2,12 @@
 
 #include <math.h>
 
+void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision)
+{
+  arb_mul_fmpz(product, x, fmpq_numref(q), precision);
+  arb_div_fmpz(product, product, fmpq_denref(q), precision);
+}
+
 /* ---- the constants of a phase ---- */
 
 void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
@@ -300,13 +306,11 @@ static void gap_at(arb_t gap, arb_t slope, const struct crossing *at, const fmpq
   else
     arb_sub_si(s, u, 1, precision), arb_neg(s, s);
   scallop_ball_speed(gap, at->piece, u, precision);
-  arb_mul_fmpz(gap, gap, fmpq_numref(q), precision);
-  arb_div_fmpz(gap, gap, fmpq_denref(q), precision);
+  ball_times(gap, gap, q, precision);
   arb_submul(gap, line->b, s, precision);
   arb_sub(gap, gap, line->a, precision);
   scallop_ball_rate(slope, at->piece, u, precision);
-  arb_mul_fmpz(slope, slope, fmpq_numref(q), precision);
-  arb_div_fmpz(slope, slope, fmpq_denref(q), precision);
+  ball_times(slope, slope, q, precision);
   arb_sub(slope, slope, line->b, precision);
   if (!forward)
     arb_neg(slope, slope);
@@ -359,12 +363,6 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
   return inside;
 }
 
-static void mul_rational(arb_t to, const arb_t x, const fmpq_t q, slong precision)
-{
-  arb_mul_fmpz(to, x, fmpq_numref(q), precision);
-  arb_div_fmpz(to, to, fmpq_denref(q), precision);
-}
-
 /* After the crossing at time s with ds/d(unknown) = s_slope, from region r to region `to`. */
 static void bend(struct base *base, struct straight *line, const struct phase_constants *p, int r, int to, const arb_t eps,
                  const arb_t s, const arb_t s_slope, slong precision)
@@ -374,13 +372,13 @@ static void bend(struct base *base, struct straight *line, const struct phase_co
   arb_init(term);
   fmpq_init(drop);
   fmpq_sub(drop, p->beta[r], p->beta[to]);
-  mul_rational(term, s, drop, precision);
+  ball_times(term, s, drop, precision);
   arb_add(base->balance, base->balance, term, precision);
   arb_addmul(line->a, term, eps, precision);
-  mul_rational(term, s_slope, drop, precision);
+  ball_times(term, s_slope, drop, precision);
   arb_add(base->balance_slope, base->balance_slope, term, precision);
   arb_addmul(line->a_slope, term, eps, precision);
-  mul_rational(line->b, eps, p->beta[to], precision);
+  ball_times(line->b, eps, p->beta[to], precision);
   arb_clear(term);
   fmpq_clear(drop);
 }
@@ -400,7 +398,7 @@ bool base_follow(struct base *base, struct branch *b, const struct phase_constan
     arb_init(u[i]);
   arb_set(line.a, c);
   arb_set(line.a_slope, c_slope);
-  mul_rational(line.b, eps, p->beta[b->first_region], precision);
+  ball_times(line.b, eps, p->beta[b->first_region], precision);
   arb_zero(base->balance);
   arb_zero(base->balance_slope);
   for (int i = 0; found && i < b->count; i++) {

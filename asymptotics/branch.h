@@ -14,6 +14,9 @@
 
 enum { MOST_CROSSINGS = 16 };
 
+/* x q, rounded twice; aliases are allowed. */
+void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision);
+
 struct phase_constants { /* of one phase of a crawler                                             */
   enum scallop_phase_kind kind;
   const struct scallop_shape *shape;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "asymptotics/evaluate.h"
 #include "asymptotics/limit.h"
 
 /* ---- texts ---- */
@@ -46,24 +47,9 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
   const struct scallop_piece *piece = b->crossing[i].piece;
   bool at_end = piece->anchor == SCALLOP_FROM_END;
   struct series one, speed;
-  fmpq_t zero;
-  fmpq_poly_t exact;
-  fmpq_init(zero);
-  fmpq_poly_init(exact);
   series_init(&one);
   series_init(&speed);
-  if (scallop_rational_speed_series(exact, piece, zero, ring->length, pi_squared))
-    series_set_rational_poly(&speed, exact, ring->length);
-  else {
-    arb_t u;
-    arb_poly_t balls;
-    arb_init(u);
-    arb_poly_init(balls);
-    scallop_ball_speed_series(balls, piece, u, ring->length, ring->precision);
-    series_set_ball_poly(&speed, balls, ring->length);
-    arb_clear(u);
-    arb_poly_clear(balls);
-  }
+  scallop_speed_series(&speed, piece, pi_squared, ring);
   series_integral(&speed, &speed, ring);
   series_set_si(&one, at_end ? 1 : 0);
   if (at_end) { /* times are measured from the end: minus what is left */
@@ -72,8 +58,6 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
     series_add(way, way, &one, ring);
   } else
     series_compose(way, &speed, &l->when[i], ring);
-  fmpq_clear(zero);
-  fmpq_poly_clear(exact);
   series_clear(&one);
   series_clear(&speed);
 }

@@ -19,51 +19,66 @@ void scallop_symbols_clear(struct scallop_symbols *s)
     series_clear(&s->value[i]);
 }
 
-/* |l'| near the start or the end of a phase, in its units: the coefficients of time and of time^3, as constants */
-static void end_coefficients(struct series *first, struct series *third, const struct scallop_piece *piece,
-                             const fmpq_t pi_squared, const struct ring *ring)
+void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
+                          const struct ring *ring)
 {
-  fmpq_t c;
+  fmpq_t anchor;
   fmpq_poly_t exact;
-  fmpq_init(c);
+  fmpq_init(anchor);
   fmpq_poly_init(exact);
-  if (scallop_rational_speed_series(exact, piece, c, 4, pi_squared)) {
-    fmpq_poly_get_coeff_fmpq(c, exact, 1);
-    series_set_rational(first, c);
-    fmpq_poly_get_coeff_fmpq(c, exact, 3);
-    series_set_rational(third, c);
-  } else {
+  if (scallop_rational_speed_series(exact, piece, anchor, ring->length, pi_squared))
+    series_set_rational_poly(speed, exact, ring->length);
+  else {
     arb_t u;
     arb_poly_t balls;
     arb_init(u);
     arb_poly_init(balls);
-    scallop_ball_speed_series(balls, piece, u, 4, ring->precision);
-    arb_poly_get_coeff_arb(u, balls, 1);
-    series_set_ball(first, u);
-    arb_poly_get_coeff_arb(u, balls, 3);
-    series_set_ball(third, u);
+    scallop_ball_speed_series(balls, piece, u, ring->length, ring->precision);
+    series_set_ball_poly(speed, balls, ring->length);
     arb_clear(u);
     arb_poly_clear(balls);
   }
-  fmpq_clear(c);
+  fmpq_clear(anchor);
   fmpq_poly_clear(exact);
+}
+
+/* A coefficient of a series, times factor, as a constant */
+static void set_constant(struct series *constant, const struct series *s, slong power, const fmpq_t factor,
+                         const struct ring *ring)
+{
+  fmpq_t exact;
+  fmpq_init(exact);
+  if (series_rational_coefficient(exact, s, power))
+    series_set_rational(constant, exact);
+  else {
+    arb_t ball;
+    arb_init(ball);
+    series_coefficient(ball, s, power, ring->precision);
+    series_set_ball(constant, ball);
+    arb_clear(ball);
+  }
+  series_scale(constant, constant, factor, ring);
+  fmpq_clear(exact);
 }
 
 /* l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end */
 static void set_shape(struct series *value, const struct scallop_shape *shape, const fmpq_t L, const fmpq_t pi_squared,
                       const struct ring *ring)
 {
+  const struct ring four = { 4, ring->precision };
   const struct scallop_piece *ends[2] = { &shape->pieces[0], &shape->pieces[shape->count - 1] };
+  struct series speed;
   fmpq_t factor;
   fmpq_init(factor);
+  series_init(&speed);
   for (int i = 0; i < 2; i++) {
-    struct series *l = &value[i == 0 ? SYMBOL_l0 : SYMBOL_lT], *k = &value[i == 0 ? SYMBOL_k0 : SYMBOL_kT];
-    end_coefficients(l, k, ends[i], pi_squared, ring);
+    scallop_speed_series(&speed, ends[i], pi_squared, &four);
     fmpq_mul_si(factor, L, ends[i]->direction);
-    series_scale(l, l, factor, ring);
+    set_constant(&value[i == 0 ? SYMBOL_l0 : SYMBOL_lT], &speed, 1, factor, ring);
     fmpq_mul_si(factor, factor, 6);
-    series_scale(k, k, factor, ring);
+    set_constant(&value[i == 0 ? SYMBOL_k0 : SYMBOL_kT], &speed, 3, factor, ring);
   }
+  series_clear(&speed);
   fmpq_clear(factor);
 }
 

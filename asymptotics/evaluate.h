@@ -41,6 +41,10 @@ void scallop_symbols_clear(struct scallop_symbols *s);
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *crawler,
                          enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring);
 
+/* |l'| at time x after the anchor of a piece, as a series in x: exact where it can be, in balls otherwise. */
+void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
+                          const struct ring *ring);
+
 /* The formula for that phase. One that is printed for an extension is carried to a contraction by exchanging the bodies.
  * False: the text has an unknown name, or divides by something that may be 0. */
 bool scallop_formula_expand(struct series *value, const struct scallop_formula *formula, const struct scallop_symbols *s,

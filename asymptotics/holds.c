@@ -24,12 +24,10 @@ static void room(arb_t gap, arb_t slope, const struct segment *g, const struct s
   arb_mul(gap, g->b, term, precision);
   arb_add(gap, gap, g->a, precision);
   scallop_ball_speed(term, piece, u, precision);
-  arb_mul_fmpz(term, term, fmpq_numref(g->p->curve[j]), precision);
-  arb_div_fmpz(term, term, fmpq_denref(g->p->curve[j]), precision);
+  ball_times(term, term, g->p->curve[j], precision);
   arb_sub(gap, gap, term, precision);
   scallop_ball_rate(slope, piece, u, precision);
-  arb_mul_fmpz(slope, slope, fmpq_numref(g->p->curve[j]), precision);
-  arb_div_fmpz(slope, slope, fmpq_denref(g->p->curve[j]), precision);
+  ball_times(slope, slope, g->p->curve[j], precision);
   arb_sub(slope, g->b, slope, precision);
   if (!forward)
     arb_neg(slope, slope);
@@ -154,8 +152,7 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
   arb_init(along);
   arb_init(limit);
   scallop_ball_rate(along, piece, at->offset, precision);
-  arb_mul_fmpz(along, along, fmpq_numref(p->curve[at->curve]), precision);
-  arb_div_fmpz(along, along, fmpq_denref(p->curve[at->curve]), precision);
+  ball_times(along, along, p->curve[at->curve], precision);
   arb_set_fmpq(limit, p->beta[into], precision);
   arb_mul(limit, limit, eps, precision);
   arb_sub(along, along, limit, precision);
@@ -200,8 +197,7 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
   arb_init(s);
   series_coefficient(s, &at->offset, 0, precision);
   scallop_ball_speed(g->a, at->piece, s, precision);
-  arb_mul_fmpz(g->a, g->a, fmpq_numref(q), precision);
-  arb_div_fmpz(g->a, g->a, fmpq_denref(q), precision);
+  ball_times(g->a, g->a, q, precision);
   if (at->piece->anchor == SCALLOP_FROM_END)
     arb_sub_si(s, s, 1, precision), arb_neg(s, s);
   arb_set_fmpq(g->b, g->p->beta[at->to], precision);

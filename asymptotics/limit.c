@@ -112,8 +112,7 @@ static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const 
   arb_init(c);
   arb_init(eps);
   for (int k = 0; found && k < 2; k++) {
-    arb_mul_fmpz(c, w, fmpq_numref(l->phase[k].fraction), precision);
-    arb_div_fmpz(c, c, fmpq_denref(l->phase[k].fraction), precision);
+    ball_times(c, w, l->phase[k].fraction, precision);
     found = branch_of_level(&l->branch[k], &l->phase[k], c, precision);
   }
   found = found && follow(l, balance, slope, w, eps, precision);

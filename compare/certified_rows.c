@@ -61,6 +61,17 @@ static const char *reason(enum scallop_status status, const char *why)
   return text;
 }
 
+/* The cells of a row without an answer; returns the reason. */
+static const char *write_no_answer(struct table *table, enum scallop_status status, const char *why)
+{
+  const char *text = reason(status, why);
+  point_blank(table, 6);
+  table_text(table, "-");
+  table_text(table, "-");
+  table_text(table, text);
+  return text;
+}
+
 const char *certified_phase_row(struct table *table, const struct options *point, const char *refused)
 {
   long solve, digits = digits_of(point, &solve);
@@ -90,11 +101,7 @@ const char *certified_phase_row(struct table *table, const struct options *point
     table_text(table, "certified");
     refused = NULL;
   } else {
-    refused = reason(status, why);
-    point_blank(table, 6);
-    table_text(table, "-");
-    table_text(table, "-");
-    table_text(table, refused);
+    refused = write_no_answer(table, status, why);
   }
   fmpq_clear(v0);
   scallop_certified_phase_clear(&p);
@@ -126,11 +133,7 @@ const char *certified_steady_row(struct table *table, const struct options *poin
     table_text(table, "certified");
     refused = NULL;
   } else {
-    refused = reason(status, why);
-    point_blank(table, 6);
-    table_text(table, "-");
-    table_text(table, "-");
-    table_text(table, refused);
+    refused = write_no_answer(table, status, why);
   }
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&crawler);

@@ -19,33 +19,15 @@ static const struct end_claim end_claims[] = {
 };
 
 /* |l'(T-h)| without its term in h, as a series in h */
-static void speed_before_end(struct series *speed, const struct scallop_piece *last, const fmpq_t pi_squared,
-                             const struct ring *ring)
+static void speed_before_end(struct series *speed, const struct scallop_piece *last, const struct ring *ring)
 {
-  fmpq_t zero;
-  fmpq_poly_t exact;
   struct series back;
-  fmpq_init(zero);
-  fmpq_poly_init(exact);
   series_init(&back);
-  if (scallop_rational_speed_series(exact, last, zero, ring->length, pi_squared))
-    series_set_rational_poly(speed, exact, ring->length);
-  else {
-    arb_t u;
-    arb_poly_t balls;
-    arb_init(u);
-    arb_poly_init(balls);
-    scallop_ball_speed_series(balls, last, u, ring->length, ring->precision);
-    series_set_ball_poly(speed, balls, ring->length);
-    arb_clear(u);
-    arb_poly_clear(balls);
-  }
+  scallop_speed_series(speed, last, NULL, ring);
   series_set_x(&back);
   series_neg(&back, &back);
   series_compose(speed, speed, &back, ring);
   series_set_zero(speed, 1);
-  fmpq_clear(zero);
-  fmpq_poly_clear(exact);
   series_clear(&back);
 }
 
@@ -60,7 +42,7 @@ static void prove_end(struct ledger_proof *proof, const struct end_claim *claim,
   series_init(&one);
   arb_init(x);
   fmpq_init(q);
-  speed_before_end(&left_out, last, NULL, &ring);
+  speed_before_end(&left_out, last, &ring);
   if (!claim->velocity) {
     series_integral(&left_out, &left_out, &ring);
     series_set_si(&one, claim->with_length ? 0 : 1);

@@ -124,7 +124,7 @@ static enum exit_code end(struct table *table, const char *wrong)
   if (!table_close(table))
     return EXIT_FILE;
   if (wrong)
-    complain("claims", "proof and measurement disagree: %s", wrong);
+    complain("claims", "the ledger contradicts itself: %s", wrong);
   return wrong ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
