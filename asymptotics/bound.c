@@ -27,7 +27,7 @@ void scallop_bound_clear(struct scallop_bound *b)
 
 /* ---- from eps = 0 on ---- */
 
-static void copy_offsets(struct limit *to, const struct limit *from)
+static void copy_branches(struct limit *to, const struct limit *from)
 {
   for (int k = 0; k < 2; k++) {
     to->branch[k].count = from->branch[k].count;
@@ -123,15 +123,18 @@ static void carry(arb_t value, const struct series *middle, const struct series 
   arb_clear(term);
 }
 
-/* A ball for all of them becomes as narrow as the expansion says. */
-static void narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
+/* A ball for all of them becomes as narrow as the expansion says. False: the two exclude each other, so one is of another branch. */
+static bool narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
 {
   arb_t value;
   arb_init(value);
   carry(value, middle, all, 0, r, precision);
-  arb_intersection(ball, ball, value, precision);
+  bool meet = arb_intersection(ball, ball, value, precision);
   arb_clear(value);
+  return meet;
 }
+
+static const char *const not_smooth = "the steady state is not shown to be smooth in T";
 
 /* Crossings and start velocities, enclosed by plain ball arithmetic, are narrowed, and the modes looked at. NULL, or why not. */
 static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
@@ -143,29 +146,32 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
   arb_init(w_mid);
   series_coefficient(w, &a->all.w, 0, precision);
   series_coefficient(w_mid, &a->all.w_mid, 0, precision);
-  narrow(w, &a->middle.w, &a->all.w, r, precision);
-  narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision);
+  bool meet = narrow(w, &a->middle.w, &a->all.w, r, precision);
+  meet = meet && narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision);
   for (int k = 0; k < 2; k++)
     for (int i = 0; i < l->branch[k].count; i++) {
       struct crossing *at = &l->branch[k].crossing[i];
       bool forward = at->piece->anchor == SCALLOP_FROM_START;
       const struct lift *middle = &a->middle.phase[k], *all = &a->all.phase[k];
       series_coefficient(u, &at->offset, 0, precision);
-      narrow(u, forward ? &middle->when[i] : &middle->left[i], forward ? &all->when[i] : &all->left[i], r, precision);
+      meet = meet
+             && narrow(u, forward ? &middle->when[i] : &middle->left[i], forward ? &all->when[i] : &all->left[i], r,
+                       precision);
       series_set_ball(&at->offset, u);
     }
-  const char *why = limit_holds(l, w, w_mid, eps, precision);
+  const char *why = meet ? limit_holds(l, w, w_mid, eps, precision) : not_smooth;
   arb_clear(u);
   arb_clear(w);
   arb_clear(w_mid);
   return why;
 }
 
-/* The largest eps, to a thousandth, up to which the modes are shown to be those of the branch; *ends: what happens there. */
+/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it; *ends: what happens there. */
 static void find_end(arf_t end, const char **ends, const struct limit *from, const struct scallop_rational_crawler *crawler,
                      slong precision)
 {
-  enum { STEPS = 5000, FINEST = -10, SMALLEST = -400 };
+  enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4 };
+  int failures = 0;
   struct limit here, trial;
   struct around around;
   arf_t step, next;
@@ -176,28 +182,29 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, con
   arf_init(step);
   arf_init(next);
   arb_init(eps);
-  copy_offsets(&here, from);
+  copy_branches(&here, from);
   arf_zero(end);
   arf_one(step);
   for (int i = 0; i < STEPS; i++) {
     arf_add(next, end, step, precision, ARF_RND_NEAR);
     arb_set_interval_arf(eps, end, next, precision);
-    copy_offsets(&trial, &here);
-    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision)
-                          ? modes_around(&around, &trial, eps, precision)
-                          : "the steady state is not shown to be smooth in T";
+    copy_branches(&trial, &here);
+    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision) ? modes_around(&around, &trial, eps, precision)
+                                                                             : not_smooth;
     if (!why) {
-      copy_offsets(&here, &trial);
+      copy_branches(&here, &trial);
       arf_set(end, next);
       arf_mul_2exp_si(step, step, 1);
+      failures = 0;
       continue;
     }
+    failures++;
     *ends = why;
     arf_mul_2exp_si(step, step, -1);
     if (arf_cmpabs_2exp_si(step, SMALLEST) < 0)
       break;
     arf_mul_2exp_si(next, end, FINEST);
-    if (arf_cmp(step, next) < 0)
+    if (failures >= FAILURES && arf_cmp(step, next) < 0)
       break;
   }
   around_clear(&around);
@@ -209,25 +216,30 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, con
 }
 
 struct cover {
-  struct limit here; /* followed to where we are                                               */
+  struct limit here, trial; /* followed to where we are; where the next attempt goes           */
   const slong *power;
   slong precision;
   arb_t most[2]; /* the largest |coefficient of x^power[i]| so far, of w and of the displacement over L */
 };
 
-/* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there. */
+/* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there, or is not shown
+ * to be the steady state, and cover is then as before. */
 static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 {
   slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
   struct around a;
   around_init(&a);
-  bool found = lift_around(&a, &cover->here, eps, most + MORE + 1, cover->precision);
+  copy_branches(&cover->trial, &cover->here);
+  bool found = lift_around(&a, &cover->trial, eps, most + MORE + 1, cover->precision)
+               && !modes_around(&a, &cover->trial, eps, cover->precision);
   for (int i = 0; found && i < 2; i++) {
     carry(value[i], i == 0 ? &a.middle.w : &a.middle.travel, i == 0 ? &a.all.w : &a.all.travel, cover->power[i],
           arb_radref(eps), cover->precision);
     arb_abs(value[i], value[i]);
     found = arb_is_finite(value[i]);
   }
+  if (found)
+    copy_branches(&cover->here, &cover->trial);
   around_clear(&a);
   return found;
 }
@@ -283,6 +295,8 @@ static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
   arf_mul_2exp_si(narrow, end, NARROW);
   for (int i = 0; found && arf_cmp(lo, end) < 0; i++) {
     arf_add(hi, lo, step, cover->precision, ARF_RND_UP);
+    if (arf_cmp(hi, end) > 0)
+      arf_set(hi, end);
     arb_set_interval_arf(eps, lo, hi, cover->precision);
     bool followed = coefficients(cover, value, eps), tight = followed;
     for (int k = 0; k < 2; k++)
@@ -311,13 +325,14 @@ static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_
   struct cover cover = { .power = power, .precision = precision };
   arb_t value[2];
   limit_init(&cover.here, crawler);
+  limit_init(&cover.trial, crawler);
   for (int k = 0; k < 2; k++) {
     arb_init(value[k]);
     arb_init(cover.most[k]);
   }
-  copy_offsets(&cover.here, from);
+  copy_branches(&cover.here, from);
   take_points(&cover, value, end);
-  copy_offsets(&cover.here, from);
+  copy_branches(&cover.here, from);
   bool found = take_intervals(&cover, value, end);
   for (int k = 0; k < 2; k++) {
     arb_get_ubound_arf(arb_midref(most[k]), cover.most[k], precision);
@@ -326,6 +341,7 @@ static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_
     arb_clear(cover.most[k]);
   }
   limit_clear(&cover.here);
+  limit_clear(&cover.trial);
   return found;
 }
 
@@ -360,7 +376,7 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
   if (l->even)
     of_displacement += of_displacement % 2;
   const slong power[2] = { order / 2 + 1, of_displacement };
-  const char *ends = NULL;
+  const char *ends = not_smooth;
   arf_t end, eps0;
   arb_t kappa, most[2];
   arf_init(end);
@@ -380,8 +396,6 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
     arb_pow_ui(b->C, kappa, (ulong)power[i], precision);
     arb_mul(b->C, b->C, most[i], precision);
     ball_times(b->C, b->C, crawler->L, precision);
-    if (i == 1 && l->returns)
-      arb_zero(b->C);
     time_of(b->T0, eps0, kappa, precision);
     time_of(b->T_end, end, kappa, precision);
   }
@@ -401,9 +415,15 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   struct limit l;
   const char *reason = NULL;
   enum scallop_status status = SCALLOP_EDOMAIN;
-  if (order < 1 || order > SCALLOP_MOST_TERMS || precision < LEAST_PRECISION) {
+  if (!scallop_rational_is_valid(crawler))
+    reason = "a parameter is outside its domain";
+  else if (order < 1 || order > SCALLOP_MOST_TERMS)
+    reason = "the order is outside of 1 to 1000";
+  else if (precision < LEAST_PRECISION)
+    reason = "fewer than 32 bits";
+  if (reason) {
     if (why)
-      *why = precision < LEAST_PRECISION ? "fewer than 32 bits" : "the order is outside of 1 to 1000";
+      *why = reason;
     return status;
   }
   limit_init(&l, crawler);

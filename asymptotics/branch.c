@@ -319,11 +319,14 @@ static void gap_at(arb_t gap, arb_t slope, const struct crossing *at, const fmpq
 
 /* u becomes a ball that holds the crossing for every line within the balls of line: Newton's interval operator maps it into
  * itself. u comes in as a place near it. */
-static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const struct straight *line, slong precision)
+static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const struct straight *line, bool same,
+                    slong precision)
 {
   enum { TRIES = 60, STEPS = 40 };
-  arb_t gap, slope, wide, next;
+  arb_t gap, slope, wide, next, given;
   bool inside = false;
+  arb_init(given);
+  arb_set(given, u);
   arb_init(gap);
   arb_init(slope);
   arb_init(wide);
@@ -350,7 +353,7 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
     gap_at(next, slope, at, q, line, wide, precision);
     arb_div(next, gap, slope, precision);
     arb_sub(next, u, next, precision);
-    inside = arb_is_finite(next) && arb_contains(wide, next);
+    inside = arb_is_finite(next) && arb_contains(wide, next) && (!same || arb_contains(wide, given));
     if (arf_cmpabs_2exp_si(arb_midref(u), 1) > 0 || mag_cmp_2exp_si(arb_radref(wide), 1) > 0)
       break;
   }
@@ -360,6 +363,7 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
   arb_clear(slope);
   arb_clear(wide);
   arb_clear(next);
+  arb_clear(given);
   return inside;
 }
 
@@ -384,7 +388,7 @@ static void bend(struct base *base, struct straight *line, const struct phase_co
 }
 
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
-                 const arb_t c_slope, slong precision)
+                 const arb_t c_slope, bool same, slong precision)
 {
   struct straight line;
   arb_t u[MOST_CROSSINGS], gap, slope;
@@ -404,7 +408,7 @@ bool base_follow(struct base *base, struct branch *b, const struct phase_constan
   for (int i = 0; found && i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
     series_coefficient(u[i], &at->offset, 0, precision);
-    found = enclose(u[i], at, p->curve[at->curve], &line, precision);
+    found = enclose(u[i], at, p->curve[at->curve], &line, same, precision);
     gap_at(gap, slope, at, p->curve[at->curve], &line, u[i], precision);
     if (at->piece->anchor == SCALLOP_FROM_END)
       arb_neg(slope, slope);

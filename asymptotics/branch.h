@@ -57,10 +57,11 @@ struct base {                       /* what a phase does to c, in balls         
 };
 void base_init(struct base *b);
 void base_clear(struct base *b);
-/* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c.
+/* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c. same: it must be the very
+ * crossing that the offset's ball holds, shown by its lying where there is only one.
  * False: no enclosure was found; the offsets are then as before. */
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
-                 const arb_t c_slope, slong precision);
+                 const arb_t c_slope, bool same, slong precision);
 
 /* ---- around the base point ---- */
 

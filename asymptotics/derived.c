@@ -169,13 +169,16 @@ static enum scallop_status refuse(const char **why, const char *reason)
   return SCALLOP_EDOMAIN;
 }
 
-static enum scallop_status check_order(slong order, slong precision, const struct scallop_gait *gait, const char **why)
+static enum scallop_status check(const struct scallop_rational_crawler *crawler, slong order, slong precision,
+                                 const char **why)
 {
+  if (!scallop_rational_is_valid(crawler))
+    return refuse(why, "a parameter is outside its domain");
   if (order < 1 || order > SCALLOP_MOST_TERMS)
     return refuse(why, "the order is outside of 1 to 1000");
   if (precision < 16)
     return refuse(why, "fewer than 16 bits");
-  return scallop_gait_is_exact(gait) ? SCALLOP_OK : refuse(why, "the gait has no exact law");
+  return scallop_gait_is_exact(crawler->gait) ? SCALLOP_OK : refuse(why, "the gait has no exact law");
 }
 
 static bool may_vanish(const struct series *s, slong power)
@@ -228,7 +231,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
                                          struct scallop_phase_expansion *expansion, const char **why)
 {
   enum { ZEROS_WANTED = 40 }; /* beyond, balls around 0 remain */
-  enum scallop_status status = check_order(order, precision, crawler->gait, why);
+  enum scallop_status status = check(crawler, order, precision, why);
   struct phase_constants p;
   struct branch b;
   if (status != SCALLOP_OK)
@@ -298,7 +301,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
                                           struct scallop_steady_expansion *e, const char **why)
 {
   const char *reason = NULL;
-  enum scallop_status status = check_order(order, precision, crawler->gait, why);
+  enum scallop_status status = check(crawler, order, precision, why);
   struct limit l;
   struct steady_lift s;
   struct series eps;

@@ -91,7 +91,8 @@ static void set_kinematic_length(struct series *value, enum scallop_phase_kind k
   series_sub(&difference, &value[SYMBOL_lT], &value[SYMBOL_l0], ring);
   series_scale_si(&difference, &difference, kind == SCALLOP_EXTENSION ? 2 : -2, ring);
   series_mul(L_kin, &value[SYMBOL_l0], &value[SYMBOL_lT], ring);
-  series_div(L_kin, L_kin, &difference, ring);
+  if (!series_div(L_kin, L_kin, &difference, ring))
+    series_set_si(L_kin, 0);
   series_clear(&difference);
 }
 

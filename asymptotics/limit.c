@@ -1,5 +1,7 @@
 #include "asymptotics/limit.h"
 
+#include "asymptotics/holds.h"
+
 #include <stddef.h>
 
 void limit_init(struct limit *l, const struct scallop_rational_crawler *crawler)
@@ -25,8 +27,8 @@ void limit_clear(struct limit *l)
 
 /* ---- balance of a period in balls ---- */
 
-/* The balance and its derivative by w, with the branches as they are. */
-static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, slong precision)
+/* The balance and its derivative by w, with the branches as they are. same: as for base_follow */
+static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, bool same, slong precision)
 {
   struct base base;
   arb_t c, c_slope, here;
@@ -48,7 +50,7 @@ static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, c
     arb_mul(here, here, fraction, precision);
     arb_mul(c, c, fraction, precision);
     arb_mul(c_slope, c_slope, fraction, precision);
-    followed = base_follow(&base, &l->branch[k], p, here, c, c_slope, precision);
+    followed = base_follow(&base, &l->branch[k], p, here, c, c_slope, same, precision);
     arb_div(c, base.c_end, fraction, precision);
     arb_div(c_slope, base.c_end_slope, fraction, precision);
     arb_addmul(balance, base.balance, fraction, precision);
@@ -62,39 +64,93 @@ static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, c
   return followed;
 }
 
+/* The offsets of all crossings, kept for a second attempt */
+struct offsets {
+  arb_t u[2][MOST_CROSSINGS];
+};
+
+static void offsets_init(struct offsets *o)
+{
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < MOST_CROSSINGS; i++)
+      arb_init(o->u[k][i]);
+}
+
+static void offsets_clear(struct offsets *o)
+{
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < MOST_CROSSINGS; i++)
+      arb_clear(o->u[k][i]);
+}
+
+static void keep_offsets(struct offsets *o, const struct limit *l, slong precision)
+{
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < l->branch[k].count; i++)
+      series_coefficient(o->u[k][i], &l->branch[k].crossing[i].offset, 0, precision);
+}
+
+static void put_offsets(struct limit *l, const struct offsets *o)
+{
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < l->branch[k].count; i++)
+      series_set_ball(&l->branch[k].crossing[i].offset, o->u[k][i]);
+}
+
+/* The root for the middle of w, by Newton's method; balance is that at the w it ends with. */
+static bool middle_of_branch(struct limit *l, arb_t w, arb_t balance, arb_t slope, const arb_t eps, slong precision)
+{
+  enum { STEPS = 60 };
+  arb_t step;
+  bool sound = true, settled = false;
+  arb_init(step);
+  for (int i = 0; sound && !settled && i < STEPS; i++) {
+    mag_zero(arb_radref(w));
+    sound = follow(l, balance, slope, w, eps, false, precision);
+    arb_div(step, balance, slope, precision);
+    sound = sound && arb_is_finite(step);
+    settled = sound && arf_cmpabs_mag(arb_midref(step), arb_radref(step)) <= 0;
+    if (sound && !settled)
+      arf_sub(arb_midref(w), arb_midref(w), arb_midref(step), precision, ARF_RND_NEAR);
+  }
+  arb_clear(step);
+  return settled;
+}
+
 bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
 {
-  enum { STEPS = 60, TRIES = 40 };
+  enum { TRIES = 40 };
+  struct offsets before, middle;
   arb_t balance, slope, wide, next;
-  bool inside = false, sound = true;
+  bool inside = false;
+  offsets_init(&before);
+  offsets_init(&middle);
   arb_init(balance);
   arb_init(slope);
   arb_init(wide);
   arb_init(next);
-  for (int i = 0; sound && i < STEPS; i++) { /* the middle */
-    mag_zero(arb_radref(w));
-    sound = follow(l, balance, slope, w, eps, precision);
-    arb_div(next, balance, slope, precision);
-    sound = sound && arb_is_finite(next);
-    if (!sound || arf_cmpabs_mag(arb_midref(next), arb_radref(next)) <= 0)
-      break;
-    arf_sub(arb_midref(w), arb_midref(w), arb_midref(next), precision, ARF_RND_NEAR);
-  }
+  keep_offsets(&before, l, precision);
+  bool sound = middle_of_branch(l, w, balance, slope, eps, precision);
+  keep_offsets(&middle, l, precision);
+  arb_div(next, balance, slope, precision);
   arb_set(wide, w);
   arb_get_mag(arb_radref(wide), next);
   for (int i = 0; sound && !inside && i < TRIES; i++) {
     mag_mul_2exp_si(arb_radref(wide), arb_radref(wide), 1);
     if (mag_is_zero(arb_radref(wide)))
       mag_set_ui_2exp_si(arb_radref(wide), 1, -precision);
-    sound = follow(l, next, slope, wide, eps, precision) && !arb_contains_zero(slope);
+    put_offsets(l, &middle); /* the crossings for all of wide must be those of its middle */
+    sound = follow(l, next, slope, wide, eps, true, precision) && !arb_contains_zero(slope);
     arb_div(next, balance, slope, precision);
     arb_sub(next, w, next, precision);
     inside = sound && arb_contains(wide, next);
   }
-  if (inside) {
-    arb_set(w, next);
-    inside = follow(l, balance, slope, w, eps, precision); /* the crossings for this w */
-  }
+  if (inside)
+    arb_set(w, next); /* the offsets are those for wide, which holds it */
+  else
+    put_offsets(l, &before);
+  offsets_clear(&before);
+  offsets_clear(&middle);
   arb_clear(balance);
   arb_clear(slope);
   arb_clear(wide);
@@ -115,7 +171,7 @@ static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const 
     ball_times(c, w, l->phase[k].fraction, precision);
     found = branch_of_level(&l->branch[k], &l->phase[k], c, precision);
   }
-  found = found && follow(l, balance, slope, w, eps, precision);
+  found = found && follow(l, balance, slope, w, eps, false, precision);
   arb_clear(c);
   arb_clear(eps);
   return found;
@@ -290,6 +346,10 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
   else if (found) {
     found = limit_follow(l, w, eps, precision);
     series_set_ball(&l->w, w);
+  }
+  if (found) { /* the level that it ends at crosses what the one it began with did */
+    series_coefficient(w, &l->w, 0, precision);
+    found = !limit_holds(l, w, w, eps, precision);
   }
   arb_clear(w);
   arb_clear(eps);

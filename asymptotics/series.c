@@ -104,7 +104,8 @@ static void tidy(struct series *s, const struct ring *ring)
 void series_truncate(struct series *s, slong known)
 {
   s->known = least(s->known, known);
-  slong keep = s->known > s->first ? s->known - s->first : 0;
+  s->first = least(s->first, s->known);
+  slong keep = s->known - s->first;
   if (terms(s) <= keep)
     return;
   if (s->exact)
@@ -164,6 +165,7 @@ void series_mul(struct series *product, const struct series *a, const struct ser
 {
   bool exact = a->exact && b->exact;
   slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
+  bool cut = terms(a) > 0 && terms(b) > 0 && terms(a) + terms(b) - 1 > ring->length;
   if (exact)
     fmpq_poly_mullow(product->rational, a->rational, b->rational, ring->length);
   else {
@@ -175,9 +177,7 @@ void series_mul(struct series *product, const struct series *a, const struct ser
     arb_poly_clear(p);
     arb_poly_clear(q);
   }
-  if (terms(a) > 0 && terms(b) > 0 && terms(a) + terms(b) - 1 > ring->length)
-    known = least(known, first + ring->length);
-  begin(product, exact, first, known);
+  begin(product, exact, first, cut ? least(known, first + ring->length) : known);
   tidy(product, ring);
 }
 
@@ -219,7 +219,7 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
     bool exact = a->exact && divisor.exact;
     slong first = a->first - divisor.first;
     slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
-    if (terms(&divisor) > 1 || terms(a) > ring->length)
+    if (terms(&divisor) > 1 || terms(a) > ring->length) /* before a may be overwritten */
       known = least(known, first + ring->length);
     if (exact)
       fmpq_poly_div_series(quotient->rational, a->rational, divisor.rational, ring->length);

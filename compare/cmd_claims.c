@@ -44,7 +44,7 @@ const struct command command_claims = {
   .about =
       "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"
       "first power of T that the formula leaves out of the derived expansion, coefficient what stands there (exact, or\n"
-      "a ball that does not hold 0); lower coefficients vanish, here and at random rational parameters. 'none': every\n"
+      "a ball that does not hold 0); lower coefficients vanish, and do at random rational parameters too. 'none': every\n"
       "coefficient below T^48 vanishes. order is measured: certified errors at 12 T, down to below 1e-20, with the\n"
       "interval of the fit. Where it is not the derived one, the exit code is 3.\n"
       "verdict: holds; sharper (the error falls faster than claimed); refuted (slower, or not at all); undecided, with\n"

@@ -181,7 +181,7 @@ static struct ledger_sample *take_samples(const struct ledger_case *c, const fmp
   for (int k = 0; samples && k < LEDGER_SAMPLES; k++) {
     struct ledger_sample *s = &samples[k];
     fmpq_init(s->T);
-    fmpq_div_2exp(s->T, T0, 2 * (mp_bitcnt_t)k);
+    fmpq_div_2exp(s->T, T0, 2 * (flint_bitcnt_t)k);
     s->digits = digits_at(k);
     scallop_certified_phase_init(&s->phase);
     scallop_certified_steady_init(&s->steady);
@@ -404,7 +404,8 @@ bool ledger_prove(struct ledger_proof *proof, const struct ledger_case *c, const
   bool expanded = left_out(&difference, c->motion, c, formula, quantity, limit);
   if (expanded)
     look_for_order(proof, &difference, c, formula, quantity);
-  if (expanded && !proof->found && !proof->undecided && c->motion->terms < MANY_TERMS) { /* perhaps further on */
+  bool rational = scallop_gait_is_rational(c->crawler.gait); /* of others the zeros are shown so far and no further */
+  if (expanded && !proof->found && !proof->undecided && rational && c->motion->terms < MANY_TERMS) { /* perhaps further on */
     expanded = expand(c->motion, c, MANY_TERMS) == SCALLOP_OK
                && left_out(&difference, c->motion, c, formula, quantity, limit);
     if (expanded)
@@ -420,9 +421,10 @@ bool ledger_prove(struct ledger_proof *proof, const struct ledger_case *c, const
   }
   proof->general = proof->order;
   for (int i = 0; expanded && i < LEDGER_IDENTITIES; i++)
-    if (c->others[i] && proof->found) {
+    if (c->others[i]) {
       slong order = order_of(c->others[i], c, formula, quantity, limit);
       proof->general = order < proof->general ? order : proof->general;
+      proof->confirmed++;
     }
   series_clear(&difference);
   arb_clear(x);

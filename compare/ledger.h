@@ -53,6 +53,7 @@ struct ledger_proof {
   slong order; /* of the first coefficient that does not                                             */
   slong known;
   slong general;             /* that order for random crawlers; order where there are none                        */
+  int confirmed;             /* random crawlers that were looked at                                            */
   struct series coefficient; /* a constant                                                            */
   bool undecided;            /* a ball that holds 0 came before                                                  */
 };

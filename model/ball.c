@@ -52,6 +52,15 @@ void scallop_rational_of(struct scallop_rational_crawler *exact, const struct sc
   exact->gait = c->gait;
 }
 
+bool scallop_rational_is_valid(const struct scallop_rational_crawler *c)
+{
+  const fmpq *positive[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->alpha };
+  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+    if (fmpq_sgn(positive[i]) <= 0)
+      return false;
+  return fmpq_cmp_si(c->alpha, 1) < 0 && c->gait;
+}
+
 void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
 {
   fmpq_set(fraction, c->alpha);

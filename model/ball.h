@@ -31,6 +31,9 @@ void scallop_rational_set_double(fmpq_t x, double value);
  * C's strtod takes for a finite number; decimal exponents up to 10^5 in size. False: anything else, and x stays. */
 bool scallop_rational_parse(fmpq_t x, const char *text);
 
+/* Whether m1, m2, F1, F2, L > 0, 0 < alpha < 1, and there is a gait; T is not looked at. */
+bool scallop_rational_is_valid(const struct scallop_rational_crawler *crawler);
+
 /* The fraction of the period and the duration of a phase: alpha and alpha T, or 1 - alpha and (1 - alpha) T. */
 void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_crawler *crawler,
                                enum scallop_phase_kind kind);

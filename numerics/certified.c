@@ -29,15 +29,9 @@ void scallop_certified_phase_clear(struct scallop_certified_phase *r)
 
 /* ---- domain ---- */
 
-enum { PARAMETERS = 7 };
-
 bool certified_domain(const struct scallop_rational_crawler *c, long digits)
 {
-  const fmpq *positive[PARAMETERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  for (int i = 0; i < PARAMETERS; i++)
-    if (fmpq_sgn(positive[i]) <= 0)
-      return false;
-  return fmpq_cmp_si(c->alpha, 1) < 0 && digits >= 1 && digits <= SCALLOP_MOST_DIGITS && c->gait
+  return scallop_rational_is_valid(c) && fmpq_sgn(c->T) > 0 && digits >= 1 && digits <= SCALLOP_MOST_DIGITS
          && scallop_gait_is_exact(c->gait);
 }
 

@@ -97,6 +97,7 @@ static void steady_outside(void **state)
 static void every_row_is_decided(void **state)
 {
   (void)state;
+  assert_null(contradiction);
   assert_true(count > 200);
   for (int i = 0; i < count; i++) {
     const struct claim_row *row = &rows[i];

@@ -101,6 +101,13 @@ static void refusals(void **state)
   }
   refuses_phase(&p, 4, 0, "bits");
   refuses_steady(&p, 4, 0, SCALLOP_EDOMAIN, "bits");
+  fmpq *const fields[] = { p.crawler[1].m1, p.crawler[1].F2, p.crawler[1].L, p.crawler[1].alpha };
+  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+    fmpq_neg(fields[i], fields[i]);
+    refuses_phase(&p, 4, PRECISION, "domain");
+    refuses_steady(&p, 4, PRECISION, SCALLOP_EDOMAIN, "domain");
+    fmpq_neg(fields[i], fields[i]);
+  }
   p.crawler[1].gait = &minimum_jerk_gait; /* l'' = 0 at the ends of its phases */
   refuses_phase(&p, 4, PRECISION, "l'' = 0");
   fmpq_set_si(p.crawler[1].alpha, 1, 2);
@@ -112,11 +119,40 @@ static void refusals(void **state)
   pair_clear(&p);
 }
 
+/* At m1 = 0.08627301503..., otherwise the default crawler, body 2 ceases to turn in the contraction as T -> 0. Near that, above it,
+ * the limit is either refused or the one with the right modes: an extrapolation from the other side would be smooth and wrong. */
+static void limit_near_a_touch(void **state)
+{
+  (void)state;
+  struct scallop_steady_expansion e;
+  struct scallop_rational_crawler c;
+  struct scallop_crawler defaults = scallop_crawler_default();
+  static const char *const masses[] = { "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862" };
+  int refused = 0;
+  scallop_steady_expansion_init(&e);
+  scallop_rational_init(&c);
+  defaults.gait = &scallop_gait_sinusoidal;
+  scallop_rational_of(&c, &defaults);
+  for (size_t i = 0; i < sizeof masses / sizeof *masses; i++) {
+    assert_true(scallop_rational_parse(c.m1, masses[i]));
+    enum scallop_status status = scallop_expand_steady(&c, 4, PRECISION, &e, NULL);
+    bool turns = fmpq_get_d(c.m1) > 0.08627301503417;
+    assert_true(status == SCALLOP_OK || status == SCALLOP_EUNDECIDED);
+    refused += status != SCALLOP_OK;
+    if (status == SCALLOP_OK)
+      assert_string_equal(e.modes, turns ? "++ -+ ++ | ++ +- ++" : "++ -+ ++ | ++");
+  }
+  assert_true(refused < (int)(sizeof masses / sizeof *masses));
+  scallop_steady_expansion_clear(&e);
+  scallop_rational_clear(&c);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(pi_squared_as_a_fraction),
     cmocka_unit_test(refusals),
+    cmocka_unit_test(limit_near_a_touch),
   };
   return cmocka_run_group_tests_name("derived edges", tests, NULL, NULL);
 }

@@ -54,6 +54,12 @@ static void products_are_convolutions(void **state)
       convolution(sum, &w[0], &w[1], k);
       check_coefficient(&w[2], k, sum, "a b");
     }
+    series_mul(&w[0], &w[0], &w[1], &ring); /* in place: the same, and no more is known */
+    assert_int_equal(w[0].known, w[2].known);
+    for (slong k = first; k < least(w[2].known, FAR); k++) {
+      assert_true(series_rational_coefficient(sum, &w[2], k));
+      check_coefficient(&w[0], k, sum, "a b in place of a");
+    }
   }
   fmpq_clear(sum);
   work_clear(w);
