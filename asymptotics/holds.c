@@ -103,11 +103,27 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
   }
 }
 
+/* Whether the ball of a crossing reaches over the end of its piece in time, or over the beginning */
+static bool spills(const struct edge *e, const struct phase_constants *p, bool over_end)
+{
+  const struct scallop_piece *piece = &p->shape->pieces[e->piece];
+  bool forward = piece->anchor == SCALLOP_FROM_START;
+  arb_t border;
+  arb_init(border);
+  arb_set_d(border, over_end ? piece->end : piece->begin);
+  bool inside = forward == over_end ? arb_lt(e->offset, border) : arb_gt(e->offset, border);
+  arb_clear(border);
+  return e->curve >= 0 && !inside;
+}
+
 /* The segment between two edges keeps off the curves of its region. */
 static bool segment_is_clear(const struct segment *g, const struct edge *from, const struct edge *to)
 {
   enum { DEPTH = 30 };
-  bool clear = true;
+  bool clear = from->piece <= to->piece;
+  /* a crossing on the border of two pieces may be in either */
+  int touches_until = from->piece + (spills(from, g->p, true) ? 1 : 0),
+      touches_from = to->piece - (spills(to, g->p, false) ? 1 : 0);
   arf_t early, late;
   arf_init(early);
   arf_init(late);
@@ -120,8 +136,12 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
       (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, from->offset, g->precision);
     if (i == to->piece)
       (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, to->offset, g->precision);
+    if (forward ? arf_cmp(early, late) > 0 : arf_cmp(early, late) < 0) {
+      clear = false;
+      break;
+    }
     for (int j = g->region == 2 ? 1 : 0; clear && j <= (g->region == 0 ? 0 : 1); j++) {
-      bool at_early = i == from->piece && from->curve == j, at_late = i == to->piece && to->curve == j;
+      bool at_early = i <= touches_until && from->curve == j, at_late = i >= touches_from && to->curve == j;
       clear = keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,
                         forward ? at_late : at_early, DEPTH);
     }
@@ -175,17 +195,34 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
   return why;
 }
 
-/* A crossing next to a corner of l': what cannot be shown there is due to it. Only for the name of what happens. */
-static bool is_near_corner(const struct edge *e, const struct phase_constants *p)
+/* What is nearest to happening at a crossing, and how near, from 0 to 1: only for the name of what cannot be shown. */
+static double nearest_event(const struct edge *e, const struct phase_constants *p, int from, int into, const arb_t eps,
+                            const char **what)
 {
-  static const double NEAR = 0x1p-8;
-  const struct scallop_piece *piece = &p->shape->pieces[e->piece];
-  double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR);
-  bool turned;
-  if (e->curve < 0)
-    return false;
-  return (fabs(u - piece->end) < NEAR && e->piece + 1 < p->shape->count && !scallop_piece_goes_on(piece, piece + 1, &turned))
-         || (fabs(u - piece->begin) < NEAR && e->piece > 0 && !scallop_piece_goes_on(piece - 1, piece, &turned));
+  const struct scallop_shape *shape = p->shape;
+  const struct scallop_piece *piece = &shape->pieces[e->piece];
+  double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), near = 1;
+  bool first = e->piece == 0, last = e->piece + 1 == shape->count, turned;
+  if (fabs(u - piece->begin) < near && (first || !scallop_piece_goes_on(piece - 1, piece, &turned))) {
+    near = fabs(u - piece->begin);
+    *what = first ? starts[p->kind] : leaves[p->kind];
+  }
+  if (fabs(u - piece->end) < near && (last || !scallop_piece_goes_on(piece, piece + 1, &turned))) {
+    near = fabs(u - piece->end);
+    *what = last ? starts[1 - p->kind] : leaves[p->kind];
+  }
+  arb_t rate;
+  arb_init(rate);
+  scallop_ball_rate(rate, piece, e->offset, 64);
+  double along = arf_get_d(arb_midref(rate), ARF_RND_NEAR) * fmpq_get_d(p->curve[e->curve]);
+  double drive = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
+  double margin = fmin(fabs(along - drive * fmpq_get_d(p->beta[into])), fabs(along - drive * fmpq_get_d(p->beta[from])));
+  arb_clear(rate);
+  if (margin / (fabs(along) + drive) < near) {
+    near = margin / (fabs(along) + drive);
+    *what = sticks[p->kind][e->curve];
+  }
+  return near;
 }
 
 /* The line after a crossing goes through it: a = q |l'| - b s there. */
@@ -205,6 +242,26 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
   arb_submul(g->a, g->b, s, precision);
   g->region = at->to;
   arb_clear(s);
+}
+
+/* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
+static const char *likely_event(const struct branch *b, const struct phase_constants *p, const arb_t eps, slong precision)
+{
+  static const double NEAR = 0.04;
+  const char *what = grazes[p->kind], *candidate = what;
+  double nearest = NEAR;
+  struct edge at;
+  arb_init(at.offset);
+  for (int i = 0; i < b->count; i++) {
+    edge_at_crossing(&at, &b->crossing[i], p, precision);
+    double near = nearest_event(&at, p, branch_region(b, i), b->crossing[i].to, eps, &candidate);
+    if (near < nearest) {
+      nearest = near;
+      what = candidate;
+    }
+  }
+  arb_clear(at.offset);
+  return what;
 }
 
 /* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start. */
@@ -230,7 +287,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
     edge_at_crossing(&to, at, p, precision);
     why = crossing_holds(&to, p, g.region, at->to, eps, precision);
     if (!why && !segment_is_clear(&g, &from, &to))
-      why = is_near_corner(&from, p) || is_near_corner(&to, p) ? leaves[p->kind] : grazes[p->kind];
+      why = likely_event(b, p, eps, precision);
     bend(&g, at, eps);
     from.curve = to.curve;
     from.piece = to.piece;
@@ -238,7 +295,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
   }
   edge_at_end(&to, shape->count - 1, shape->pieces[shape->count - 1].end);
   if (!why && !segment_is_clear(&g, &from, &to))
-    why = is_near_corner(&from, p) ? leaves[p->kind] : grazes[p->kind];
+    why = likely_event(b, p, eps, precision);
   arb_clear(g.a);
   arb_clear(g.b);
   arb_clear(from.offset);

@@ -1,4 +1,5 @@
 /* Rows of `phase` and `steady` whose every digit is proven. */
+#include <math.h>
 #include <string.h>
 
 #include "compare/decimal.h"
@@ -41,17 +42,25 @@ static bool is_plain(const char *text)
   return rest[-1] != '.' && (*rest == '\0' || *rest == 'e' || *rest == 'E');
 }
 
-/* As they were written: a double would not hold all digits. */
+/* As it was written: a double would not hold all digits. */
+static void write_parameter(struct table *table, const char *written, double value)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, value, 0);
+  if (written && !is_plain(written) && table->options->format == FORMAT_JSON)
+    table_text(table, written);
+  else
+    table_digits(table, written ? written : text);
+}
+
 static void parameters(struct table *table, const struct options *point)
 {
   int i = 0;
   for (const char *const *name = crawler_parameters; *name; name++, i++)
     if (strcmp(*name, "gait") == 0)
       table_text(table, point->crawler.gait->name);
-    else if (point->written[i] && is_plain(point->written[i]))
-      table_digits(table, point->written[i]);
     else
-      table_number(table, crawler_parameter(&point->crawler, *name));
+      write_parameter(table, point->written[i], crawler_parameter(&point->crawler, *name));
 }
 
 static const char *reason(enum scallop_status status, const char *why)
@@ -86,13 +95,13 @@ const char *certified_phase_row(struct table *table, const struct options *point
   decimal_options(&crawler, v0, point);
   parameters(table, point);
   table_text(table, point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  table_number(table, point->v0);
+  write_parameter(table, point->written_v0, point->v0);
   enum scallop_status status = scallop_certified_phase(&crawler, point->phase, v0, solve, &p, &why);
   if (status == SCALLOP_OK) {
     const arb_struct *numbers[] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
     for (int i = 0; i < 6; i++)
       if (i < 2 && !p.switches)
-        table_text(table, "nan");
+        table_number(table, NAN);
       else
         write_ball(table, numbers[i], digits);
     table_text(table, scallop_regime_text(p.regime));

@@ -111,7 +111,10 @@ void book_enter(struct book *book, struct claim_row *row, struct order_point *po
   row->points = points;
   if (!agrees(row)) {
     char what[120];
-    snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
+    if (isnan(row->slope) && !row->exact)
+      snprintf(what, sizeof what, "the derived order is %ld, and no slope could be measured", row->derived_order);
+    else
+      snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
     contradict(book, row, what);
   }
   if (row->verdict != CLAIM_REFUTED)

@@ -224,6 +224,10 @@ static enum exit_code read_committed(struct check *check, const char *name)
       code = EXIT_USAGE;
     }
   }
+  if (code == EXIT_DONE && ferror(lines.file)) {
+    complain("claims", "cannot read %s: %s", name, strerror(errno));
+    code = EXIT_FILE;
+  }
   if (code == EXIT_DONE && check->count == 0) {
     complain("claims", "%s: no row of a ledger: `scallop claims` writes one", name);
     code = EXIT_USAGE;

@@ -23,7 +23,7 @@ static enum exit_code run(const struct options *options)
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
-             "F1 = %g, F2 = %g, alpha = %g",
+             "F1 = %.17g, F2 = %.17g, alpha = %.17g",
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
   }

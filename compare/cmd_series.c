@@ -113,12 +113,18 @@ static enum exit_code run_points(const struct options *options)
   return for_each_point(options, extra, list, row);
 }
 
+enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
+
 /* NULL, or which options do not go together */
 static const char *excluded(const struct options *o)
 {
   bool derived = strcmp(o->source, "derived") == 0, published = strcmp(o->source, "published") == 0;
   if (o->bound && o->has_source && !derived)
     return "--bound is for the derived series: leave --source out";
+  if (o->bound && o->order > MOST_ORDER_OF_BOUND)
+    return "--bound takes an --order from 1 to 60";
+  if (o->bound && o->digits > 0)
+    return "--digits and --bound exclude each other: bounds are rounded to four digits, to the safe side";
   if (o->has_order && !o->bound && !derived)
     return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
                      : "--order and --source limit exclude each other: the limit is one term";

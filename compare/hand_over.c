@@ -24,16 +24,16 @@ static bool beside(char path[PATH_MAX], const char *name)
 bool has_flint(const struct options *options, const char *what)
 {
   char path[PATH_MAX];
-  const char *why = "unknown folder";
-  if (beside(path, "scallop-flint")) {
-    execv(path, options->arguments);
-    why = strerror(errno);
+  const char *command = options->command->name;
+  if (!beside(path, "scallop-flint")) {
+    complain(command, "%s needs FLINT, and the folder of scallop-flint, which has it, cannot be told", what);
+    return false;
   }
-  complain(options->command->name,
-           "%s needs FLINT: it is in the program scallop-flint, which `make` builds beside this one and `make WITH_FLINT=0` "
-           "leaves "
-           "out (%s)",
-           what, why);
+  execv(path, options->arguments);
+  if (errno == ENOENT)
+    complain(command, "%s needs FLINT: there is no %s, which `make` builds and `make WITH_FLINT=0` leaves out", what, path);
+  else
+    complain(command, "%s needs FLINT: cannot run %s: %s", what, path, strerror(errno));
   return false;
 }
 

@@ -139,8 +139,8 @@ struct ledger_sample {
   struct scallop_certified_steady steady;
 };
 
-/* Of a term c T^p with p <= 9 or so, c of size 1, ten digits are left. */
-static long digits_at(int k) { return 40 + (long)(10 * 0.602 * k); }
+/* Of a term c T^p with p <= 9 or so, c of size 1, ten digits are left. decades: by which T0 has been made smaller. */
+static long digits_at(int k, double decades) { return 40 + (long)(10 * (0.602 * k + 1.5 * decades)); }
 
 static bool same_modes(const struct ledger_sample *s, const struct ledger_case *c)
 {
@@ -175,14 +175,14 @@ static void take_sample(struct ledger_sample *s, const struct ledger_case *c)
   fmpq_clear(fraction);
 }
 
-static struct ledger_sample *take_samples(const struct ledger_case *c, const fmpq_t T0)
+static struct ledger_sample *take_samples(const struct ledger_case *c, const fmpq_t T0, double decades)
 {
   struct ledger_sample *samples = calloc(LEDGER_SAMPLES, sizeof *samples);
   for (int k = 0; samples && k < LEDGER_SAMPLES; k++) {
     struct ledger_sample *s = &samples[k];
     fmpq_init(s->T);
     fmpq_div_2exp(s->T, T0, 2 * (flint_bitcnt_t)k);
-    s->digits = digits_at(k);
+    s->digits = digits_at(k, decades);
     scallop_certified_phase_init(&s->phase);
     scallop_certified_steady_init(&s->steady);
     take_sample(s, c);
@@ -244,6 +244,14 @@ static double set_condition(struct ledger_case *c, const struct condition *condi
   return sqrt(M * L / F);
 }
 
+/* The expansion is one in T^2 over the smaller mass and the difference of the forces: where these are far apart, T is smaller. */
+static double decades_apart(const struct scallop_rational_crawler *c)
+{
+  double m1 = fmpq_get_d(c->m1), m2 = fmpq_get_d(c->m2), F1 = fmpq_get_d(c->F1), F2 = fmpq_get_d(c->F2);
+  double apart = fmin(m1, m2) / (m1 + m2) * fmin(fmin(F1, F2), fabs(F1 - F2)) / (F1 + F2);
+  return apart < 0.001 ? ceil(-log10(apart)) : 0;
+}
+
 enum scallop_status ledger_case_init(struct ledger_case *c, const struct scallop_rational_crawler *crawler,
                                      enum scallop_setting setting, enum scallop_phase_kind kind,
                                      const struct condition *condition, bool mirrored)
@@ -255,7 +263,8 @@ enum scallop_status ledger_case_init(struct ledger_case *c, const struct scallop
   scallop_rational_copy(&c->crawler, crawler);
   fmpq_init(c->v0);
   fmpq_init(T0);
-  rounded(T0, set_condition(c, condition));
+  double natural = set_condition(c, condition), decades = decades_apart(&c->crawler);
+  rounded(T0, natural * pow(10, -decades));
   c->motion = motion_of(&c->crawler, c->v0);
   enum scallop_status status = c->motion ? expand(c->motion, c, TERMS) : SCALLOP_ERANGE;
   bool has_identities = setting != SCALLOP_STEADY || scallop_gait_is_rational(crawler->gait);
@@ -264,7 +273,7 @@ enum scallop_status ledger_case_init(struct ledger_case *c, const struct scallop
   if (setting != SCALLOP_STEADY && !scallop_gait_is_rational(crawler->gait))
     put_numbers(c);
   if (status == SCALLOP_OK)
-    c->samples = take_samples(c, T0);
+    c->samples = take_samples(c, T0, decades);
   fmpq_clear(T0);
   return status;
 }

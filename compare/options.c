@@ -241,8 +241,7 @@ static const struct description descriptions[] = {
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
-  { "digits", "N", "significant digits, 1 to 17 (as many as read back exactly); up to 10000 where they are proven",
-    set_count },
+  { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
   { "output", "FILE", "write there instead of to standard output; also -o", set_file },
   { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
 };

@@ -114,10 +114,10 @@ static bool is_precise(const struct motion *m, long order, long digits)
   return precise;
 }
 
-static enum scallop_status expand(struct motion *m, const struct report *r, long order, const char **why)
+/* With so many bits, or as many more as the digits of the coefficients take. */
+static enum scallop_status expand(struct motion *m, const struct report *r, long order, slong precision, const char **why)
 {
   enum { TRIES = 6 };
-  slong precision = (slong)(3.33 * (double)r->digits) + 128 + order;
   enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
     status = m->steady ? scallop_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
@@ -172,7 +172,7 @@ static void write_coefficient(struct table *t, const struct report *r, const str
     text = decimal_fraction(q);
   else {
     series_coefficient(x, s, power, (slong)(3.33 * (double)r->digits) + 32);
-    text = arb_contains_zero(x) ? decimal_ball(x, r->digits) : decimal_text(x, r->digits);
+    text = decimal_text(x, r->digits);
   }
   table_text(t, text);
   flint_free(text);
@@ -206,7 +206,7 @@ static void write_term(struct report *r, const struct motion *m, const struct qu
   if (solved) {
     error_of(error, sum, q, precision);
     text = decimal_text(error, ERROR_DIGITS);
-    table_digits(t, arb_contains_zero(error) ? "0" : text);
+    table_digits(t, text);
     flint_free(text);
   } else
     table_number(t, NAN);
@@ -246,10 +246,10 @@ static void write_terms(struct report *r, const struct motion *m, const struct q
   arb_clear(sum);
 }
 
-/* The smallest error is seen: as many digits of the exact value as that takes, within reason. */
+/* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within reason. */
 static bool solve_well(struct motion *m, const struct report *r, long order)
 {
-  enum { TRIES = 7 };
+  enum { TRIES = 9, MOST = 10000 };
   long digits = r->digits + 20;
   bool solved = false, enough = false;
   arb_t T, sum, error;
@@ -257,14 +257,16 @@ static bool solve_well(struct motion *m, const struct report *r, long order)
   arb_init(sum);
   arb_init(error);
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
-    slong precision = 8 * digits;
-    solved = enough = solve(m, r, digits < SCALLOP_MOST_DIGITS ? digits : SCALLOP_MOST_DIGITS);
+    slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
+    solved = enough = solve(m, r, digits < MOST ? digits : MOST);
+    if (i > 0 && !m->quantities[0].series->exact && expand(m, r, order, precision, NULL) != SCALLOP_OK)
+      break;
     arb_set_fmpq(T, m->T, precision);
     for (int k = 0; solved && k < m->count; k++) {
       series_value(sum, m->quantities[k].series, T, order, precision);
       enough = error_of(error, sum, &m->quantities[k], precision) && enough;
     }
-    enough |= !solved;
+    enough |= !solved || digits >= MOST;
   }
   arb_clear(T);
   arb_clear(sum);
@@ -293,7 +295,8 @@ static bool report_motion(struct report *r, struct motion *m)
   bool limit = is_limit(r->options);
   long order = limit ? 1 : r->options->order;
   const char *why = NULL;
-  enum scallop_status status = expand(m, r, order, &why);
+  slong precision = (slong)(3.33 * (double)r->digits) + 128 + order;
+  enum scallop_status status = expand(m, r, order, precision, &why);
   if (status != SCALLOP_OK) {
     r->why = why ? why : scallop_status_text(status);
     write_failure(r, m);
@@ -347,6 +350,20 @@ static bool report_all(struct report *r)
   return report_steady(r) && done;
 }
 
+/* As they were written: a double would not hold all digits. */
+static void note_parameters(struct report *r)
+{
+  const struct options *o = r->options;
+  char line[1200] = "", number[NUMBER_TEXT];
+  size_t at = 0;
+  for (int i = 0; i < 7 && at < sizeof line; i++) {
+    number_text(number, crawler_parameter(&o->crawler, crawler_parameters[i]), 0);
+    at += (size_t)snprintf(line + at, sizeof line - at, "%s=%.120s ", crawler_parameters[i],
+                           o->written[i] ? o->written[i] : number);
+  }
+  table_note(&r->table, "parameters: %sgait=%s", line, o->crawler.gait->name);
+}
+
 static bool begin(struct report *r)
 {
   const struct options *o = r->options;
@@ -357,12 +374,9 @@ static bool begin(struct report *r)
     table_note(&r->table, "command: series --source limit");
   else
     table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order);
-  table_parameters(&r->table, o);
-  if (o->has_v0) {
-    char v0[NUMBER_TEXT];
-    number_text(v0, o->v0, 0);
-    table_note(&r->table, "v0: %s", v0);
-  }
+  note_parameters(r);
+  if (o->has_v0)
+    table_note(&r->table, "v0: %s", o->written_v0);
   if (o->bound)
     table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
   else
@@ -379,9 +393,16 @@ static bool begin(struct report *r)
 /* Four digits, rounded away from what is claimed: C and the bound up, times down. */
 static void write_rounded(struct table *t, const arb_t x, int direction)
 {
-  enum { SPARE = 1000 }; /* more than the fourth digit's rounding */
-  double value = arf_get_d(arb_midref(x), direction > 0 ? ARF_RND_UP : ARF_RND_DOWN) + direction * mag_get_d(arb_radref(x));
-  table_rounded(t, value * (1 + direction * 1.0 / SPARE), "%.3e");
+  enum { SPARE = 1000, DIGITS = 4 }; /* a thousandth is more than the fourth digit's rounding */
+  arb_t shifted;
+  arb_init(shifted);
+  (direction > 0 ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(shifted), x, BOUND_PRECISION);
+  arb_mul_si(shifted, shifted, SPARE + direction, BOUND_PRECISION);
+  arb_div_si(shifted, shifted, SPARE, BOUND_PRECISION);
+  char *text = decimal_text(shifted, DIGITS);
+  table_digits(t, text);
+  flint_free(text);
+  arb_clear(shifted);
 }
 
 static void write_bound(struct table *t, const struct scallop_bound *b, const char *quantity, const struct report *r)

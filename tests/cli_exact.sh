@@ -68,6 +68,15 @@ run 0 series --source derived --T 4 --order 3
 grep -q 'not of this motion: its modes are -- -+ 0+ | +- --' out || note "$(tail -n 1 out)"
 finish "series: where a body sticks, the status says that the series is not about that motion"
 
+run 0 series --source derived --gait sinusoidal --T 1e-40 --order 4
+rows out | grep '	v_start	' | cut -f 7 | grep -q -E '^-?[0-9.]+e-[0-9]+$' || note "$(rows out | grep v_start)"
+! rows out | grep -v '	rest	' | cut -f 7 | grep -q -x '0' || note "an error that is not 0 is printed so: $(rows out | grep -m 1 '	0	ok')"
+! grep -q '\[' out || note "a ball: $(grep -m 1 '\[' out)"
+finish "series: errors of a sinusoidal gait are seen at T = 1e-40"
+run 0 series --source derived --order 9 --m1 0.02 --m2 1 --F1 10 --F2 1 --alpha 0.7 --gait sinusoidal
+! grep -q '\[' out || note "a ball: $(grep -m 1 '\[' out)"
+finish "series: every coefficient is a number"
+
 # ---- bounds ----
 for gait in quadratic sinusoidal; do
   for T in 2.4 0.3 1e-8; do
@@ -87,6 +96,9 @@ END
   done
 done
 finish "series --bound: above the error, and not far, from 1e-8 to T0"
+run 0 series --bound --L 1e-140 --T 1e-75
+cells out C | grep -q -x '[0-9.]*e+[0-9]* *' || note "$(rows out)"
+finish "series --bound: numbers beyond a double's range"
 run 0 series --bound --T 2.6
 [ "$(cells out bound | sort -u)" = nan ] || note "$(rows out)"
 finish "series --bound: none beyond T0"
@@ -113,6 +125,8 @@ refused_at_once "10 million digits" 2 "from 1 to 10000" steady --certified --dig
 refused_at_once "10 million digits of a series" 2 "from 1 to 10000" series --source derived --digits 10000000
 refused_at_once "20 digits of a double" 2 "up to 10000 with --certified" steady --digits 20
 refused_at_once "20 digits of a published value" 2 "with --source" series --digits 20
+refused_at_once "order 61 of a bound" 2 "from 1 to 60" series --bound --order 61
+refused_at_once "digits of a bound" 2 "exclude each other" series --bound --digits 6
 refused_at_once "unknown source" 2 "published, derived or limit" series --source guessed
 refused_at_once "order of the published" 2 "needs --source derived" series --order 4
 refused_at_once "order of the limit" 2 "exclude each other" series --source limit --order 4
@@ -145,7 +159,9 @@ run 0 steady --certified --T 0.1 --digits 40
 finish "certified: 0.1 is 1/10, not a double"
 run 0 phase --certified --v0 0.1 --digits 25
 run 0 phase --certified --v0 1e-1 --digits 25
-finish "phase --certified"
+run 0 phase --certified --v0 0.12345678901234567890123456789
+[ "$(cells out v0)" = 0.12345678901234567890123456789 ] || note "$(cells out v0)"
+finish "phase --certified: v0 as it was written"
 run 0 steady --certified --F2 4
 [ "$(cells out v_start displacement)" = "0 0" ] || note "$(rows out)"
 finish "certified: an exact 0 is 0"
@@ -181,6 +197,14 @@ LD_DEBUG=files "$tool" steady >out 2>loaded
 LD_DEBUG=files "$tool" steady --certified >out 2>loaded
 grep -q -E 'libflint' loaded || note "the other program is not seen to load FLINT: this test sees nothing"
 finish "steady does not load FLINT, steady --certified does"
+
+mkdir elsewhere
+cp "$tool" elsewhere/scallop
+printf 'no program\n' >elsewhere/scallop-flint
+elsewhere/scallop claims >out 2>err
+[ $? = 3 ] || note "exit code $?"
+grep -q 'cannot run .*elsewhere/scallop-flint: Permission denied' err || note "$(cat err)"
+finish "a scallop-flint that is no program is named"
 
 # ---- claims --check ----
 run 0 claims --against ledger.tsv --quiet
