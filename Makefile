@@ -12,7 +12,7 @@ B       ?= build
 WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,decimal ledger claims_book claims_order claims_ends claims_words claims_table certified_rows series_derived)
+               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table certified_rows series_derived)
 flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger)|tests/expansions
 flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3

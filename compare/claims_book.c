@@ -127,7 +127,8 @@ void book_enter(struct book *book, struct claim_row *row, struct order_point *po
     e->stands = row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER;
     if (row->verdict == CLAIM_REFUTED && !*row->corrected)
       contradict(book, row, "refuted, and nothing is named that holds");
-  }
+  } else
+    contradict(book, row, "more rows than there is room for: their corrections are not checked");
   book->sink(book->context, row);
 }
 

@@ -22,6 +22,16 @@ struct condition {
   bool reversed;                               /* the bodies exchange their roles against the paper   */
 };
 
+/* One crawler's expansion, with what the formulas need */
+struct ledger_motion {
+  struct scallop_rational_crawler crawler;
+  fmpq_t v0, pi_squared;
+  bool has_pi_squared; /* a random number in place of pi^2                                            */
+  slong terms;
+  struct scallop_phase_expansion phase;
+  struct scallop_steady_expansion steady;
+};
+
 /* One setting, kind of phase, gait and condition; mirrored: seen in a mirror, the bodies exchanged, so that a reversed
  * motion becomes one that the paper's formulas are for. */
 struct ledger_case {
@@ -67,5 +77,12 @@ bool ledger_prove(struct ledger_proof *proof, const struct ledger_case *c, const
  * between the two smallest T (nan if there are not two, or the error is 0). */
 int ledger_measure(struct order_point points[LEDGER_SAMPLES], double *slope, const struct ledger_case *c,
                    const struct scallop_formula *formula, enum scallop_quantity quantity, bool limit);
+
+/* For ledger.c and ledger_measure.c: the expansion of a quantity; the samples of a case, T0 having been made smaller by so many
+ * decades, or NULL. */
+const struct series *ledger_expansion(const struct ledger_motion *m, const struct ledger_case *c,
+                                      enum scallop_quantity quantity);
+struct ledger_sample *ledger_take_samples(const struct ledger_case *c, const fmpq_t T0, double decades);
+void ledger_free_samples(struct ledger_sample *samples);
 
 #endif
