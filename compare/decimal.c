@@ -2,7 +2,7 @@
 
 #include "compare/table.h"
 
-void decimal_rational(fmpq_t x, double value)
+static void decimal_rational(fmpq_t x, double value)
 {
   char text[NUMBER_TEXT];
   number_text(text, value, 0);

@@ -5,9 +5,7 @@
 #include "compare/options.h"
 #include "model/ball.h"
 
-/* The shortest decimal number that reads back as this double: what a person means by 0.7. */
-void decimal_rational(fmpq_t x, double value);
-/* The same for every parameter of a crawler. */
+/* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. */
 void decimal_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);
 /* The crawler of the options, as it was written: every digit that was given counts. v0 likewise (may be NULL). */
 void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const struct options *options);

@@ -6,13 +6,9 @@
 #include "asymptotics/evaluate.h"
 #include "compare/order.h"
 
-/* T = T0 4^-k: T0 is the duration at which the Froude number is 1, and the last T is below 1e-20 T0. */
-enum {
-  LEDGER_SAMPLES = 35,
-  LEDGER_IDENTITIES = 3,
-  LEDGER_NUMBERS = 32,
-  LEDGER_QUANTITIES = SCALLOP_STEADY_DISPLACEMENT + 1
-};
+/* T = T0 4^-k: T0 is the duration at which the Froude number is 1, or less where masses or forces are far apart; the last T is
+ * below 1e-20 T0. */
+enum { LEDGER_SAMPLES = 35, LEDGER_IDENTITIES = 3, LEDGER_NUMBERS = 32 };
 
 struct condition {
   const char *text;
@@ -41,12 +37,12 @@ struct ledger_case {
   bool mirrored;
   struct scallop_rational_crawler crawler; /* T is not used                                       */
   fmpq_t v0;
-  struct ledger_motion *motion; /* of the crawler                                 */
-  struct ledger_motion
-      *others[LEDGER_IDENTITIES]; /* of random crawlers with the same modes, exact coefficients; NULL: none */
-  struct ledger_motion
-      *numbers[LEDGER_NUMBERS];  /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL: none */
-  struct ledger_sample *samples; /* LEDGER_SAMPLES, from the largest T             */
+  struct ledger_motion *motion; /* of the crawler                                                      */
+  /* of random crawlers with the same modes, with exact coefficients; NULL where there is none */
+  struct ledger_motion *others[LEDGER_IDENTITIES];
+  /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL where pi does not come in */
+  struct ledger_motion *numbers[LEDGER_NUMBERS];
+  struct ledger_sample *samples; /* LEDGER_SAMPLES of them, from the largest T                         */
 };
 
 enum scallop_status ledger_case_init(struct ledger_case *c, const struct scallop_rational_crawler *crawler,
