@@ -64,36 +64,27 @@ int branch_region(const struct branch *b, int segment)
   return segment == 0 ? b->first_region : b->crossing[segment - 1].to;
 }
 
-static bool speed_is_zero(const struct scallop_piece *p)
-{
-  arb_t u, speed;
-  arb_init(u);
-  arb_init(speed);
-  scallop_ball_speed(speed, p, u, 64);
-  bool zero = arb_is_zero(speed);
-  arb_clear(u);
-  arb_clear(speed);
-  return zero;
-}
+typedef void piece_function(arb_t value, const struct scallop_piece *piece, const arb_t u, slong precision);
 
-static bool rate_is_zero(const struct scallop_piece *p)
+/* Whether it is 0 at the anchor */
+static bool is_zero_at_anchor(piece_function *f, const struct scallop_piece *piece)
 {
-  arb_t u, rate;
+  arb_t u, value;
   arb_init(u);
-  arb_init(rate);
-  scallop_ball_rate(rate, p, u, 64);
-  bool zero = arb_contains_zero(rate);
+  arb_init(value);
+  f(value, piece, u, 64);
+  bool zero = arb_contains_zero(value);
   arb_clear(u);
-  arb_clear(rate);
+  arb_clear(value);
   return zero;
 }
 
 /* A crossing at offset 0 of a piece that has its anchor at that end of the phase. Where l' jumps there is none: c is small. */
 static bool add_end(struct branch *b, const struct scallop_piece *piece, int curve, int to)
 {
-  if (!speed_is_zero(piece))
+  if (!is_zero_at_anchor(scallop_ball_speed, piece))
     return true;
-  if (rate_is_zero(piece))
+  if (is_zero_at_anchor(scallop_ball_rate, piece))
     return false;
   struct crossing *at = &b->crossing[b->count++];
   at->piece = piece;
