@@ -8,6 +8,33 @@ void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision)
   arb_div_fmpz(product, product, fmpq_denref(q), precision);
 }
 
+void time_of_offset(arb_t time, const struct scallop_piece *piece, const arb_t u, slong precision)
+{
+  arb_set(time, u);
+  if (piece->anchor == SCALLOP_FROM_END) {
+    arb_sub_si(time, time, 1, precision);
+    arb_neg(time, time);
+  }
+}
+
+void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmpq_t q, const arb_t a, const arb_t b,
+            const arb_t u, slong precision)
+{
+  arb_t s;
+  arb_init(s);
+  time_of_offset(s, piece, u, precision);
+  scallop_ball_speed(gap, piece, u, precision);
+  ball_times(gap, gap, q, precision);
+  arb_submul(gap, b, s, precision);
+  arb_sub(gap, gap, a, precision);
+  scallop_ball_rate(slope, piece, u, precision);
+  ball_times(slope, slope, q, precision);
+  arb_sub(slope, slope, b, precision);
+  if (piece->anchor == SCALLOP_FROM_END)
+    arb_neg(slope, slope);
+  arb_clear(s);
+}
+
 /* ---- the constants of a phase ---- */
 
 void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
@@ -285,29 +312,6 @@ struct straight { /* c = a + b s                                                
   arb_t a, b, a_slope;
 };
 
-/* q |l'| - (a + b s) at offset u, and its derivative by u */
-static void gap_at(arb_t gap, arb_t slope, const struct crossing *at, const fmpq_t q, const struct straight *line,
-                   const arb_t u, slong precision)
-{
-  bool forward = at->piece->anchor == SCALLOP_FROM_START;
-  arb_t s;
-  arb_init(s);
-  if (forward)
-    arb_set(s, u);
-  else
-    arb_sub_si(s, u, 1, precision), arb_neg(s, s);
-  scallop_ball_speed(gap, at->piece, u, precision);
-  ball_times(gap, gap, q, precision);
-  arb_submul(gap, line->b, s, precision);
-  arb_sub(gap, gap, line->a, precision);
-  scallop_ball_rate(slope, at->piece, u, precision);
-  ball_times(slope, slope, q, precision);
-  arb_sub(slope, slope, line->b, precision);
-  if (!forward)
-    arb_neg(slope, slope);
-  arb_clear(s);
-}
-
 /* u becomes a ball that holds the crossing for every line within the balls of line: Newton's interval operator maps it into
  * itself. u comes in as a place near it. */
 static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const struct straight *line, bool same,
@@ -324,7 +328,7 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
   arb_init(next);
   for (int i = 0; i < STEPS; i++) { /* the middle of u, for the middle of the line */
     mag_zero(arb_radref(u));
-    gap_at(gap, slope, at, q, line, u, precision);
+    gap_at(gap, slope, at->piece, q, line->a, line->b, u, precision);
     arb_div(gap, gap, slope, precision);
     if (!arb_is_finite(gap))
       break;
@@ -333,7 +337,7 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
       break;
   }
   mag_zero(arb_radref(u));
-  gap_at(gap, slope, at, q, line, u, precision);
+  gap_at(gap, slope, at->piece, q, line->a, line->b, u, precision);
   arb_div(next, gap, slope, precision);
   arb_set(wide, u);
   arb_get_mag(arb_radref(wide), next);
@@ -341,7 +345,7 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
     mag_mul_2exp_si(arb_radref(wide), arb_radref(wide), 1);
     if (mag_is_zero(arb_radref(wide)))
       mag_set_ui_2exp_si(arb_radref(wide), 1, -precision);
-    gap_at(next, slope, at, q, line, wide, precision);
+    gap_at(next, slope, at->piece, q, line->a, line->b, wide, precision);
     arb_div(next, gap, slope, precision);
     arb_sub(next, u, next, precision);
     inside = arb_is_finite(next) && arb_contains(wide, next) && (!same || arb_contains(wide, given));
@@ -400,13 +404,11 @@ bool base_follow(struct base *base, struct branch *b, const struct phase_constan
     const struct crossing *at = &b->crossing[i];
     series_coefficient(u[i], &at->offset, 0, precision);
     found = enclose(u[i], at, p->curve[at->curve], &line, same, precision);
-    gap_at(gap, slope, at, p->curve[at->curve], &line, u[i], precision);
+    gap_at(gap, slope, at->piece, p->curve[at->curve], line.a, line.b, u[i], precision);
     if (at->piece->anchor == SCALLOP_FROM_END)
       arb_neg(slope, slope);
     arb_div(slope, line.a_slope, slope, precision);
-    arb_set(gap, u[i]); /* becomes the time of the crossing */
-    if (at->piece->anchor == SCALLOP_FROM_END)
-      arb_sub_si(gap, gap, 1, precision), arb_neg(gap, gap);
+    time_of_offset(gap, at->piece, u[i], precision);
     bend(base, &line, p, branch_region(b, i), at->to, eps, gap, slope, precision);
     found = found && arb_is_finite(slope);
   }

@@ -16,6 +16,11 @@ enum { MOST_CROSSINGS = 16 };
 
 /* x q, rounded twice; aliases are allowed. */
 void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision);
+/* The time since the start of the phase at offset u of a piece, and the other way round; aliases are allowed. */
+void time_of_offset(arb_t time, const struct scallop_piece *piece, const arb_t u, slong precision);
+/* q |l'| - (a + b time) at offset u of a piece, and its derivative by u */
+void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmpq_t q, const arb_t a, const arb_t b,
+            const arb_t u, slong precision);
 
 struct phase_constants { /* of one phase of a crawler                                             */
   enum scallop_phase_kind kind;

@@ -13,29 +13,11 @@ struct segment { /* c = a + b s in one region of one phase                      
 /* How far c is inside the region from curve j at offset u, and the derivative of that by u */
 static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u)
 {
-  slong precision = g->precision;
-  bool forward = piece->anchor == SCALLOP_FROM_START;
-  arb_t term;
-  arb_init(term);
-  if (forward)
-    arb_set(term, u);
-  else
-    arb_sub_si(term, u, 1, precision), arb_neg(term, term);
-  arb_mul(gap, g->b, term, precision);
-  arb_add(gap, gap, g->a, precision);
-  scallop_ball_speed(term, piece, u, precision);
-  ball_times(term, term, g->p->curve[j], precision);
-  arb_sub(gap, gap, term, precision);
-  scallop_ball_rate(slope, piece, u, precision);
-  ball_times(slope, slope, g->p->curve[j], precision);
-  arb_sub(slope, g->b, slope, precision);
-  if (!forward)
-    arb_neg(slope, slope);
-  if (g->region > j) { /* below it */
+  gap_at(gap, slope, piece, g->p->curve[j], g->a, g->b, u, g->precision);
+  if (g->region <= j) { /* above it */
     arb_neg(gap, gap);
     arb_neg(slope, slope);
   }
-  arb_clear(term);
 }
 
 /* c keeps off curve j between offsets lo and hi; it touches it, transversally, within the end whose flag is set. */
@@ -98,8 +80,10 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
     if (!goes_on)
       return;
     e->piece += moved;
-    if (turns)
-      arb_sub_si(e->offset, e->offset, 1, precision), arb_neg(e->offset, e->offset);
+    if (turns) { /* measured from the other end */
+      arb_sub_si(e->offset, e->offset, 1, precision);
+      arb_neg(e->offset, e->offset);
+    }
   }
 }
 
@@ -235,8 +219,7 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
   series_coefficient(s, &at->offset, 0, precision);
   scallop_ball_speed(g->a, at->piece, s, precision);
   ball_times(g->a, g->a, q, precision);
-  if (at->piece->anchor == SCALLOP_FROM_END)
-    arb_sub_si(s, s, 1, precision), arb_neg(s, s);
+  time_of_offset(s, at->piece, s, precision);
   arb_set_fmpq(g->b, g->p->beta[at->to], precision);
   arb_mul(g->b, g->b, eps, precision);
   arb_submul(g->a, g->b, s, precision);

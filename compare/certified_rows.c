@@ -81,7 +81,7 @@ static const char *write_no_answer(struct table *table, enum scallop_status stat
   return text;
 }
 
-const char *certified_phase_row(struct table *table, const struct options *point, const char *refused)
+const char *certified_phase_row(struct table *table, const struct options *point)
 {
   long solve, digits = digits_of(point, &solve);
   struct scallop_rational_crawler crawler;
@@ -108,17 +108,15 @@ const char *certified_phase_row(struct table *table, const struct options *point
     scallop_modes_text(&p.modes, modes);
     table_text(table, modes);
     table_text(table, "certified");
-    refused = NULL;
-  } else {
-    refused = write_no_answer(table, status, why);
   }
+  const char *unsolved = status == SCALLOP_OK ? NULL : write_no_answer(table, status, why);
   fmpq_clear(v0);
   scallop_certified_phase_clear(&p);
   scallop_rational_clear(&crawler);
-  return refused;
+  return unsolved;
 }
 
-const char *certified_steady_row(struct table *table, const struct options *point, const char *refused)
+const char *certified_steady_row(struct table *table, const struct options *point)
 {
   long solve, digits = digits_of(point, &solve);
   struct scallop_rational_crawler crawler;
@@ -140,11 +138,9 @@ const char *certified_steady_row(struct table *table, const struct options *poin
     snprintf(both, sizeof both, "%s | %s", modes[0], modes[1]);
     table_text(table, both);
     table_text(table, "certified");
-    refused = NULL;
-  } else {
-    refused = write_no_answer(table, status, why);
   }
+  const char *unsolved = status == SCALLOP_OK ? NULL : write_no_answer(table, status, why);
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&crawler);
-  return refused;
+  return unsolved;
 }

@@ -11,7 +11,7 @@ static const char *const columns[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC",
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
   if (point->certified && !refused)
-    return certified_phase_row(table, point, refused);
+    return certified_phase_row(table, point);
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : scallop_phase(&point->crawler, point->phase, point->v0, &r);

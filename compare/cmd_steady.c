@@ -12,7 +12,7 @@ static const char *const columns[] = { "froude",     "v_start", "v_mid", "displa
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
   if (point->certified && !refused)
-    return certified_steady_row(table, point, refused);
+    return certified_steady_row(table, point);
   struct scallop_steady_result r;
   char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4], interval[160];
   char low[NUMBER_TEXT], high[NUMBER_TEXT];

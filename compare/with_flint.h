@@ -12,9 +12,9 @@
  * with the message on stderr. To be called before anything is read or written. what needs it: "--certified". */
 bool has_flint(const struct options *options, const char *what);
 
-/* The rows of `phase` and `steady` in ball arithmetic, every digit proven. As point_row (points.h). */
-const char *certified_phase_row(struct table *table, const struct options *point, const char *refused);
-const char *certified_steady_row(struct table *table, const struct options *point, const char *refused);
+/* The rows of `phase` and `steady` in ball arithmetic, every digit proven. NULL, or why there is no answer. */
+const char *certified_phase_row(struct table *table, const struct options *point);
+const char *certified_steady_row(struct table *table, const struct options *point);
 
 /* series --source derived|limit and series --bound */
 enum exit_code series_derived(const struct options *options);
