@@ -12,6 +12,8 @@ const char *scallop_status_text(enum scallop_status status)
   case SCALLOP_ERANGE: return "out of range: a scaled quantity overflows or underflows";
   case SCALLOP_ECONVERGE: return "no convergence";
   case SCALLOP_EUNDECIDED: return "cannot be decided";
+  case SCALLOP_STOPPED:
+  case SCALLOP_ESTOPPED: return "stopped before the end";
   }
   return "unknown status";
 }

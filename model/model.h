@@ -16,11 +16,13 @@
  * Above zero: done, and there is something to know. */
 enum scallop_status {
   SCALLOP_OK = 0,
-  SCALLOP_INTERVAL = 1,   /* the steady states fill an interval; both ends are returned   */
-  SCALLOP_EDOMAIN = -1,   /* a parameter is outside its domain                            */
-  SCALLOP_ERANGE = -2,    /* a scaled quantity overflows, or underflows and loses digits  */
-  SCALLOP_ECONVERGE = -3, /* an iteration ended without an answer                         */
-  SCALLOP_EUNDECIDED = -4 /* no finite precision decides it: the motion touches a boundary exactly, or almost */
+  SCALLOP_INTERVAL = 1,    /* the steady states fill an interval; both ends are returned   */
+  SCALLOP_STOPPED = 2,     /* ended early, as the caller wished; what was reached is returned */
+  SCALLOP_EDOMAIN = -1,    /* a parameter is outside its domain                            */
+  SCALLOP_ERANGE = -2,     /* a scaled quantity overflows, or underflows and loses digits  */
+  SCALLOP_ECONVERGE = -3,  /* an iteration ended without an answer                         */
+  SCALLOP_EUNDECIDED = -4, /* no finite precision decides it: the motion touches a boundary exactly, or almost */
+  SCALLOP_ESTOPPED = -5    /* ended early, as the caller wished, with nothing to return    */
 };
 const char *scallop_status_text(enum scallop_status status);
 

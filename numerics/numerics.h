@@ -48,6 +48,14 @@ struct scallop_interval {
 };
 typedef void scallop_visitor(void *context, const struct scallop_interval *interval);
 
+/* The work that an answer took. */
+struct scallop_work {
+  long periods;          /* solved                                                             */
+  long events;           /* changes of mode met, and bodies held or released, over all periods   */
+  long gait_evaluations; /* of l' or l'' (or both at once) at a time; none where l' is linear   */
+  long root_iterations;  /* of the start velocity and of switching times, closed forms not counted */
+};
+
 /* ---- one phase ------------------------------------------------------------------------------- */
 
 struct scallop_phase_result {
@@ -91,6 +99,7 @@ struct scallop_steady_result {
   double mean_velocity; /* displacement / T                                                      */
   struct scallop_period_result period;
   double v_low, v_high; /* the steady start velocities: equal unless SCALLOP_INTERVAL            */
+  struct scallop_work work;
 };
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period
@@ -99,6 +108,25 @@ struct scallop_steady_result {
  * can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
+
+/* Many crawlers: column by column, count values in each. */
+struct scallop_crawlers {
+  long count;
+  const double *m1, *m2, *F1, *F2, *L, *T, *alpha;
+  const struct scallop_gait *const *gait;
+};
+/* What is wanted of them: arrays of count, each NULL where it is not wanted. Where a crawler has no steady state its numbers are
+ * nan, its modes none and its regime is untouched. */
+struct scallop_steady_states {
+  double *froude, *v_start, *v_mid, *displacement, *mean_velocity, *multiplier, *v_low, *v_high;
+  enum scallop_regime *regime;
+  struct scallop_modes (*modes)[2];
+  enum scallop_status *status;
+};
+
+/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads (>= 1; 1 where
+ * the library is built without OpenMP). Returns how many have a negative status. Allocates nothing. */
+long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
 
 /* ---- trajectories ---------------------------------------------------------------------------- */
 
