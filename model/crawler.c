@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/scaling.h"
+
 const char *scallop_status_text(enum scallop_status status)
 {
   switch (status) {
@@ -56,42 +58,38 @@ double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallo
   return (kind == SCALLOP_EXTENSION ? crawler->alpha : 1 - crawler->alpha) * crawler->T;
 }
 
-/* T^2 F/(M L). Where a step in between leaves the normal range, with the exponents apart. */
+/* T^2 F/(M L) with the exponents apart, for where a step in between leaves the normal range. */
 static double inverse_froude(double T, double F, double M, double L)
 {
-  double a = T / L, b = F / M, c = b * T;
-  if (isnormal(a) && isnormal(b) && isnormal(c))
-    return a * c;
   int eT, eF, eM, eL;
   T = frexp(T, &eT), F = frexp(F, &eF), M = frexp(M, &eM), L = frexp(L, &eL);
   return ldexp((T / L) * (F / M * T), 2 * eT + eF - eM - eL);
 }
 
-enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled)
+static void from_scaling(const struct scallop_crawler *crawler, const struct scaling *s, struct scallop_scaled *scaled)
 {
-  enum scallop_status status = scallop_crawler_check(crawler, NULL);
-  if (status != SCALLOP_OK)
-    return status;
-  double M = crawler->m1 + crawler->m2, F = crawler->F1 + crawler->F2;
-  struct scallop_scaled s = {
-    .mu1 = crawler->m1 / M,
-    .mu2 = crawler->m2 / M,
-    .mu_difference = (crawler->m1 - crawler->m2) / M,
-    .f1 = crawler->F1 / F,
-    .f2 = crawler->F2 / F,
-    .delta = (crawler->F1 - crawler->F2) / F,
-    .eps = inverse_froude(crawler->T, F, M, crawler->L),
-    .fraction = { crawler->alpha, 1 - crawler->alpha },
-    .velocity = crawler->L / crawler->T,
-    .gait = crawler->gait,
-  };
-  double a = s.fraction[SCALLOP_EXTENSION], b = s.fraction[SCALLOP_CONTRACTION];
+  *scaled = (struct scallop_scaled){ s->mu1,      s->mu2,       s->mu_difference, s->f1,
+                                     s->f2,       s->delta,     s->eps,           { crawler->alpha, 1 - crawler->alpha },
+                                     s->velocity, crawler->gait };
+}
+
+enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallop_scaled *scaled)
+{
+  struct scaling s;
+  if (scaling_of(c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, &s) && c->gait) {
+    from_scaling(c, &s, scaled);
+    return SCALLOP_OK;
+  }
+  if (scallop_crawler_check(c, NULL) != SCALLOP_OK)
+    return SCALLOP_EDOMAIN;
+  s.eps = inverse_froude(c->T, c->F1 + c->F2, c->m1 + c->m2, c->L);
+  double a = c->alpha, b = 1 - a;
   const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,       s.f2,           s.eps,
                                     s.eps * (a * a), s.eps * (b * b), s.velocity, s.velocity / a, s.velocity / b };
   for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
     if (!isnormal(must_be_normal[i]))
       return SCALLOP_ERANGE;
-  *scaled = s;
+  from_scaling(c, &s, scaled);
   return SCALLOP_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/ramps.h"
 #include "numerics/root.h"
 
 struct rates {
@@ -317,13 +318,25 @@ static void enter(struct walk *w, const struct scallop_piece *piece)
   }
 }
 
+void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes)
+{
+  if (motion->trail)
+    ramps_modes(motion->trail, kind, modes);
+  else
+    *modes = motion->modes;
+}
+
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context)
 {
+  if (input->has_ramps && !visit && ramps_solve(input, c0, motion))
+    return;
   motion->travel = motion->extra_impulse = motion->slope = 0;
   motion->sticks = motion->forgets = false;
   motion->never_moved[0] = motion->never_moved[1] = true;
   motion->first_switch = motion->last_switch = NAN;
   motion->modes.count = 0;
+  motion->trail = 0;
+  motion->work = (struct scallop_work){ 0 };
   struct walk w;
   w.in = input;
   w.piece = NULL;
@@ -346,11 +359,13 @@ void motion_solve(const struct motion_input *input, double c0, struct motion *mo
 
 struct motion_input motion_input_of(const struct scallop_scaled *s, enum scallop_phase_kind kind)
 {
-  return (struct motion_input){ .shape = &s->gait->phase[kind],
+  struct motion_input input = { .shape = &s->gait->phase[kind],
                                 .mu1 = s->mu1,
                                 .mu2 = s->mu2,
                                 .f1 = s->f1,
                                 .f2 = s->f2,
                                 .delta = s->delta,
                                 .eps = s->eps * (s->fraction[kind] * s->fraction[kind]) };
+  input.has_ramps = ramps_of(input.shape, &input.ramps);
+  return input;
 }

@@ -75,8 +75,8 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
               : motion.sticks                                ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,
-    .modes = motion.modes,
   };
+  motion_modes(&motion, kind, &answer.modes);
   if (!isfinite(answer.v_end) || !isfinite(answer.dx1) || !isfinite(answer.dx2) || !isfinite(answer.dxC))
     return SCALLOP_ERANGE;
   *result = answer;

@@ -3,6 +3,7 @@
 #include <stdbool.h>
 
 #include "numerics/period.h"
+#include "numerics/regular.h"
 
 enum { STEPS = 500 };
 
@@ -35,10 +36,10 @@ static double first_guess(const struct scallop_scaled *s)
 
 /* No contraction, and a balance of nothing but rounding: c lies in an interval of steady states. Only
  * where l' jumps over 0 can c pass a whole period without being sheared by a curve (docs/theory.md). */
-static bool flat(const struct scallop_scaled *s, double c)
+static bool flat(const struct period_input *input, double c)
 {
   struct period p;
-  period_solve(s, c, &p);
+  period_solve(input, c, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
 
@@ -52,77 +53,145 @@ static bool has_jump(const struct scallop_scaled *s)
 }
 
 /* The end, on the side of outside, of the flat stretch that holds inside. */
-static double flat_end(const struct scallop_scaled *s, double inside, double outside)
+static double flat_end(const struct period_input *input, double inside, double outside)
 {
   for (double mid; (mid = inside + (outside - inside) / 2) != inside && mid != outside;)
-    *(flat(s, mid) ? &inside : &outside) = mid;
+    *(flat(input, mid) ? &inside : &outside) = mid;
   return inside;
 }
 
 /* The steady states around the root c: c itself, or the interval that it belongs to, perhaps as its end. */
-static struct bracket steady_states(const struct scallop_scaled *s, double c)
+static struct bracket steady_states(const struct period_input *input, double c)
 {
+  const struct scallop_scaled *s = &input->scaled;
   struct bracket all = surely(s);
   double step = ldexp(all.hi - all.lo, -40);
   const double near[] = { c, c - step, c + step };
   for (int i = 0; has_jump(s) && i < 3; i++)
-    if (flat(s, near[i]))
-      return (struct bracket){ flat_end(s, near[i], all.lo), flat_end(s, near[i], all.hi) };
+    if (flat(input, near[i]))
+      return (struct bracket){ flat_end(input, near[i], all.lo), flat_end(input, near[i], all.hi) };
   return (struct bracket){ c, c };
 }
 
-/* Newton's method on the balance, kept inside a bracket that is halved whenever two steps did not halve
- * the balance. Once a body has been stuck the map forgets where it began, and its value is the next guess. Ends
- * where the balance is nothing but rounding, where a step changes nothing, or where the bracket holds no
- * further number. */
-static enum scallop_status find_root(const struct scallop_scaled *s, struct period *p)
+static void add_work(struct scallop_work *work, const struct period *p)
 {
-  struct bracket b = surely(s);
-  double c = first_guess(s), last = INFINITY, before = INFINITY;
-  c = isnan(c) ? 0 : fmin(fmax(c, b.lo), b.hi);
+  work->periods++;
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_work *phase = &p->phase[kind].work;
+    work->events += phase->events;
+    work->gait_evaluations += phase->gait_evaluations;
+    work->root_iterations += phase->root_iterations;
+  }
+}
+
+/* The velocity to go to from c: Newton's step on the balance, or, once a body has been stuck and the map has forgotten where it
+ * began, the map's value. */
+static double next_guess(const struct period *p)
+{
+  return p->forgets ? p->c_end : p->c_start - p->balance / p->balance_slope;
+}
+
+/* The balance is nothing but rounding, or a step changes nothing. */
+static bool settled(const struct period *p)
+{
+  if (p->forgets)
+    return p->c_end == p->c_start;
+  return fabs(p->balance) <= p->noise || fabs(p->balance) <= -2 * DBL_EPSILON * p->balance_slope * fabs(p->c_start);
+}
+
+/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
+ * Newton's method is in doubt, which is seldom. */
+static enum scallop_status find_root(const struct period_input *input, double c, struct period *p, struct scallop_work *work)
+{
+  struct bracket b = { -INFINITY, INFINITY };
+  double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {
-    period_solve(s, c, p);
-    double balance = p->forgets ? p->c_end - c : p->balance;
-    double next = p->forgets ? p->c_end : c - balance / p->balance_slope;
-    if (balance == 0 || (!p->forgets && p->balance_slope == 0 && fabs(balance) <= p->noise))
+    period_solve(input, c, p);
+    add_work(work, p);
+    if (settled(p))
       return SCALLOP_OK;
-    if (!p->forgets && (fabs(balance) <= p->noise || fabs(next - c) <= 2 * DBL_EPSILON * fabs(c))) {
-      period_solve(s, next, p);
-      return SCALLOP_OK;
-    }
+    double balance = p->forgets ? p->c_end - c : p->balance, next = next_guess(p);
     *(balance > 0 ? &b.lo : &b.hi) = c;
-    double middle = b.lo + (b.hi - b.lo) / 2;
     bool slow = fabs(balance) > before / 2;
     before = last;
     last = fabs(balance);
-    c = slow || !(next > b.lo && next < b.hi) ? middle : next;
+    if (slow || !(next > b.lo && next < b.hi)) {
+      struct bracket all = surely(&input->scaled);
+      b.lo = fmax(b.lo, all.lo);
+      b.hi = fmin(b.hi, all.hi);
+      next = b.lo + (b.hi - b.lo) / 2;
+    }
+    c = next;
+    work->root_iterations++;
     if (!(c > b.lo && c < b.hi))
       return SCALLOP_OK;
   }
   return SCALLOP_ECONVERGE;
 }
 
+/* The regular modes, in closed form. */
+static bool solve_regular(const struct scallop_crawler *crawler, const struct period_input *input,
+                          struct scallop_steady_result *result)
+{
+  static const struct scallop_modes modes[2][2] = {
+    { { 3, { { -1, -1 }, { -1, 1 }, { -1, -1 } } }, { 3, { { -1, -1 }, { 1, -1 }, { -1, -1 } } } },
+    { { 3, { { 1, 1 }, { -1, 1 }, { 1, 1 } } }, { 3, { { 1, 1 }, { 1, -1 }, { 1, 1 } } } },
+  };
+  const struct scallop_scaled *s = &input->scaled;
+  const struct scaling scaling = {
+    s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity,
+  };
+  struct regular r;
+  if (!input->phase[0].has_ramps || !input->phase[1].has_ramps
+      || !regular_steady(&scaling, s->fraction[0], period_driven(s), &input->phase[0].ramps, &input->phase[1].ramps, &r))
+    return false;
+  double displacement = r.travel * crawler->L, mean = displacement / crawler->T;
+  if (!isfinite(mean))
+    return false;
+  int forward = r.c_start > 0;
+  result->froude = 1 / s->eps;
+  result->mean_velocity = mean;
+  result->v_low = result->v_high = result->period.v_start = r.c_start * s->velocity;
+  result->period.v_mid = r.c_mid * s->velocity;
+  result->period.v_end = r.c_end * s->velocity;
+  result->period.displacement = displacement;
+  result->period.multiplier = r.multiplier;
+  result->period.balance = r.balance;
+  result->period.regime = SCALLOP_SLIDING;
+  result->period.modes[0] = modes[forward][0];
+  result->period.modes[1] = modes[forward][1];
+  result->work = (struct scallop_work){ .periods = 1, .events = 4 };
+  return true;
+}
+
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
 {
   struct scallop_scaled scaled;
+  struct period_input input;
   struct period period;
   struct bracket at;
   enum scallop_status status = scallop_scale(crawler, &scaled);
   if (status != SCALLOP_OK)
     return status;
-  status = find_root(&scaled, &period);
+  period_prepare(&input, &scaled);
+  if (solve_regular(crawler, &input, result))
+    return SCALLOP_OK;
+  struct scallop_work work = { 0 };
+  double guess = first_guess(&scaled);
+  status = find_root(&input, isfinite(guess) ? guess : 0, &period, &work);
   if (status != SCALLOP_OK)
     return status;
-  at = steady_states(&scaled, period.c_start);
+  at = steady_states(&input, period.c_start);
   if (at.lo < at.hi)
-    period_solve(&scaled, fmin(fmax(0, at.lo), at.hi), &period);
-  struct scallop_steady_result answer = { .froude = 1 / scaled.eps,
-                                          .v_low = at.lo * scaled.velocity,
-                                          .v_high = at.hi * scaled.velocity };
-  period_result(crawler, &scaled, &period, &answer.period);
-  answer.mean_velocity = answer.period.displacement / crawler->T;
-  if (!isfinite(answer.mean_velocity))
+    period_solve(&input, fmin(fmax(0, at.lo), at.hi), &period);
+  double mean = period.travel * crawler->L / crawler->T;
+  if (!isfinite(mean))
     return SCALLOP_ERANGE;
-  *result = answer;
+  period_result(crawler, &scaled, &period, &result->period);
+  result->froude = 1 / scaled.eps;
+  result->mean_velocity = mean;
+  result->v_low = at.lo * scaled.velocity;
+  result->v_high = at.hi * scaled.velocity;
+  result->work = work;
   return at.lo < at.hi ? SCALLOP_INTERVAL : SCALLOP_OK;
 }

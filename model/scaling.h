@@ -1,0 +1,38 @@
+/* The arithmetic of scallop_scale, inline and without a branch, for those who scale many crawlers in a row. Not public. */
+#ifndef SCALLOP_SCALING_H
+#define SCALLOP_SCALING_H
+
+#include <float.h>
+
+#include "model/model.h"
+
+struct scaling {
+  double mu1, mu2, mu_difference, f1, f2, delta, eps, velocity; /* as in struct scallop_scaled */
+};
+
+static inline int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive <= DBL_MAX); }
+
+/* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False: scallop_scale
+ * will tell what is the matter, and what it is. */
+static inline int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha, struct scaling *s)
+{
+  double M = m1 + m2, F = F1 + F2, rest = 1 - alpha;
+  double slowness = T / L, friction = F / M, speed = friction * T;
+  s->mu1 = m1 / M;
+  s->mu2 = m2 / M;
+  s->mu_difference = (m1 - m2) / M;
+  s->f1 = F1 / F;
+  s->f2 = F2 / F;
+  s->delta = (F1 - F2) / F;
+  s->eps = slowness * speed;
+  s->velocity = L / T;
+  double shorter = alpha < rest ? alpha : rest;
+  int positive = (m1 > 0) & (m2 > 0) & (F1 > 0) & (F2 > 0) & (L > 0) & (T > 0) & (alpha > 0) & (alpha < 1);
+  int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1) & scaling_is_normal(s->f2)
+               & scaling_is_normal(slowness) & scaling_is_normal(friction) & scaling_is_normal(speed)
+               & scaling_is_normal(s->eps * (shorter * shorter)) & (s->eps <= DBL_MAX) & (s->velocity >= DBL_MIN)
+               & (s->velocity <= DBL_MAX * shorter);
+  return positive & normal;
+}
+
+#endif

@@ -1,0 +1,20 @@
+/* The exact motion over a phase whose |l'| rises along one straight line and falls along another, from rest to rest: the
+ * quadratic gait. What motion.c finds by walking from event to event is here a tree of closed forms, one division an
+ * event; and nothing is rounded that motion.c keeps. Not public.
+ */
+#ifndef SCALLOP_RAMPS_H
+#define SCALLOP_RAMPS_H
+
+#include "numerics/motion.h"
+
+/* Whether a phase has that shape. */
+bool ramps_of(const struct scallop_shape *shape, struct ramps *ramps);
+
+/* As motion_solve, without a visitor; the modes come as motion->trail. False: something touches or meets exactly, within rounding,
+ * which is for motion_solve to judge; *motion is then of no use. */
+bool ramps_solve(const struct motion_input *input, double c0, struct motion *motion);
+
+/* The modes behind a trail, for a phase of that kind. */
+void ramps_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes);
+
+#endif
