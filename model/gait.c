@@ -37,7 +37,7 @@ static const struct scallop_piece quadratic_contraction[] = { SCALLOP_RAMP(0, 0.
                                                               SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, -1, 4) };
 
 const struct scallop_gait scallop_gait_quadratic = {
-  "quadratic", { { quadratic_extension, 2, 4, -4, 2, 1 }, { quadratic_contraction, 2, -4, 4, 2, -1 } }
+  "quadratic", { { quadratic_extension, 2, 4, -4, 2, 1, true }, { quadratic_contraction, 2, -4, 4, 2, -1, true } }
 };
 
 /* ---- half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep

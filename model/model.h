@@ -78,6 +78,7 @@ struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1          
   double l0, lT; /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
   double peak;   /* max |l'|                                                         */
   double net;    /* time with l' > 0 minus time with l' < 0: +1 or -1 for most        */
+  bool ramps;    /* two pieces: SCALLOP_RAMP from the start, SCALLOP_RAMP to the end; may be left false */
 };
 
 struct scallop_gait {

@@ -259,9 +259,8 @@ static void stick(struct walk *w)
       u = when;
   }
   w->here = to >= 0 ? rates_at(w, u) : w->end;
-  double c = w->curve[j] * w->here.speed, duration = w->sense * (u - w->u);
-  w->out->extra_impulse += (c - w->c - w->slope[1] * duration) / w->in->eps;
-  advance(w, u, c, w->curve[j] * w->piece->direction * (piece_length(w, u) - piece_length(w, w->u)));
+  advance(w, u, w->curve[j] * w->here.speed,
+          w->curve[j] * w->piece->direction * (piece_length(w, u) - piece_length(w, w->u)));
   if (to >= 0) {
     w->stuck = -1;
     w->region = to;
@@ -284,16 +283,17 @@ static void place(struct walk *w)
 
 static void set_regions(struct walk *w)
 {
-  const struct motion_input *in = w->in;
+  const struct scallop_scaled *s = w->in->scaled;
+  double eps = w->in->eps;
   bool rear_is_1 = w->piece->direction > 0;
-  w->curve[0] = rear_is_1 ? in->mu2 : in->mu1;
-  w->curve[1] = rear_is_1 ? -in->mu1 : -in->mu2;
-  w->slope[0] = -in->eps;
-  w->slope[1] = in->eps * (rear_is_1 ? in->delta : -in->delta);
-  w->slope[2] = in->eps;
-  w->extra[0] = -2 * (rear_is_1 ? in->f1 : in->f2);
+  w->curve[0] = rear_is_1 ? s->mu2 : s->mu1;
+  w->curve[1] = rear_is_1 ? -s->mu1 : -s->mu2;
+  w->slope[0] = -eps;
+  w->slope[1] = eps * (rear_is_1 ? s->delta : -s->delta);
+  w->slope[2] = eps;
+  w->extra[0] = -2 * (rear_is_1 ? s->f1 : s->f2);
   w->extra[1] = 0;
-  w->extra[2] = 2 * (rear_is_1 ? in->f2 : in->f1);
+  w->extra[2] = 2 * (rear_is_1 ? s->f2 : s->f1);
 }
 
 static void enter(struct walk *w, const struct scallop_piece *piece)
@@ -328,7 +328,7 @@ void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, str
 
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context)
 {
-  if (input->has_ramps && !visit && ramps_solve(input, c0, motion))
+  if (input->shape->ramps && !visit && ramps_solve(input, c0, motion))
     return;
   motion->travel = motion->extra_impulse = motion->slope = 0;
   motion->sticks = motion->forgets = false;
@@ -355,17 +355,4 @@ void motion_solve(const struct motion_input *input, double c0, struct motion *mo
     }
   }
   motion->c_end = w.c + 0.0; /* no -0 */
-}
-
-struct motion_input motion_input_of(const struct scallop_scaled *s, enum scallop_phase_kind kind)
-{
-  struct motion_input input = { .shape = &s->gait->phase[kind],
-                                .mu1 = s->mu1,
-                                .mu2 = s->mu2,
-                                .f1 = s->f1,
-                                .f2 = s->f2,
-                                .delta = s->delta,
-                                .eps = s->eps * (s->fraction[kind] * s->fraction[kind]) };
-  input.has_ramps = ramps_of(input.shape, &input.ramps);
-  return input;
 }

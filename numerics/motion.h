@@ -5,25 +5,23 @@
 
 #include "numerics/numerics.h"
 
-/* A phase whose |l'| rises along one straight line and falls along another, from rest to rest (ramps.h) */
-struct ramps {
-  double up, down;  /* |l'| = up t until t = top, then down (1 - t)                                       */
-  double top, rest; /* rest = 1 - top                                                                    */
+struct motion_input {
+  const struct scallop_scaled *scaled;
+  const struct scallop_shape *shape;
+  double eps; /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
 };
 
-struct motion_input {
-  const struct scallop_shape *shape;
-  double mu1, mu2, f1, f2, delta;
-  double eps; /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
-  bool has_ramps;
-  struct ramps ramps;
-};
+static inline struct motion_input motion_input_of(const struct scallop_scaled *s, enum scallop_phase_kind kind)
+{
+  return (struct motion_input){ s, &s->gait->phase[kind], s->eps * (s->fraction[kind] * s->fraction[kind]) };
+}
 
 struct motion {
   double c_end;             /* velocity of the centre of mass at the end                                */
   double travel;            /* integral of c                                                            */
   double extra_impulse;     /* integral of c'/eps - (its value with the bodies in opposite motion,
-                               delta sgn l'): zero where nothing but the stronger driving body matters  */
+                               delta sgn l'): zero where nothing but the stronger driving body matters;
+                               meaningless if it forgets                                                */
   double slope;             /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets     */
   bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
   bool sticks;              /* a body is stuck for some time                                            */
@@ -35,8 +33,6 @@ struct motion {
   struct scallop_modes modes;
 };
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);
-
-struct motion_input motion_input_of(const struct scallop_scaled *scaled, enum scallop_phase_kind kind);
 
 /* c0: velocity of the centre of mass at the start, in L/tau. visit may be NULL. */
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context);

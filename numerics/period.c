@@ -4,36 +4,29 @@
 #include <math.h>
 #include <stddef.h>
 
-double period_driven(const struct scallop_scaled *s)
+double period_driven(const struct scallop_gait *gait, double alpha)
 {
-  double e = s->gait->phase[SCALLOP_EXTENSION].net, c = s->gait->phase[SCALLOP_CONTRACTION].net;
-  return s->fraction[SCALLOP_EXTENSION] * (e - c) + c;
+  double e = gait->phase[SCALLOP_EXTENSION].net, c = gait->phase[SCALLOP_CONTRACTION].net;
+  return alpha * (e - c) + c;
 }
 
-void period_prepare(struct period_input *input, const struct scallop_scaled *scaled)
-{
-  input->scaled = *scaled;
-  for (int kind = 0; kind < 2; kind++)
-    input->phase[kind] = motion_input_of(scaled, (enum scallop_phase_kind)kind);
-}
-
-void period_phase(const struct period_input *input, enum scallop_phase_kind kind, struct period *period,
+void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context)
 {
+  struct motion_input input = motion_input_of(s, kind);
   bool extension = kind == SCALLOP_EXTENSION;
-  double fraction = input->scaled.fraction[kind], entry = extension ? period->c_start : period->c_mid;
-  motion_solve(&input->phase[kind], entry * fraction, &period->phase[kind], visit, context);
+  double fraction = s->fraction[kind], entry = extension ? period->c_start : period->c_mid;
+  motion_solve(&input, entry * fraction, &period->phase[kind], visit, context);
   *(extension ? &period->c_mid : &period->c_end) = period->phase[kind].c_end / fraction;
 }
 
-void period_conclude(const struct period_input *input, struct period *period)
+void period_conclude(const struct scallop_scaled *s, struct period *period)
 {
-  const struct scallop_scaled *s = &input->scaled;
   const struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
   period->travel = e->travel + c->travel;
   period->forgets = e->forgets || c->forgets;
-  double driven = s->delta * period_driven(s);
+  double driven = s->delta * period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]);
   double from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
   period->balance = driven + from_e + from_c;
   period->noise = DBL_EPSILON * (fabs(driven) + fabs(from_e) + fabs(from_c));
@@ -41,12 +34,14 @@ void period_conclude(const struct period_input *input, struct period *period)
   period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
 }
 
-void period_solve(const struct period_input *input, double c_start, struct period *period)
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period)
 {
+  double before = period->c_mid;
   period->c_start = c_start;
-  period_phase(input, SCALLOP_EXTENSION, period, NULL, NULL);
-  period_phase(input, SCALLOP_CONTRACTION, period, NULL, NULL);
-  period_conclude(input, period);
+  period_phase(scaled, SCALLOP_EXTENSION, period, NULL, NULL);
+  if (period->c_mid != before) /* once a body has been held, it is often the very same */
+    period_phase(scaled, SCALLOP_CONTRACTION, period, NULL, NULL);
+  period_conclude(scaled, period);
 }
 
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *p,
@@ -82,10 +77,9 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
     return SCALLOP_EDOMAIN;
   if (!isfinite(c_start) || (c_start == 0 && v0 != 0))
     return SCALLOP_ERANGE;
-  struct period_input input;
   struct period period;
-  period_prepare(&input, &scaled);
-  period_solve(&input, c_start, &period);
+  period.c_mid = NAN;
+  period_solve(&scaled, c_start, &period);
   struct scallop_period_result answer;
   period_result(crawler, &scaled, &period, &answer);
   answer.v_start = v0;

@@ -4,15 +4,8 @@
 
 #include "numerics/motion.h"
 
-/* A crawler ready for any number of periods */
-struct period_input {
-  struct scallop_scaled scaled;
-  struct motion_input phase[2];
-};
-void period_prepare(struct period_input *input, const struct scallop_scaled *scaled);
-
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
-double period_driven(const struct scallop_scaled *scaled);
+double period_driven(const struct scallop_gait *gait, double alpha);
 
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */
@@ -26,11 +19,12 @@ struct period {
 
 /* The parts of period_solve, for who wants to see the intervals: c_start is set, then the extension, the
  * contraction, and the conclusion. */
-void period_phase(const struct period_input *input, enum scallop_phase_kind kind, struct period *period,
+void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context);
-void period_conclude(const struct period_input *input, struct period *period);
+void period_conclude(const struct scallop_scaled *scaled, struct period *period);
 
-void period_solve(const struct period_input *input, double c_start, struct period *period);
+/* *period is what this call left for the same input, or has c_mid = nan. */
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *period,
                    struct scallop_period_result *result);
 

@@ -9,60 +9,59 @@ enum state { ABOVE, BETWEEN, BELOW, HELD_ABOVE /* on curve 0 */, HELD_BELOW /* o
 enum { STATE_BITS = 3, STATE_MASK = 7 };
 
 struct side {
-  double q0, q1;         /* curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|                          */
-  double eps, between;   /* c' is -eps, between, eps in regions 0, 1, 2                              */
-  double extra0, extra2; /* what regions 0 and 2 add to extra_impulse per unit of time               */
+  double q0, q1;         /* curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|                         */
+  double eps, between;   /* c' is -eps, between, eps in regions 0, 1, 2                             */
+  double extra0, extra2; /* what regions 0 and 2 add to extra_impulse per unit of time              */
 };
 
+/* All of it fits into registers once the functions below are one, which is why they are inline by force. */
 struct progress {
-  const struct side *side;
-  struct motion *out;
-  double c;
-  int count;
+  struct side side;
+  double c, travel, extra_impulse, slope, first_switch, last_switch;
+  unsigned trail, shift, events;
+  bool held;
 };
+#define INLINE static inline __attribute__((always_inline))
 
 /* A state that lasts, from time t after the start and r before the end. */
-static inline void begin(struct progress *p, enum state state, double t, double r)
+INLINE void begin(struct progress *p, enum state state, double t, double r)
 {
-  struct motion *out = p->out;
-  if (p->count == 1)
-    out->first_switch = t;
-  if (p->count > 0)
-    out->last_switch = r;
-  out->trail |= (unsigned)(state + 1) << (STATE_BITS * p->count++);
+  p->first_switch = p->shift == STATE_BITS ? t : p->first_switch;
+  p->last_switch = p->shift > 0 ? r : p->last_switch;
+  p->trail |= (unsigned)(state + 1) << p->shift;
+  p->shift += STATE_BITS;
 }
 
 /* On along a straight line to velocity c. */
-static inline void slide(struct progress *p, double c, double duration, double extra)
+INLINE void slide(struct progress *p, double c, double duration, double extra)
 {
-  p->out->travel += 0.5 * (p->c + c) * duration;
-  p->out->extra_impulse += extra * duration;
+  p->travel += 0.5 * (p->c + c) * duration;
+  p->extra_impulse += extra * duration;
   p->c = c;
 }
 
 /* On along a curve to velocity c; way: what |l'| covers meanwhile, q that of the curve. */
-static inline void hold(struct progress *p, double c, double duration, double q, double way)
+INLINE void hold(struct progress *p, double c, double q, double way)
 {
-  p->out->travel += q * way;
-  p->out->extra_impulse += (c - p->c - p->side->between * duration) / p->side->eps;
-  p->out->forgets = p->out->sticks = true;
+  p->travel += q * way;
+  p->held = true;
   p->c = c;
 }
 
 /* A curve is crossed: along is its slope, where c' is `slope` before, and extra changes by `change`. */
-static inline void cross(struct progress *p, double change, double slope, double along)
+INLINE void cross(struct progress *p, double change, double slope, double along)
 {
   double x = change / (slope - along);
-  p->out->slope += x + p->side->eps * x * p->out->slope;
-  p->out->work.events++;
+  p->slope += x + p->side.eps * x * p->slope;
+  p->events++;
 }
 
 /* ---- the way up; false: too close to call ---- */
 
 /* Between the curves from time t: c can only meet curve 1, and is then held by it. */
-static inline bool between_up(struct progress *p, const struct ramps *r, double t, enum state *state)
+INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum state *state)
 {
-  const struct side *s = p->side;
+  const struct side *s = &p->side;
   double d = r->top - t, c = p->c + s->between * d, steep = r->up * s->q1, floor = -steep * r->top;
   if (c > floor || s->between >= -steep) {
     begin(p, BETWEEN, t, 1 - t);
@@ -79,14 +78,14 @@ static inline bool between_up(struct progress *p, const struct ramps *r, double 
   }
   begin(p, HELD_BELOW, u, 1 - u);
   *state = HELD_BELOW;
-  hold(p, floor, r->top - u, -s->q1, 0.5 * r->up * (r->top - u) * (r->top + u));
-  p->out->work.events++;
+  hold(p, floor, -s->q1, 0.5 * r->up * (r->top - u) * (r->top + u));
+  p->events++;
   return u < r->top;
 }
 
-static inline bool go_up(struct progress *p, const struct ramps *r, enum state *state)
+INLINE bool go_up(struct progress *p, const struct ramps *r, enum state *state)
 {
-  const struct side *s = p->side;
+  const struct side *s = &p->side;
   double steep = r->up * s->q0, t = p->c / (steep + s->eps);
   *state = ABOVE;
   if (p->c > 0)
@@ -102,22 +101,22 @@ static inline bool go_up(struct progress *p, const struct ramps *r, enum state *
   }
   begin(p, HELD_ABOVE, t, 1 - t);
   *state = HELD_ABOVE;
-  hold(p, steep * r->top, r->top - t, s->q0, 0.5 * r->up * (r->top - t) * (r->top + t));
-  p->out->work.events++;
+  hold(p, steep * r->top, s->q0, 0.5 * r->up * (r->top - t) * (r->top + t));
+  p->events++;
   return true;
 }
 
 /* ---- the way down; times count back from the end ---- */
 
-static inline void held_to_end(struct progress *p, const struct ramps *r, double u, double q)
+INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, double q)
 {
-  hold(p, 0, u, q, 0.5 * r->down * (u * u));
+  hold(p, 0, q, 0.5 * r->down * (u * u));
 }
 
 /* Between the curves from u on: c meets the one on whose side it would end. */
-static inline bool between_down(struct progress *p, const struct ramps *r, double u)
+INLINE bool between_down(struct progress *p, const struct ramps *r, double u)
 {
-  const struct side *s = p->side;
+  const struct side *s = &p->side;
   double end = p->c + s->between * u, q = end > 0 ? s->q0 : -s->q1, steep = r->down * q;
   double meets = end / (s->between + steep), sign = end > 0 ? 1 : -1;
   if (!(meets > 0 && meets < u))
@@ -130,15 +129,15 @@ static inline bool between_down(struct progress *p, const struct ramps *r, doubl
     slide(p, p->c - sign * s->eps * meets, meets, extra);
     return true;
   }
-  p->out->work.events++;
+  p->events++;
   begin(p, end > 0 ? HELD_ABOVE : HELD_BELOW, 1 - meets, meets);
   held_to_end(p, r, meets, q);
   return true;
 }
 
-static inline bool above_down(struct progress *p, const struct ramps *r)
+INLINE bool above_down(struct progress *p, const struct ramps *r)
 {
-  const struct side *s = p->side;
+  const struct side *s = &p->side;
   double u = r->rest, end = p->c - s->eps * u, steep = r->down * s->q0;
   if (end > 0) {
     slide(p, end, u, s->extra0);
@@ -153,24 +152,24 @@ static inline bool above_down(struct progress *p, const struct ramps *r)
     begin(p, BETWEEN, 1 - meets, meets);
     return between_down(p, r, meets);
   }
-  p->out->work.events++;
+  p->events++;
   begin(p, HELD_ABOVE, 1 - meets, meets);
   held_to_end(p, r, meets, s->q0);
   return true;
 }
 
 /* The slope of the curve changes where l' begins to fall, and this can let the body go. */
-static inline bool held_down(struct progress *p, const struct ramps *r, bool above)
+INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
 {
-  const struct side *s = p->side;
+  const struct side *s = &p->side;
   double u = r->rest, steep = r->down * (above ? s->q0 : s->q1);
   if (above ? -steep > s->between : steep < s->between) {
-    p->out->work.events++;
+    p->events++;
     begin(p, BETWEEN, r->top, u);
     return between_down(p, r, u);
   }
   if (steep > s->eps) {
-    p->out->work.events++;
+    p->events++;
     begin(p, above ? ABOVE : BELOW, r->top, u);
     slide(p, p->c + (above ? -s->eps : s->eps) * u, u, above ? s->extra0 : s->extra2);
     return true;
@@ -179,7 +178,7 @@ static inline bool held_down(struct progress *p, const struct ramps *r, bool abo
   return true;
 }
 
-static inline bool go_down(struct progress *p, const struct ramps *r, enum state state)
+INLINE bool go_down(struct progress *p, const struct ramps *r, enum state state)
 {
   switch (state) {
   case ABOVE: return above_down(p, r);
@@ -192,16 +191,6 @@ static inline bool go_down(struct progress *p, const struct ramps *r, enum state
 }
 
 /* ---- the phase ---- */
-
-bool ramps_of(const struct scallop_shape *shape, struct ramps *ramps)
-{
-  const struct scallop_piece *a = &shape->pieces[0], *b = &shape->pieces[1];
-  if (shape->count != 2 || !a->linear || !b->linear || a->anchor != SCALLOP_FROM_START || b->anchor != SCALLOP_FROM_END
-      || a->velocity != 0 || b->velocity != 0 || a->begin != 0 || b->end != 0 || a->direction != b->direction || b->jump)
-    return false;
-  *ramps = (struct ramps){ fabs(a->acceleration), fabs(b->acceleration), a->end, b->begin };
-  return true;
-}
 
 /* Region 0 to region 2 and back, curve 0 to curve 1 and back */
 static unsigned mirrored(unsigned trail)
@@ -226,31 +215,33 @@ void ramps_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_mo
 
 bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion)
 {
+  const struct scallop_scaled *s = in->scaled;
+  const struct ramps ramps = ramps_of(in->shape);
   bool rear_is_1 = in->shape->pieces[0].direction > 0, forward = c0 >= 0;
-  double mu_front = rear_is_1 ? in->mu2 : in->mu1, mu_rear = rear_is_1 ? in->mu1 : in->mu2;
-  double f_front = rear_is_1 ? in->f2 : in->f1, f_rear = rear_is_1 ? in->f1 : in->f2;
-  double sign = forward ? 1 : -1;
-  struct side side = { .q0 = forward ? mu_front : mu_rear,
-                       .q1 = forward ? mu_rear : mu_front,
-                       .eps = in->eps,
-                       .between = sign * in->eps * (rear_is_1 ? in->delta : -in->delta),
-                       .extra0 = -2 * (forward ? f_rear : f_front),
-                       .extra2 = 2 * (forward ? f_front : f_rear) };
-  motion->travel = motion->extra_impulse = motion->slope = 0;
-  motion->first_switch = motion->last_switch = NAN;
-  motion->forgets = motion->sticks = false;
-  motion->trail = 0;
-  motion->work = (struct scallop_work){ 0 };
-  struct progress p = { &side, motion, fabs(c0), 0 };
+  bool plain = rear_is_1 == forward; /* body 1 is the one that turns first */
+  double sign = forward ? 1 : -1, f_first = plain ? s->f1 : s->f2, f_second = plain ? s->f2 : s->f1;
+  struct progress p = { .side = { .q0 = plain ? s->mu2 : s->mu1,
+                                  .q1 = plain ? s->mu1 : s->mu2,
+                                  .eps = in->eps,
+                                  .between = in->eps * (plain ? s->delta : -s->delta),
+                                  .extra0 = -2 * f_first,
+                                  .extra2 = 2 * f_second },
+                        .c = fabs(c0),
+                        .first_switch = NAN,
+                        .last_switch = NAN };
   enum state state;
-  if (!go_up(&p, &in->ramps, &state) || !go_down(&p, &in->ramps, state))
+  if (!go_up(&p, &ramps, &state) || !go_down(&p, &ramps, state))
     return false;
   motion->c_end = sign * p.c + 0.0; /* no -0 */
-  motion->travel *= sign;
-  motion->extra_impulse *= sign;
-  if (!forward)
-    motion->trail = mirrored(motion->trail);
+  motion->travel = sign * p.travel;
+  motion->extra_impulse = sign * p.extra_impulse;
+  motion->slope = p.slope;
+  motion->forgets = motion->sticks = p.held;
+  motion->first_switch = p.first_switch;
+  motion->last_switch = p.last_switch;
+  motion->trail = forward ? p.trail : mirrored(p.trail);
   motion->never_moved[rear_is_1 ? 0 : 1] = motion->trail == 1 + HELD_ABOVE;
   motion->never_moved[rear_is_1 ? 1 : 0] = motion->trail == 1 + HELD_BELOW;
+  motion->work = (struct scallop_work){ .events = p.events };
   return true;
 }

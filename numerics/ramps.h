@@ -7,8 +7,17 @@
 
 #include "numerics/motion.h"
 
-/* Whether a phase has that shape. */
-bool ramps_of(const struct scallop_shape *shape, struct ramps *ramps);
+struct ramps {
+  double up, down;  /* |l'| = up t until t = top, then down (1 - t)                                       */
+  double top, rest; /* rest = 1 - top                                                                    */
+};
+
+/* For a shape that has them (shape->ramps). */
+static inline struct ramps ramps_of(const struct scallop_shape *shape)
+{
+  const struct scallop_piece *a = &shape->pieces[0], *b = &shape->pieces[1];
+  return (struct ramps){ a->direction * a->acceleration, -b->direction * b->acceleration, a->end, b->begin };
+}
 
 /* As motion_solve, without a visitor; the modes come as motion->trail. False: something touches or meets exactly, within rounding,
  * which is for motion_solve to judge; *motion is then of no use. */

@@ -14,7 +14,7 @@
 #define SCALLOP_REGULAR_H
 
 #include "model/scaling.h"
-#include "numerics/motion.h"
+#include "numerics/ramps.h"
 
 struct regular_phase {
   double up, down, eps, between;    /* up q, down q, and c' outside and between the crossings; all per tau      */

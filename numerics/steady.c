@@ -3,6 +3,7 @@
 #include <stdbool.h>
 
 #include "numerics/period.h"
+#include "numerics/ramps.h"
 #include "numerics/regular.h"
 
 enum { STEPS = 500 };
@@ -36,40 +37,42 @@ static double first_guess(const struct scallop_scaled *s)
 
 /* No contraction, and a balance of nothing but rounding: c lies in an interval of steady states. Only
  * where l' jumps over 0 can c pass a whole period without being sheared by a curve (docs/theory.md). */
-static bool flat(const struct period_input *input, double c)
+static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
-  period_solve(input, c, &p);
+  p.c_mid = NAN;
+  period_solve(s, c, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
 
 static bool has_jump(const struct scallop_scaled *s)
 {
   for (int kind = 0; kind < 2; kind++)
-    for (int i = 0; i < s->gait->phase[kind].count; i++)
+    for (int i = 0; !s->gait->phase[kind].ramps && i < s->gait->phase[kind].count; i++)
       if (s->gait->phase[kind].pieces[i].jump)
         return true;
   return false;
 }
 
 /* The end, on the side of outside, of the flat stretch that holds inside. */
-static double flat_end(const struct period_input *input, double inside, double outside)
+static double flat_end(const struct scallop_scaled *s, double inside, double outside)
 {
   for (double mid; (mid = inside + (outside - inside) / 2) != inside && mid != outside;)
-    *(flat(input, mid) ? &inside : &outside) = mid;
+    *(flat(s, mid) ? &inside : &outside) = mid;
   return inside;
 }
 
 /* The steady states around the root c: c itself, or the interval that it belongs to, perhaps as its end. */
-static struct bracket steady_states(const struct period_input *input, double c)
+static struct bracket steady_states(const struct scallop_scaled *s, double c)
 {
-  const struct scallop_scaled *s = &input->scaled;
+  if (!has_jump(s))
+    return (struct bracket){ c, c };
   struct bracket all = surely(s);
   double step = ldexp(all.hi - all.lo, -40);
   const double near[] = { c, c - step, c + step };
-  for (int i = 0; has_jump(s) && i < 3; i++)
-    if (flat(input, near[i]))
-      return (struct bracket){ flat_end(input, near[i], all.lo), flat_end(input, near[i], all.hi) };
+  for (int i = 0; i < 3; i++)
+    if (flat(s, near[i]))
+      return (struct bracket){ flat_end(s, near[i], all.lo), flat_end(s, near[i], all.hi) };
   return (struct bracket){ c, c };
 }
 
@@ -101,12 +104,15 @@ static bool settled(const struct period *p)
 
 /* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
  * Newton's method is in doubt, which is seldom. */
-static enum scallop_status find_root(const struct period_input *input, double c, struct period *p, struct scallop_work *work)
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, struct period *p,
+                                     struct scallop_work *work)
 {
+  double c = isfinite(guess) ? guess : 0;
   struct bracket b = { -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
+  p->c_mid = NAN;
   for (int i = 0; i < STEPS; i++) {
-    period_solve(input, c, p);
+    period_solve(s, c, p);
     add_work(work, p);
     if (settled(p))
       return SCALLOP_OK;
@@ -116,7 +122,7 @@ static enum scallop_status find_root(const struct period_input *input, double c,
     before = last;
     last = fabs(balance);
     if (slow || !(next > b.lo && next < b.hi)) {
-      struct bracket all = surely(&input->scaled);
+      struct bracket all = surely(s);
       b.lo = fmax(b.lo, all.lo);
       b.hi = fmin(b.hi, all.hi);
       next = b.lo + (b.hi - b.lo) / 2;
@@ -129,69 +135,91 @@ static enum scallop_status find_root(const struct period_input *input, double c,
   return SCALLOP_ECONVERGE;
 }
 
-/* The regular modes, in closed form. */
-static bool solve_regular(const struct scallop_crawler *crawler, const struct period_input *input,
-                          struct scallop_steady_result *result)
+/* No body is held where l' falls to 0. */
+static bool may_be_regular(const struct scallop_scaled *s, double driven)
+{
+  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION], *c = &s->gait->phase[SCALLOP_CONTRACTION];
+  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  bool forward = s->delta * driven > 0;
+  double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
+  return fabs(e->lT) * q_e > s->eps * (a * a) && fabs(c->lT) * q_c > s->eps * (b * b);
+}
+
+static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
+                           struct scallop_steady_result *result)
 {
   static const struct scallop_modes modes[2][2] = {
     { { 3, { { -1, -1 }, { -1, 1 }, { -1, -1 } } }, { 3, { { -1, -1 }, { 1, -1 }, { -1, -1 } } } },
     { { 3, { { 1, 1 }, { -1, 1 }, { 1, 1 } } }, { 3, { { 1, 1 }, { 1, -1 }, { 1, 1 } } } },
   };
-  const struct scallop_scaled *s = &input->scaled;
-  const struct scaling scaling = {
-    s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity,
-  };
-  struct regular r;
-  if (!input->phase[0].has_ramps || !input->phase[1].has_ramps
-      || !regular_steady(&scaling, s->fraction[0], period_driven(s), &input->phase[0].ramps, &input->phase[1].ramps, &r))
-    return false;
-  double displacement = r.travel * crawler->L, mean = displacement / crawler->T;
-  if (!isfinite(mean))
-    return false;
-  int forward = r.c_start > 0;
-  result->froude = 1 / s->eps;
-  result->mean_velocity = mean;
-  result->v_low = result->v_high = result->period.v_start = r.c_start * s->velocity;
-  result->period.v_mid = r.c_mid * s->velocity;
-  result->period.v_end = r.c_end * s->velocity;
-  result->period.displacement = displacement;
-  result->period.multiplier = r.multiplier;
-  result->period.balance = r.balance;
+  int forward = r->c_start > 0;
+  result->v_low = result->v_high = result->period.v_start = r->c_start * s->velocity;
+  result->period.v_mid = r->c_mid * s->velocity;
+  result->period.v_end = r->c_end * s->velocity;
+  result->period.displacement = r->travel * L;
+  result->period.multiplier = r->multiplier;
+  result->period.balance = r->balance;
   result->period.regime = SCALLOP_SLIDING;
-  result->period.modes[0] = modes[forward][0];
-  result->period.modes[1] = modes[forward][1];
+  for (int phase = 0; phase < 2; phase++) {
+    result->period.modes[phase].count = 3;
+    for (int i = 0; i < 3; i++)
+      result->period.modes[phase].kept[i] = modes[forward][phase].kept[i];
+  }
   result->work = (struct scallop_work){ .periods = 1, .events = 4 };
-  return true;
+}
+
+/* The regular modes of phases of two ramps, in closed form. False: it is something else, and *guess is a place to begin. */
+static bool solve_regular(const struct scallop_scaled *s, struct regular *r, double *guess)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha);
+  if (!phase[SCALLOP_EXTENSION].ramps || !phase[SCALLOP_CONTRACTION].ramps) {
+    *guess = first_guess(s);
+    return false;
+  }
+  *guess =
+      0; /* the velocity at the end of a phase in which a body is held to the end, and so most often at one of the ends */
+  if (!may_be_regular(s, driven))
+    return false;
+  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  struct ramps extension = ramps_of(&phase[SCALLOP_EXTENSION]), contraction = ramps_of(&phase[SCALLOP_CONTRACTION]);
+  bool regular = regular_steady(&scaling, alpha, driven, &extension, &contraction, r);
+  *guess = r->c_start;
+  return regular;
 }
 
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
 {
-  struct scallop_scaled scaled;
-  struct period_input input;
+  struct scallop_scaled s;
+  struct regular regular;
   struct period period;
-  struct bracket at;
-  enum scallop_status status = scallop_scale(crawler, &scaled);
+  struct bracket at = { 0, 0 };
+  struct scallop_work work = { .periods = 0 };
+  double guess;
+  enum scallop_status status = scallop_scale(crawler, &s);
   if (status != SCALLOP_OK)
     return status;
-  period_prepare(&input, &scaled);
-  if (solve_regular(crawler, &input, result))
-    return SCALLOP_OK;
-  struct scallop_work work = { 0 };
-  double guess = first_guess(&scaled);
-  status = find_root(&input, isfinite(guess) ? guess : 0, &period, &work);
-  if (status != SCALLOP_OK)
-    return status;
-  at = steady_states(&input, period.c_start);
-  if (at.lo < at.hi)
-    period_solve(&input, fmin(fmax(0, at.lo), at.hi), &period);
-  double mean = period.travel * crawler->L / crawler->T;
+  bool is_regular = solve_regular(&s, &regular, &guess);
+  if (!is_regular) {
+    status = find_root(&s, guess, &period, &work);
+    if (status != SCALLOP_OK)
+      return status;
+    at = steady_states(&s, period.c_start);
+    if (at.lo < at.hi)
+      period_solve(&s, fmin(fmax(0, at.lo), at.hi), &period);
+  }
+  double mean = (is_regular ? regular.travel : period.travel) * crawler->L / crawler->T;
   if (!isfinite(mean))
     return SCALLOP_ERANGE;
-  period_result(crawler, &scaled, &period, &result->period);
-  result->froude = 1 / scaled.eps;
+  result->froude = 1 / s.eps;
   result->mean_velocity = mean;
-  result->v_low = at.lo * scaled.velocity;
-  result->v_high = at.hi * scaled.velocity;
+  if (is_regular) {
+    regular_result(&s, &regular, crawler->L, result);
+    return SCALLOP_OK;
+  }
+  period_result(crawler, &s, &period, &result->period);
+  result->v_low = at.lo * s.velocity;
+  result->v_high = at.hi * s.velocity;
   result->work = work;
   return at.lo < at.hi ? SCALLOP_INTERVAL : SCALLOP_OK;
 }

@@ -88,8 +88,6 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 };
   if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
     return SCALLOP_ERANGE;
-  struct period_input input;
-  period_prepare(&input, &scaled);
   struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
   for (long n = 0; n < periods && !r.stopped; n++) {
     struct period p = { .c_start = value(&c) };
@@ -98,10 +96,10 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     for (int kind = 0; kind < 2; kind++) {
       r.kind = (enum scallop_phase_kind)kind;
       r.x_start = value(&x);
-      period_phase(&input, r.kind, &p, record, &r);
+      period_phase(&scaled, r.kind, &p, record, &r);
       add(&x, p.phase[kind].travel);
     }
-    period_conclude(&input, &p);
+    period_conclude(&scaled, &p);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };
     else
