@@ -36,9 +36,9 @@ static const struct scallop_piece quadratic_extension[] = { SCALLOP_RAMP(0, 0.5,
 static const struct scallop_piece quadratic_contraction[] = { SCALLOP_RAMP(0, 0.5, SCALLOP_FROM_START, -1, -4),
                                                               SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, -1, 4) };
 
-const struct scallop_gait scallop_gait_quadratic = {
-  "quadratic", { { quadratic_extension, 2, 4, -4, 2, 1, true }, { quadratic_contraction, 2, -4, 4, 2, -1, true } }
-};
+const struct scallop_gait scallop_gait_quadratic = { "quadratic",
+                                                     { { quadratic_extension, 2, 4, -4, 2, 1, true, true },
+                                                       { quadratic_contraction, 2, -4, 4, 2, -1, true, true } } };
 
 /* ---- half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep
  *      full relative accuracy ---- */
@@ -97,9 +97,11 @@ static const struct scallop_piece sinusoidal_contraction[] = { SINE(0, 0.5, SCAL
 
 #define SINE_L0 (0.5 * PI * PI)
 
-const struct scallop_gait scallop_gait_sinusoidal = { "sinusoidal",
-                                                      { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1 },
-                                                        { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1 } } };
+const struct scallop_gait scallop_gait_sinusoidal = {
+  "sinusoidal",
+  { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1, true, false },
+    { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1, true, false } }
+};
 
 /* ---- all gaits ---- */
 

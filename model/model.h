@@ -78,7 +78,9 @@ struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1          
   double l0, lT; /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
   double peak;   /* max |l'|                                                         */
   double net;    /* time with l' > 0 minus time with l' < 0: +1 or -1 for most        */
-  bool ramps;    /* two pieces: SCALLOP_RAMP from the start, SCALLOP_RAMP to the end; may be left false */
+  /* What lets the solver take short cuts; both may be left false. */
+  bool concave; /* |l'| is concave, 0 at both ends; the first piece is anchored at the start, the last at the end */
+  bool ramps;   /* and there are two pieces, each a SCALLOP_RAMP                            */
 };
 
 struct scallop_gait {

@@ -3,7 +3,6 @@
 #include <stdbool.h>
 
 #include "numerics/period.h"
-#include "numerics/ramps.h"
 #include "numerics/regular.h"
 
 enum { STEPS = 500 };
@@ -20,19 +19,6 @@ static struct bracket surely(const struct scallop_scaled *s)
   double margin = 1 + 8 * DBL_EPSILON;
   return (struct bracket){ -(fmax(s->mu1 * e, s->mu2 * c) + s->eps) * margin,
                            (fmax(s->mu2 * e, s->mu1 * c) + s->eps) * margin };
-}
-
-/* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */
-static double first_guess(const struct scallop_scaled *s)
-{
-  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION];
-  const struct scallop_shape *c = &s->gait->phase[SCALLOP_CONTRACTION];
-  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  double spread_e = 2 * a * a * fabs(1 / e->l0 - 1 / e->lT), spread_c = 2 * b * b * fabs(1 / c->l0 - 1 / c->lT);
-  double driven = s->delta * (a - b);
-  double forward = s->f1 * spread_e / s->mu2 + s->f2 * spread_c / s->mu1;
-  double backward = s->f2 * spread_e / s->mu1 + s->f1 * spread_c / s->mu2;
-  return driven / (driven > 0 ? forward : backward);
 }
 
 /* No contraction, and a balance of nothing but rounding: c lies in an interval of steady states. Only
@@ -135,16 +121,6 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
   return SCALLOP_ECONVERGE;
 }
 
-/* No body is held where l' falls to 0. */
-static bool may_be_regular(const struct scallop_scaled *s, double driven)
-{
-  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION], *c = &s->gait->phase[SCALLOP_CONTRACTION];
-  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  bool forward = s->delta * driven > 0;
-  double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
-  return fabs(e->lT) * q_e > s->eps * (a * a) && fabs(c->lT) * q_c > s->eps * (b * b);
-}
-
 static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
                            struct scallop_steady_result *result)
 {
@@ -165,27 +141,6 @@ static void regular_result(const struct scallop_scaled *s, const struct regular 
     for (int i = 0; i < 3; i++)
       result->period.modes[phase].kept[i] = modes[forward][phase].kept[i];
   }
-  result->work = (struct scallop_work){ .periods = 1, .events = 4 };
-}
-
-/* The regular modes of phases of two ramps, in closed form. False: it is something else, and *guess is a place to begin. */
-static bool solve_regular(const struct scallop_scaled *s, struct regular *r, double *guess)
-{
-  const struct scallop_shape *phase = s->gait->phase;
-  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha);
-  if (!phase[SCALLOP_EXTENSION].ramps || !phase[SCALLOP_CONTRACTION].ramps) {
-    *guess = first_guess(s);
-    return false;
-  }
-  *guess =
-      0; /* the velocity at the end of a phase in which a body is held to the end, and so most often at one of the ends */
-  if (!may_be_regular(s, driven))
-    return false;
-  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
-  struct ramps extension = ramps_of(&phase[SCALLOP_EXTENSION]), contraction = ramps_of(&phase[SCALLOP_CONTRACTION]);
-  bool regular = regular_steady(&scaling, alpha, driven, &extension, &contraction, r);
-  *guess = r->c_start;
-  return regular;
 }
 
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
@@ -199,7 +154,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   enum scallop_status status = scallop_scale(crawler, &s);
   if (status != SCALLOP_OK)
     return status;
-  bool is_regular = solve_regular(&s, &regular, &guess);
+  bool is_regular = regular_solve(&s, &regular, &guess, &work);
   if (!is_regular) {
     status = find_root(&s, guess, &period, &work);
     if (status != SCALLOP_OK)
@@ -213,6 +168,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     return SCALLOP_ERANGE;
   result->froude = 1 / s.eps;
   result->mean_velocity = mean;
+  result->work = work;
   if (is_regular) {
     regular_result(&s, &regular, crawler->L, result);
     return SCALLOP_OK;
@@ -220,6 +176,5 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   period_result(crawler, &s, &period, &result->period);
   result->v_low = at.lo * s.velocity;
   result->v_high = at.hi * s.velocity;
-  result->work = work;
   return at.lo < at.hi ? SCALLOP_INTERVAL : SCALLOP_OK;
 }

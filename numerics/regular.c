@@ -1,0 +1,91 @@
+#include "numerics/regular.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/period.h"
+
+enum { STEPS = 24 };
+/* A tangent misses |l'| by the square of how far it is from where it touches. */
+static const double near_enough = 2e-9;
+
+/* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */
+static double first_guess(const struct scallop_scaled *s)
+{
+  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION];
+  const struct scallop_shape *c = &s->gait->phase[SCALLOP_CONTRACTION];
+  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  double spread_e = 2 * a * a * fabs(1 / e->l0 - 1 / e->lT), spread_c = 2 * b * b * fabs(1 / c->l0 - 1 / c->lT);
+  double driven = s->delta * (a - b);
+  double forward = s->f1 * spread_e / s->mu2 + s->f2 * spread_c / s->mu1;
+  double backward = s->f2 * spread_e / s->mu1 + s->f1 * spread_c / s->mu2;
+  return driven / (driven > 0 ? forward : backward);
+}
+
+/* No body is held where |l'| falls to 0. */
+static bool may_be_regular(const struct scallop_scaled *s, double driven)
+{
+  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION], *c = &s->gait->phase[SCALLOP_CONTRACTION];
+  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  bool forward = s->delta * driven > 0;
+  double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
+  return fabs(e->lT) * q_e > s->eps * (a * a) && fabs(c->lT) * q_c > s->eps * (b * b);
+}
+
+/* The tangent of |l'| at offset x of a piece, in the direction of growing x. */
+static struct tangent tangent_at(const struct scallop_piece *p, double x)
+{
+  double velocity, acceleration;
+  if (p->curve->rates) {
+    p->curve->rates(p, x, &velocity, &acceleration);
+  } else {
+    velocity = p->curve->velocity(p, x);
+    acceleration = p->curve->acceleration(p, x);
+  }
+  double slope = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * acceleration;
+  return (struct tangent){ slope, p->direction * velocity - slope * x };
+}
+
+/* The tangents at the crossings just found; true: they were found by tangents near enough. */
+static bool touch(const struct scallop_shape *shape, double t, double u, double at[2], struct tangents *tangents)
+{
+  bool near = fabs(t - at[0]) <= near_enough * t && fabs(u - at[1]) <= near_enough * u;
+  at[0] = t;
+  at[1] = u;
+  if (!near)
+    *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
+  return near;
+}
+
+bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *guess, struct scallop_work *work)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha), at[2][2] = { { 0, 0 }, { 0, 0 } };
+  if (!phase[0].concave || !phase[1].concave) {
+    *guess = first_guess(s);
+    return false;
+  }
+  *guess = 0; /* the velocity after a phase in which a body is held to the end */
+  if (!may_be_regular(s, driven))
+    return false;
+  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
+  bool straight = phase[0].ramps && phase[1].ramps;
+  work->periods = 1;
+  for (int i = 0; i < STEPS; i++) {
+    bool valid = regular_steady(&scaling, alpha, driven, &tangents[0], &tangents[1], r);
+    *guess = r->c_start;
+    if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
+      return false;
+    work->events = 4;
+    if (straight)
+      return true;
+    bool near = touch(&phase[0], r->t[0], r->u[0], at[0], &tangents[0]);
+    near &= touch(&phase[1], r->t[1], r->u[1], at[1], &tangents[1]);
+    if (near)
+      return true;
+    work->gait_evaluations += 4;
+    work->root_iterations++;
+  }
+  return false;
+}
