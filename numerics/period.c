@@ -4,12 +4,6 @@
 #include <math.h>
 #include <stddef.h>
 
-double period_driven(const struct scallop_gait *gait, double alpha)
-{
-  double e = gait->phase[SCALLOP_EXTENSION].net, c = gait->phase[SCALLOP_CONTRACTION].net;
-  return alpha * (e - c) + c;
-}
-
 void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context)
 {

@@ -5,7 +5,11 @@
 #include "numerics/motion.h"
 
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
-double period_driven(const struct scallop_gait *gait, double alpha);
+static inline double period_driven(const struct scallop_gait *gait, double alpha)
+{
+  double e = gait->phase[SCALLOP_EXTENSION].net, c = gait->phase[SCALLOP_CONTRACTION].net;
+  return alpha * (e - c) + c;
+}
 
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */

@@ -22,16 +22,6 @@ static double first_guess(const struct scallop_scaled *s)
   return driven / (driven > 0 ? forward : backward);
 }
 
-/* No body is held where |l'| falls to 0. */
-static bool may_be_regular(const struct scallop_scaled *s, double driven)
-{
-  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION], *c = &s->gait->phase[SCALLOP_CONTRACTION];
-  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  bool forward = s->delta * driven > 0;
-  double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
-  return fabs(e->lT) * q_e > s->eps * (a * a) && fabs(c->lT) * q_c > s->eps * (b * b);
-}
-
 /* The tangent of |l'| at offset x of a piece, in the direction of growing x. */
 static struct tangent tangent_at(const struct scallop_piece *p, double x)
 {
@@ -57,6 +47,16 @@ static bool touch(const struct scallop_shape *shape, double t, double u, double 
   return near;
 }
 
+void regular_modes(bool forward, struct scallop_modes modes[2])
+{
+  for (int phase = 0; phase < 2; phase++) {
+    struct scallop_mode *kept = modes[phase].kept;
+    modes[phase].count = 3;
+    kept[0] = kept[2] = forward ? (struct scallop_mode){ 1, 1 } : (struct scallop_mode){ -1, -1 };
+    kept[1] = phase == SCALLOP_EXTENSION ? (struct scallop_mode){ -1, 1 } : (struct scallop_mode){ 1, -1 };
+  }
+}
+
 bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *guess, struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
@@ -65,11 +65,15 @@ bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *gu
     *guess = first_guess(s);
     return false;
   }
-  *guess = 0; /* the velocity after a phase in which a body is held to the end */
-  if (!may_be_regular(s, driven))
-    return false;
   const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
+  double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
+  bool held_e = !regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e);
+  bool held_c = !regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c);
+  if (held_e || held_c) {
+    *guess = held_c ? 0 : NAN;
+    return false;
+  }
   bool straight = phase[0].ramps && phase[1].ramps;
   work->periods = 1;
   for (int i = 0; i < STEPS; i++) {

@@ -108,14 +108,26 @@ static inline struct tangents regular_ends(const struct scallop_shape *shape)
   return (struct tangents){ { shape->pieces[0].direction * shape->l0, 0 }, { -shape->pieces[0].direction * shape->lT, 0 } };
 }
 
+/* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */
+static inline int regular_may_be(const struct scaling *s, enum scallop_phase_kind kind, double driven, double slope,
+                                 double eps)
+{
+  int forward = s->delta * driven > 0;
+  return slope * (forward == (kind == SCALLOP_EXTENSION) ? s->mu2 : s->mu1) > eps;
+}
+
 /* The crossings lie where their tangents are meant: in the first and in the last piece. */
 static inline int regular_is_inside(const struct scallop_shape *shape, double t, double u)
 {
   return (t < shape->pieces[0].end) & (u < shape->pieces[shape->count - 1].begin);
 }
 
+/* Extension and contraction: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --. */
+void regular_modes(bool forward, struct scallop_modes modes[2]);
+
 /* True: the regular modes, and *r is the steady state. False: something else, or too hard to tell, and *guess a start velocity to
- * begin with, in L/T. Adds to *work. */
+ * begin with, in L/T; nan: better begin with velocity 0 at the start of the contraction, because a body is held to the end of
+ * the extension. Adds to *work. */
 bool regular_solve(const struct scallop_scaled *scaled, struct regular *r, double *guess, struct scallop_work *work);
 
 #endif

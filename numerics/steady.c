@@ -1,6 +1,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "numerics/period.h"
 #include "numerics/regular.h"
@@ -96,7 +97,6 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
   double c = isfinite(guess) ? guess : 0;
   struct bracket b = { -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
-  p->c_mid = NAN;
   for (int i = 0; i < STEPS; i++) {
     period_solve(s, c, p);
     add_work(work, p);
@@ -124,11 +124,6 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
 static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
                            struct scallop_steady_result *result)
 {
-  static const struct scallop_modes modes[2][2] = {
-    { { 3, { { -1, -1 }, { -1, 1 }, { -1, -1 } } }, { 3, { { -1, -1 }, { 1, -1 }, { -1, -1 } } } },
-    { { 3, { { 1, 1 }, { -1, 1 }, { 1, 1 } } }, { 3, { { 1, 1 }, { 1, -1 }, { 1, 1 } } } },
-  };
-  int forward = r->c_start > 0;
   result->v_low = result->v_high = result->period.v_start = r->c_start * s->velocity;
   result->period.v_mid = r->c_mid * s->velocity;
   result->period.v_end = r->c_end * s->velocity;
@@ -136,11 +131,7 @@ static void regular_result(const struct scallop_scaled *s, const struct regular 
   result->period.multiplier = r->multiplier;
   result->period.balance = r->balance;
   result->period.regime = SCALLOP_SLIDING;
-  for (int phase = 0; phase < 2; phase++) {
-    result->period.modes[phase].count = 3;
-    for (int i = 0; i < 3; i++)
-      result->period.modes[phase].kept[i] = modes[forward][phase].kept[i];
-  }
+  regular_modes(r->c_start > 0, result->period.modes);
 }
 
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
@@ -156,6 +147,12 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     return status;
   bool is_regular = regular_solve(&s, &regular, &guess, &work);
   if (!is_regular) {
+    period.c_mid = NAN;
+    if (isnan(guess)) {
+      period.c_mid = 0;
+      period_phase(&s, SCALLOP_CONTRACTION, &period, NULL, NULL);
+      guess = period.c_end;
+    }
     status = find_root(&s, guess, &period, &work);
     if (status != SCALLOP_OK)
       return status;
