@@ -3,8 +3,13 @@ CC      ?= cc
 CFLAGS  ?= -O2 -g
 LDLIBS  ?= -lgsl -lgslcblas -lm
 WARN     = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-# No contraction to fused multiply-add: the tables in data/ must not depend on the processor.
-ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off $(WARN) $(CFLAGS)
+# OpenMP: many steady states on all cores (scallop_steady_batch). make WITH_OPENMP=0, or a compiler without it: on one.
+WITH_OPENMP ?= $(shell printf 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo 1 || echo 0)
+WITH_OPENMP := $(WITH_OPENMP)
+# No contraction to fused multiply-add: the tables in data/ must not depend on the processor. No care for traps, which are off:
+# vector instructions compute what is then not used.
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) $(CFLAGS) \
+             $(if $(filter 0,$(WITH_OPENMP)),-fopenmp-simd,-fopenmp)
 B       ?= build
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
@@ -19,12 +24,21 @@ flint_tests := certified certified_edges certified_laws claims series series_ter
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
 
+# SUNDIALS: one more rival for `workprec`, where its headers are found (Debian: libsundials-dev; where they need MPI's, give
+# them CPPFLAGS and LDLIBS). make WITH_SUNDIALS=0 leaves it out.
+sundials      := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nSUNDIALS_VERSION_MAJOR' | $(CC) $(CPPFLAGS) -E -P - 2>/dev/null | tail -n 1))
+WITH_SUNDIALS ?= $(if $(sundials),1,0)
+sundials_parts = numerics/cvode numerics/cvode_absent
+cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
+SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
+chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
+
 rooms    = $(wildcard $(1)/*.c)
 parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
-core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts),$(parts)))
+core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts) $(sundials_parts),$(parts)))
 alone   := $(core) $(call objects,compare/hand_over)
-full    := $(core) $(call objects,$(flint_parts))
+full    := $(core) $(call objects,$(flint_parts) $(cvode)) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 ifeq ($(WITH_FLINT),0)
   programs := $(B)/scallop
@@ -33,7 +47,7 @@ else
   programs := $(B)/scallop $(B)/scallop-flint
 endif
 tests   := $(patsubst %,$(B)/test_%,$(tests))
-link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^
+link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
 .PHONY: all help check reproduce bench lint format asan clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
@@ -61,7 +75,11 @@ $(B)/scallop: $(B)/compare/main.o $(alone)
 
 $(B)/scallop-flint: $(B)/compare/main.o $(full)
 	@echo "  LD $@"
-	@$(link) $(FLINT) $(LDLIBS)
+	@$(link) $(FLINT) $(SUNDIALS) $(LDLIBS)
+
+# so that another choice links anew
+$(chosen):
+	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -70,7 +88,11 @@ $(B)/%.o: %.c Makefile
 
 $(patsubst %,$(B)/test_%,$(flint_tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(full)
 	@echo "  LD $@"
-	@$(link) -lcmocka $(FLINT) $(LDLIBS)
+	@$(link) -lcmocka $(FLINT) $(SUNDIALS) $(LDLIBS)
+
+$(B)/test_cvode: $(B)/tests/test_cvode.o $(B)/tests/check.o $(alone) $(call objects,$(cvode)) $(chosen)
+	@echo "  LD $@"
+	@$(link) -lcmocka $(SUNDIALS) $(LDLIBS)
 
 $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(alone)
 	@echo "  LD $@"
@@ -104,7 +126,7 @@ asan:
 	@$(MAKE) --no-print-directory check B=$(B)/asan \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all $(no_false_alarms)"
 
-sources  = $(foreach r,model asymptotics numerics compare tests bench,$(wildcard $(r)/*.c))
+sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,model asymptotics numerics compare tests bench,$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format
 lint:
 	@scripts/setup.sh build tests lint

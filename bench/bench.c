@@ -111,7 +111,7 @@ static double exact_period(const struct method *m, int i)
 
 static double odeiv_period(const struct method *m, int i)
 {
-  struct scallop_odeiv_result r;
+  struct scallop_rival_period r;
   const struct crawlers *set = m->set;
   enum scallop_status status = scallop_odeiv_run(m->odeiv, &set->crawler[i], set->v0[i], m->tolerance, &r);
   return status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
@@ -141,7 +141,7 @@ static double odeiv_error(const struct method *m, double tolerance, long *evalua
   *evaluations = 0;
   for (int i = 0; i < CRAWLERS; i++) {
     const struct scallop_period_result *exact = &m->set->exact[i];
-    struct scallop_odeiv_result r;
+    struct scallop_rival_period r;
     if (scallop_odeiv_run(m->odeiv, &m->set->crawler[i], m->set->v0[i], tolerance, &r) != SCALLOP_OK)
       return INFINITY;
     worst = larger(worst, fabs(r.v_end / exact->v_end - 1));

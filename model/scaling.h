@@ -6,15 +6,19 @@
 
 #include "model/model.h"
 
+/* Into loops over many crawlers: a call would keep them from vector instructions. */
+#define SCALLOP_INLINE static inline __attribute__((always_inline))
+
 struct scaling {
   double mu1, mu2, mu_difference, f1, f2, delta, eps, velocity; /* as in struct scallop_scaled */
 };
 
-static inline int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive <= DBL_MAX); }
+SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive <= DBL_MAX); }
 
 /* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False: scallop_scale
  * will tell what is the matter, and what it is. */
-static inline int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha, struct scaling *s)
+SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,
+                              struct scaling *s)
 {
   double M = m1 + m2, F = F1 + F2, rest = 1 - alpha;
   double slowness = T / L, friction = F / M, speed = friction * T;

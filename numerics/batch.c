@@ -2,44 +2,115 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/held.h"
 #include "numerics/period.h"
 #include "numerics/regular.h"
 
-/* Crawlers are solved in blocks: first all of a block as if they had the regular modes, by vector instructions; then one by
- * one those that turn out to have others. A block is the same work whichever thread does it. */
-enum { BLOCK = 32 };
+/* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the
+ * end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to be something
+ * else, one by one. A block is the same work whichever thread does it. */
+enum { BLOCK = 64 };
 
-struct block {
-  double froude[BLOCK], v_start[BLOCK], v_mid[BLOCK], displacement[BLOCK], mean_velocity[BLOCK], multiplier[BLOCK];
-  double regular[BLOCK]; /* 1 or 0 */
+/* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or reordered. */
+#if defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__
+#define VECTOR __attribute__((target_clones("avx2", "default")))
+#else
+#define VECTOR
+#endif
+
+struct row {
+  int count;
+  long index[BLOCK];
+  double order[BLOCK]; /* held: +1 begins with the extension, -1 with the contraction                */
+  double m1[BLOCK], m2[BLOCK], F1[BLOCK], F2[BLOCK], L[BLOCK], T[BLOCK], alpha[BLOCK];
 };
 
-/* Needs ramps in both phases. */
-static void solve_as_regular(const struct scallop_crawlers *all, long first, int count, const struct scallop_gait *gait,
-                             struct block *block)
+struct answers { /* the last four are doubles so that they fill a vector like the rest                     */
+  double froude[BLOCK], v_start[BLOCK], v_mid[BLOCK], displacement[BLOCK], mean_velocity[BLOCK], multiplier[BLOCK];
+  double valid[BLOCK];
+  double starts[2][BLOCK], ends[2][BLOCK], grip[2][BLOCK]; /* of each phase, as in struct held_phase              */
+};
+
+static void collect(struct row *row, const struct scallop_crawlers *c, long i, double order)
+{
+  int at = row->count++;
+  row->index[at] = i;
+  row->order[at] = order;
+  row->m1[at] = c->m1[i];
+  row->m2[at] = c->m2[i];
+  row->F1[at] = c->F1[i];
+  row->F2[at] = c->F2[i];
+  row->L[at] = c->L[i];
+  row->T[at] = c->T[i];
+  row->alpha[at] = c->alpha[i];
+}
+
+/* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the extension
+ * only, 0 none. Roughly, as nothing depends on it but speed. */
+static double holds(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
+{
+  double a = c->alpha[i], b = 1 - a, strength = c->T[i] * c->T[i] * (c->F1[i] + c->F2[i]) / c->L[i];
+  bool forward = (c->F1[i] > c->F2[i]) == (a > 0.5);
+  double front = forward ? c->m2[i] : c->m1[i], back = forward ? c->m1[i] : c->m2[i];
+  return slope_c * back <= strength * (b * b) ? 1 : slope_e * front <= strength * (a * a) ? -1 : 0;
+}
+
+VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
 {
   const struct scallop_shape *phase = gait->phase;
   const struct tangents extension = regular_ends(&phase[0]), contraction = regular_ends(&phase[1]);
-  const double top_e = phase[0].pieces[0].end, rest_e = phase[0].pieces[1].begin;
-  const double top_c = phase[1].pieces[0].end, rest_c = phase[1].pieces[1].begin;
-  const double *m1 = all->m1 + first, *m2 = all->m2 + first, *F1 = all->F1 + first, *F2 = all->F2 + first;
-  const double *L = all->L + first, *T = all->T + first, *alpha = all->alpha + first;
+  const struct ramps e = ramps_of(&phase[0]), c = ramps_of(&phase[1]);
 #pragma omp simd
-  for (int i = 0; i < count; i++) {
+  for (int i = 0; i < row->count; i++) {
     struct scaling s;
     struct regular r;
-    int valid = scaling_of(m1[i], m2[i], F1[i], F2[i], L[i], T[i], alpha[i], &s);
-    valid &= regular_steady(&s, alpha[i], period_driven(gait, alpha[i]), &extension, &contraction, &r);
-    valid &= (r.t[0] < top_e) & (r.u[0] < rest_e) & (r.t[1] < top_c) & (r.u[1] < rest_c);
-    double displacement = r.travel * L[i], mean = displacement / T[i];
-    valid &= fabs(mean) <= DBL_MAX;
-    block->froude[i] = 1 / s.eps;
-    block->v_start[i] = r.c_start * s.velocity;
-    block->v_mid[i] = r.c_mid * s.velocity;
-    block->displacement[i] = displacement;
-    block->mean_velocity[i] = mean;
-    block->multiplier[i] = r.multiplier;
-    block->regular[i] = valid ? 1 : 0;
+    double alpha = row->alpha[i];
+    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
+    valid &= regular_steady(&s, alpha, period_driven(gait, alpha), &extension, &contraction, &r);
+    valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
+    double displacement = r.travel * row->L[i], mean = displacement / row->T[i];
+    out->froude[i] = 1 / s.eps;
+    out->v_start[i] = r.c_start * s.velocity;
+    out->v_mid[i] = r.c_mid * s.velocity;
+    out->displacement[i] = displacement;
+    out->mean_velocity[i] = mean;
+    out->multiplier[i] = r.multiplier;
+    out->valid[i] = valid & (fabs(mean) <= DBL_MAX) ? 1 : 0;
+  }
+}
+
+/* The phase that is followed by rest comes second, and the first begins at rest. */
+VECTOR static void solve_held(const struct row *row, const struct scallop_gait *gait, struct answers *out)
+{
+  const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
+#pragma omp simd
+  for (int i = 0; i < row->count; i++) {
+    struct scaling s;
+    double a = row->alpha[i], b = 1 - a, order = row->order[i];
+    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], a, &s);
+    int held_c = order > 0;
+    double x1 = held_c ? a : b, x2 = held_c ? b : a;
+    struct ramps r1 = { held_c ? e.up : c.up, held_c ? e.down : c.down, held_c ? e.top : c.top, held_c ? e.rest : c.rest };
+    struct ramps r2 = { held_c ? c.up : e.up, held_c ? c.down : e.down, held_c ? c.top : e.top, held_c ? c.rest : e.rest };
+    struct held_phase p1 = held_phase(&s, x1, order, &r1, 0);
+    double between = p1.c_end / x1;
+    struct held_phase p2 = held_phase(&s, x2, -order, &r2, between * x2);
+    double travel = held_c ? p1.travel + p2.travel : p2.travel + p1.travel;
+    double displacement = travel * row->L[i], mean = displacement / row->T[i];
+    out->froude[i] = 1 / s.eps;
+    out->v_start[i] = (held_c ? 0 : between) * s.velocity;
+    out->v_mid[i] = (held_c ? between : 0) * s.velocity;
+    out->displacement[i] = displacement;
+    out->mean_velocity[i] = mean;
+    out->multiplier[i] = 0;
+    out->starts[0][i] = held_c ? p1.starts : p2.starts;
+    out->starts[1][i] = held_c ? p2.starts : p1.starts;
+    out->ends[0][i] = held_c ? p1.ends : p2.ends;
+    out->ends[1][i] = held_c ? p2.ends : p1.ends;
+    out->grip[0][i] = held_c ? p1.grip : p2.grip;
+    out->grip[1][i] = held_c ? p2.grip : p1.grip;
+    double margin = held_least(held_least(p1.margin, p2.margin), p2.grip);
+    out->valid[i] = valid & (margin > 0) & (fabs(mean) <= DBL_MAX) ? 1 : 0;
   }
 }
 
@@ -49,22 +120,44 @@ static void put(double *column, long i, double value)
     column[i] = value;
 }
 
-static void store_regular(const struct scallop_steady_states *states, long i, const struct block *b, int j)
+static void put_answer(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
 {
-  put(states->froude, i, b->froude[j]);
-  put(states->v_start, i, b->v_start[j]);
-  put(states->v_mid, i, b->v_mid[j]);
-  put(states->displacement, i, b->displacement[j]);
-  put(states->mean_velocity, i, b->mean_velocity[j]);
-  put(states->multiplier, i, b->multiplier[j]);
-  put(states->v_low, i, b->v_start[j]);
-  put(states->v_high, i, b->v_start[j]);
+  put(states->froude, i, a->froude[j]);
+  put(states->v_start, i, a->v_start[j]);
+  put(states->v_mid, i, a->v_mid[j]);
+  put(states->displacement, i, a->displacement[j]);
+  put(states->mean_velocity, i, a->mean_velocity[j]);
+  put(states->multiplier, i, a->multiplier[j]);
+  put(states->v_low, i, a->v_start[j]);
+  put(states->v_high, i, a->v_start[j]);
+  if (states->status)
+    states->status[i] = SCALLOP_OK;
+}
+
+static void put_regular(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
+{
+  put_answer(states, i, a, j);
   if (states->regime)
     states->regime[i] = SCALLOP_SLIDING;
   if (states->modes)
-    regular_modes(b->v_start[j] > 0, states->modes[i]);
-  if (states->status)
-    states->status[i] = SCALLOP_OK;
+    regular_modes(a->v_start[j] > 0, states->modes[i]);
+}
+
+static void put_held(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
+{
+  put_answer(states, i, a, j);
+  if (states->regime)
+    states->regime[i] = SCALLOP_STICK_SLIP;
+  for (int phase = 0; states->modes && phase < 2; phase++)
+    held_modes((enum scallop_phase_kind)phase, (int)a->starts[phase][j], (int)a->ends[phase][j], a->grip[phase][j] >= 0,
+               &states->modes[i][phase]);
+}
+
+static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)
+{
+  to->count = from->count;
+  for (int i = 0; i < from->count && i < SCALLOP_MODES_KEPT; i++)
+    to->kept[i] = from->kept[i];
 }
 
 static void store(const struct scallop_steady_states *states, long i, enum scallop_status status,
@@ -81,7 +174,7 @@ static void store(const struct scallop_steady_states *states, long i, enum scall
   if (states->regime && status >= 0)
     states->regime[i] = r->period.regime;
   for (int phase = 0; states->modes && phase < 2; phase++)
-    states->modes[i][phase] = r->period.modes[phase];
+    put_modes(&states->modes[i][phase], &r->period.modes[phase]);
   if (states->status)
     states->status[i] = status;
 }
@@ -103,20 +196,35 @@ static bool solve_one(const struct scallop_crawlers *c, const struct scallop_ste
   return status >= 0;
 }
 
-/* Returns how many have no answer. */
+/* Returns how many of count have no answer. */
 static long solve_block(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long first, int count)
 {
-  struct block block;
+  struct row regular = { .count = 0 }, held = { .count = 0 };
+  struct answers answers;
   const struct scallop_gait *gait = c->gait[first];
   bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
   long failed = 0;
-  if (ramps)
-    solve_as_regular(c, first, count, gait, &block);
-  for (int j = 0; j < count; j++)
-    if (ramps && block.regular[j] > 0 && c->gait[first + j] == gait)
-      store_regular(states, first + j, &block, j);
-    else if (!solve_one(c, states, first + j))
-      failed++;
+  for (long i = first; i < first + count; i++)
+    if (ramps && c->gait[i] == gait) {
+      double order = holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT));
+      collect(order == 0 ? &regular : &held, c, i, order);
+    } else {
+      failed += !solve_one(c, states, i);
+    }
+  if (regular.count > 0)
+    solve_regular(&regular, gait, &answers);
+  for (int j = 0; j < regular.count; j++)
+    if (answers.valid[j] > 0)
+      put_regular(states, regular.index[j], &answers, j);
+    else
+      failed += !solve_one(c, states, regular.index[j]);
+  if (held.count > 0)
+    solve_held(&held, gait, &answers);
+  for (int j = 0; j < held.count; j++)
+    if (answers.valid[j] > 0)
+      put_held(states, held.index[j], &answers, j);
+    else
+      failed += !solve_one(c, states, held.index[j]);
   return failed;
 }
 

@@ -2,10 +2,11 @@
 #ifndef SCALLOP_PERIOD_H
 #define SCALLOP_PERIOD_H
 
+#include "model/scaling.h"
 #include "numerics/motion.h"
 
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
-static inline double period_driven(const struct scallop_gait *gait, double alpha)
+SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alpha)
 {
   double e = gait->phase[SCALLOP_EXTENSION].net, c = gait->phase[SCALLOP_CONTRACTION].net;
   return alpha * (e - c) + c;

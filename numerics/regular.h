@@ -42,8 +42,8 @@ struct regular {
   double t[2], u[2]; /* the crossings of each phase, from its start and back from its end          */
 };
 
-static inline void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double eps,
-                                   double beta)
+SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double eps,
+                                    double beta)
 {
   p->up = q * tangents->first.slope;
   p->down = q * tangents->last.slope;
@@ -59,7 +59,7 @@ static inline void regular_prepare(struct regular_phase *p, const struct tangent
 }
 
 /* The phase from c at its start. True: in these modes. */
-static inline int regular_run(struct regular_phase *p, double c)
+SCALLOP_INLINE int regular_run(struct regular_phase *p, double c)
 {
   double t = p->t_start + p->t_slope * c, u = p->u_start + p->u_slope * c;
   double y = p->up * t + p->up_offset, z = p->down * u + p->down_offset;
@@ -71,8 +71,8 @@ static inline int regular_run(struct regular_phase *p, double c)
 }
 
 /* driven: 2 alpha - 1 as the gait has it. True: these are the modes, if every time lies where its tangent is meant. */
-static inline int regular_steady(const struct scaling *s, double alpha, double driven, const struct tangents *extension,
-                                 const struct tangents *contraction, struct regular *out)
+SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double driven, const struct tangents *extension,
+                                  const struct tangents *contraction, struct regular *out)
 {
   int forward = s->delta * driven > 0; /* backward is forward with the bodies exchanged, in a mirror */
   double sign = forward ? 1 : -1, beta = sign * s->delta, b = 1 - alpha;
@@ -103,21 +103,21 @@ static inline int regular_steady(const struct scaling *s, double alpha, double d
 }
 
 /* The tangents at the two ends of a phase: of two straight ramps they are all. */
-static inline struct tangents regular_ends(const struct scallop_shape *shape)
+SCALLOP_INLINE struct tangents regular_ends(const struct scallop_shape *shape)
 {
   return (struct tangents){ { shape->pieces[0].direction * shape->l0, 0 }, { -shape->pieces[0].direction * shape->lT, 0 } };
 }
 
 /* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */
-static inline int regular_may_be(const struct scaling *s, enum scallop_phase_kind kind, double driven, double slope,
-                                 double eps)
+SCALLOP_INLINE int regular_may_be(const struct scaling *s, enum scallop_phase_kind kind, double driven, double slope,
+                                  double eps)
 {
   int forward = s->delta * driven > 0;
   return slope * (forward == (kind == SCALLOP_EXTENSION) ? s->mu2 : s->mu1) > eps;
 }
 
 /* The crossings lie where their tangents are meant: in the first and in the last piece. */
-static inline int regular_is_inside(const struct scallop_shape *shape, double t, double u)
+SCALLOP_INLINE int regular_is_inside(const struct scallop_shape *shape, double t, double u)
 {
   return (t < shape->pieces[0].end) & (u < shape->pieces[shape->count - 1].begin);
 }

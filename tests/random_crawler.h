@@ -74,9 +74,11 @@ static const struct scallop_law fall_law = { SCALLOP_LAW_POLYNOMIAL, 1, (const d
 
 static const struct scallop_piece trapezoid_extension[] = { TRAPEZOID(1) };
 static const struct scallop_piece trapezoid_contraction[] = { TRAPEZOID(-1) };
-static const struct scallop_gait trapezoid_gait = { "trapezoid",
-                                                    { { trapezoid_extension, 3, 64. / 13, -128. / 13, 16. / 13, 1 },
-                                                      { trapezoid_contraction, 3, -64. / 13, 128. / 13, 16. / 13, -1 } } };
+static const struct scallop_gait trapezoid_gait = {
+  "trapezoid",
+  { { trapezoid_extension, 3, 64. / 13, -128. / 13, 16. / 13, 1, true, false },
+    { trapezoid_contraction, 3, -64. / 13, 128. / 13, 16. / 13, -1, true, false } }
+};
 
 /* minimum jerk: l = 10 s^3 - 15 s^4 + 6 s^5, symmetric about s = 1/2. l''' = 0 at (3 - sqrt 3)/6
  * from either end, where the pieces are split so that l'' is monotone in each. l'' = 0 at both ends. */
@@ -127,9 +129,9 @@ static const struct scallop_law jerk_law = { SCALLOP_LAW_POLYNOMIAL, 4, (const d
 
 static const struct scallop_piece jerk_extension[] = { MINIMUM_JERK(1) };
 static const struct scallop_piece jerk_contraction[] = { MINIMUM_JERK(-1) };
-static const struct scallop_gait minimum_jerk_gait = {
-  "minimum-jerk", { { jerk_extension, 4, 0, 0, 1.875, 1 }, { jerk_contraction, 4, 0, 0, 1.875, -1 } }
-};
+static const struct scallop_gait minimum_jerk_gait = { "minimum-jerk",
+                                                       { { jerk_extension, 4, 0, 0, 1.875, 1, false, false },
+                                                         { jerk_contraction, 4, 0, 0, 1.875, -1, false, false } } };
 
 /* sawtooth: l' = +1, then -1; it jumps between the phases. */
 #define SAWTOOTH(sign) \
@@ -141,7 +143,7 @@ static const struct scallop_gait minimum_jerk_gait = {
 static const struct scallop_piece sawtooth_extension[] = { SAWTOOTH(1) };
 static const struct scallop_piece sawtooth_contraction[] = { SAWTOOTH(-1) };
 static const struct scallop_gait sawtooth_gait = {
-  "sawtooth", { { sawtooth_extension, 1, 0, 0, 1, 1 }, { sawtooth_contraction, 1, 0, 0, 1, -1 } }
+  "sawtooth", { { sawtooth_extension, 1, 0, 0, 1, 1, false, false }, { sawtooth_contraction, 1, 0, 0, 1, -1, false, false } }
 };
 
 enum { SMOOTH_GAITS = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */

@@ -10,9 +10,9 @@
 static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
 static const struct scallop_piece parabola_contraction[] = { { .end = 1, .direction = -1, .law = &parabola_law } };
-static const struct scallop_gait parabola_gait = {
-  "parabola", { { parabola_extension, 1, 6, -6, 1.5, 1 }, { parabola_contraction, 1, -6, 6, 1.5, -1 } }
-};
+static const struct scallop_gait parabola_gait = { "parabola",
+                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
+                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
 
 static void check_undecided(const struct scallop_crawler *c, const char *v0_text, const char *reason)
 {

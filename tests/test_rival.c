@@ -1,0 +1,445 @@
+/* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators beside
+ * the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
+#include "tests/check.h"
+
+#include <float.h>
+
+#include <gsl/gsl_errno.h>
+
+#include "numerics/odeiv.h"
+#include "tests/random_crawler.h"
+
+enum { CRAWLERS = 40, STEPPERS = 3 };
+static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_odeiv.c */
+
+/* ---- maps whose answer is known, in units where L/T = 1 ---- */
+
+struct map {
+  struct scallop_rival rival;
+  double (*value)(struct map *map, double v);
+  double multiplier, fixed;
+  long calls;
+  enum scallop_status status;
+};
+
+static enum scallop_status map_period(struct scallop_rival *self, const struct scallop_crawler *c, double v0,
+                                      const struct scallop_patience *patience, struct scallop_rival_period *period)
+{
+  struct map *m = (struct map *)self;
+  double v = m->value(m, v0);
+  (void)c, (void)patience;
+  m->calls++;
+  if (m->status != SCALLOP_OK || !isfinite(v))
+    return m->status != SCALLOP_OK ? m->status : SCALLOP_ERANGE;
+  *period = (struct scallop_rival_period){ .v_end = v, .displacement = 2 * v0, .steps = 3, .evaluations = 5, .events = 7 };
+  return SCALLOP_OK;
+}
+
+static void map_destroy(struct scallop_rival *self) { ((struct map *)self)->calls = -1; }
+
+static struct map map_of(double (*value)(struct map *map, double v), double multiplier, double fixed)
+{
+  return (struct map){ .rival = { map_period, map_destroy }, .value = value, .multiplier = multiplier, .fixed = fixed };
+}
+
+static struct scallop_crawler unit_crawler(void)
+{
+  return (struct scallop_crawler){ 1, 1, 4, 1, 1, 1, 0.75, &scallop_gait_quadratic };
+}
+
+static double linear(struct map *m, double v) { return m->fixed + m->multiplier * (v - m->fixed); }
+
+/* Friction alone, and then what the multiplier says. */
+static double braked(struct map *m, double v) { return v > 1 ? v - 1e-3 : linear(m, v); }
+
+static double unsure(struct map *m, double v, double noise)
+{
+  struct random r = { (uint64_t)m->calls };
+  return linear(m, v) + random_between(&r, -noise, noise);
+}
+
+static double noisy(struct map *m, double v) { return unsure(m, v, 1e-9); }
+static double rounded(struct map *m, double v) { return unsure(m, v, 2 * DBL_EPSILON); }
+
+/* Pushed away from where it jumps: no state is steady, and the velocity goes to and fro. */
+static double jumping(struct map *m, double v) { return v > m->fixed ? v - 1e-6 : v + 1.3e-6; }
+
+/* To and fro for ever, but only after strides have become long enough not to see it. */
+static double ending_in_a_cycle(struct map *m, double v) { return v > 0.5 ? v - 0.01 : v == m->fixed ? 0.41 : m->fixed; }
+
+/* Friction is seen on one side only. */
+static double one_sided(struct map *m, double v) { return v * m->fixed > 0 ? v : v / 2; }
+
+static double escaping(struct map *m, double v) { return linear(m, v) + (v >= 0 ? 1 : -1); }
+
+static struct scallop_rival_steady simulated(struct map *m, double v0, double tolerance, enum scallop_status wanted)
+{
+  struct scallop_rival_steady s = { .v_start = NAN };
+  struct scallop_crawler c = unit_crawler();
+  m->calls = 0;
+  assert_int_equal(scallop_rival_simulate(&m->rival, &c, v0, tolerance, NULL, &s), wanted);
+  assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
+  return s;
+}
+
+/* To the tolerance, after few more periods than the change needs to fall to it. */
+static void simulates_slow_maps(void **state)
+{
+  const double multipliers[] = { 0, 3e-3, 0.5, 0.99, 0.9999, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-6, 1e-9 };
+  (void)state;
+  for (size_t i = 0; i < sizeof multipliers / sizeof *multipliers; i++)
+    for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
+      struct map m = map_of(linear, multipliers[i], -0.385);
+      struct scallop_rival_steady s = simulated(&m, 1.7, tolerances[k], SCALLOP_OK);
+      CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k]);
+      CHECK_NEAR(s.displacement, 2 * -0.385, 4 * 1.385 * tolerances[k]); /* of a period that began as near */
+      double needed = multipliers[i] > 0 ? log(tolerances[k]) / log(multipliers[i]) : 0;
+      CHECK_AT_MOST((double)s.periods, 1.2 * needed + 4);
+      assert_int_equal(s.steps, 3 * s.periods);
+      assert_int_equal(s.evaluations, 5 * s.periods);
+      assert_int_equal(s.events, 7 * s.periods);
+      assert_int_equal(s.root_iterations, 0);
+    }
+}
+
+/* Begun near the end, where rounding leaves two digits of a change and so none of 1 - m. */
+static void rounding_does_not_end_a_simulation(void **state)
+{
+  struct map m = map_of(rounded, 1 - 1e-6, -0.385);
+  (void)state;
+  struct scallop_rival_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
+  CHECK_NEAR(s.v_start, -0.385, 1.385e-9);
+}
+
+/* A change that stays the same is no reason to end, nor to believe the end is near. */
+static void simulates_what_is_braked(void **state)
+{
+  struct map m = map_of(braked, 0.9, 0.25);
+  (void)state;
+  struct scallop_rival_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
+  CHECK_NEAR(s.v_start, 0.25, 1.25e-8);
+  assert_true(s.periods > 19000);
+}
+
+/* With a tolerance that the noise of the map does not allow, the simulation ends where the noise does. */
+static void noise_ends_a_simulation(void **state)
+{
+  const double multipliers[] = { 0.5, 0.99, 0.9999 };
+  (void)state;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++) {
+      struct map m = map_of(noisy, multipliers[i], 0.731);
+      struct scallop_rival_steady s = simulated(&m, -1, k ? 1e-13 : 0, SCALLOP_OK);
+      CHECK_NEAR(s.v_start, 0.731, 4e-9 / (1 - multipliers[i]));
+      CHECK_AT_MOST((double)s.periods, 60 / (1 - multipliers[i]));
+    }
+  struct map m = map_of(jumping, 0, 0.2);
+  struct scallop_rival_steady s = simulated(&m, 0.20001, 1e-9, SCALLOP_OK);
+  CHECK_NEAR(s.v_start, 0.2, 3e-6);
+  CHECK_AT_MOST((double)s.periods, 100);
+  m = map_of(ending_in_a_cycle, 0, 0.4);
+  s = simulated(&m, 1.003, 1e-9, SCALLOP_OK);
+  CHECK_NEAR(s.v_start, 0.405, 0.0051);
+  CHECK_AT_MOST((double)s.periods, 100);
+  m = map_of(linear, 1, 0); /* gives back what it is given */
+  assert_int_equal(simulated(&m, 0.3, 1e-9, SCALLOP_OK).periods, 1);
+}
+
+static void simulation_passes_failures_on(void **state)
+{
+  struct map m = map_of(linear, 3, 0);
+  (void)state;
+  assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ERANGE).v_start)); /* runs away */
+  m.status = SCALLOP_ECONVERGE;
+  assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ECONVERGE).v_start));
+  assert_true(isnan(simulated(&m, INFINITY, 1e-9, SCALLOP_EDOMAIN).v_start));
+  assert_int_equal(m.calls, 0);
+}
+
+static struct scallop_rival_steady rooted(struct map *m, double tolerance, enum scallop_status wanted)
+{
+  struct scallop_rival_steady s = { .v_start = NAN };
+  struct scallop_crawler c = unit_crawler();
+  m->calls = 0;
+  assert_int_equal(scallop_rival_root(&m->rival, &c, tolerance, NULL, &s), wanted);
+  assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
+  return s;
+}
+
+static void roots_of_maps(void **state)
+{
+  const double multipliers[] = { 0, 0.5, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-9, 0 };
+  (void)state;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) {
+      struct map m = map_of(linear, multipliers[i], -0.385);
+      struct scallop_rival_steady s = rooted(&m, tolerances[k], SCALLOP_OK);
+      CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k] + 4 * DBL_EPSILON / (1 - multipliers[i]));
+      CHECK_EQUAL(s.displacement, 2 * s.v_start); /* of the period that starts there */
+      assert_true(s.root_iterations > 0 && s.root_iterations < 20);
+      assert_int_equal(s.steps, 3 * s.periods);
+    }
+  struct map m = map_of(linear, 0.5, 3.99); /* the fastest that l' goes against a centre of mass at rest is 4 */
+  CHECK_NEAR(rooted(&m, 1e-9, SCALLOP_OK).v_start, 3.99, 5e-9);
+  m = map_of(linear, 0.5, -3.99);
+  CHECK_NEAR(rooted(&m, 1e-9, SCALLOP_OK).v_start, -3.99, 5e-9);
+  m = map_of(noisy, 0.99, 0.731);
+  CHECK_NEAR(rooted(&m, 0, SCALLOP_OK).v_start, 0.731, 2e-9 / (1 - 0.99));
+  m = map_of(jumping, 0, 0.2);
+  CHECK_NEAR(rooted(&m, 1e-12, SCALLOP_OK).v_start, 0.2, 1.2e-12);
+}
+
+/* A map that does not slow down what is too fast has no root that could be trusted. */
+static void no_root(void **state)
+{
+  struct map m = map_of(escaping, 1, 0);
+  (void)state;
+  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
+  m = map_of(linear, 1, 0); /* nor one that changes nothing */
+  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
+  for (int side = -1; side <= 1; side += 2) {
+    m = map_of(one_sided, 0, side);
+    assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
+  }
+  m = map_of(linear, 0.5, 4.1); /* nor one with a root beyond what anything can drive */
+  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
+  m.status = SCALLOP_ERANGE;
+  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
+}
+
+/* ---- GSL's integrators beside the exact solver ---- */
+
+static double worst_share;
+
+static void check_share(double got, double wanted, double tolerance)
+{
+  worst_share = fmax(worst_share, fabs(got - wanted) / tolerance);
+  CHECK_NEAR(got, wanted, tolerance);
+}
+
+/* By root and by simulation. The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that
+ * differs on the two sides of the steady state. */
+static void compare(const struct scallop_crawler *c, enum scallop_odeiv_stepper stepper, double tolerance, double v0)
+{
+  struct scallop_rival *rival = scallop_odeiv_rival(stepper, tolerance);
+  struct scallop_rival_steady s;
+  struct scallop_steady_result exact;
+  assert_non_null(rival);
+  assert_int_equal(scallop_steady(c, &exact), SCALLOP_OK);
+  double v = exact.period.v_start, size = c->L / (c->T * fmin(c->alpha, 1 - c->alpha)) + fabs(v);
+  double off = (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier);
+  assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), SCALLOP_OK);
+  check_share(s.v_start, v, off);
+  check_share(s.displacement, exact.period.displacement, off * c->T);
+  assert_true(s.periods > 2 && s.periods <= s.root_iterations + 2 && s.root_iterations < 60);
+  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), SCALLOP_OK);
+  check_share(s.v_start, v, off);
+  check_share(s.displacement, exact.period.displacement, off * c->T);
+  scallop_rival_destroy(rival);
+}
+
+static void agrees(void **state)
+{
+  const struct scallop_gait *gait = scallop_gait_named(*state);
+  struct random r = { 2718 };
+  int regimes[3] = { 0 };
+  worst_share = 0;
+  for (int i = 0; i < CRAWLERS; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : EQUAL_FORCES, gait);
+    struct scallop_steady_result exact;
+    set_eps(&c, i % 2 ? random_decades(&r, 1, 300) : random_decades(&r, 0.1, 1));
+    c.F1 *= i % 4 ? 1 : 3;
+    c.alpha = random_between(&r, 0.2, 0.8);
+    assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+    regimes[exact.period.regime]++;
+    double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
+    for (int stepper = 0; stepper < STEPPERS; stepper++)
+      compare(&c, (enum scallop_odeiv_stepper)stepper, i % 3 ? 1e-9 : 1e-6, v0);
+  }
+  print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0], regimes[1],
+                regimes[2], worst_share);
+  for (int i = 0; i < 3; i++)
+    assert_true(regimes[i] >= 3);
+}
+
+/* A body that has been stuck forgets how it began: the third period shows that nothing changes. */
+static void forgets_at_once(void **state)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_steady_result exact;
+  struct scallop_rival_steady s;
+  (void)state;
+  c.gait = &scallop_gait_sinusoidal;
+  c.T = 6;
+  assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+  CHECK_EQUAL(exact.period.multiplier, 0);
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+    assert_int_equal(scallop_rival_simulate(rival, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
+    assert_true(s.periods <= 3 && s.events > 0);
+    compare(&c, (enum scallop_odeiv_stepper)stepper, 1e-9, 0.37);
+    scallop_rival_destroy(rival);
+  }
+}
+
+/* Nothing tells forward from backward: the crawler stays where it is. */
+static void goes_nowhere(void **state)
+{
+  struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, NULL };
+  struct scallop_rival_steady s;
+  (void)state;
+  for (int i = 0; scallop_gait_name(i); i++)
+    for (int stepper = 0; stepper < STEPPERS; stepper++) {
+      c.gait = scallop_gait_named(scallop_gait_name(i));
+      struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+      assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
+      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
+      assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
+      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
+      scallop_rival_destroy(rival);
+    }
+}
+
+/* ---- patience ---- */
+
+struct counter {
+  long asked, most;
+};
+
+static bool count_down(void *context)
+{
+  struct counter *c = context;
+  return ++c->asked <= c->most;
+}
+
+static void patience_in_a_period(void **state)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  (void)state;
+  c.gait = &scallop_gait_sinusoidal;
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-11);
+    struct scallop_rival_period whole, p;
+    struct counter counter = { 0, 1000000 };
+    const struct scallop_patience patience = { count_down, &counter };
+    assert_int_equal(rival->period(rival, &c, 1.3, &patience, &whole), SCALLOP_OK);
+    assert_true(2 * counter.asked > whole.steps); /* those that are rejected are not asked for */
+    for (long most = 0, asked = counter.asked; most < asked; most += asked / 7) {
+      counter = (struct counter){ 0, most };
+      memset(&p, 0x5a, sizeof p);
+      const struct scallop_rival_period before = p;
+      assert_int_equal(rival->period(rival, &c, 1.3, &patience, &p), SCALLOP_ESTOPPED);
+      assert_int_equal(counter.asked, most + 1);
+      assert_memory_equal(&p, &before, sizeof p);
+    }
+    assert_int_equal(rival->period(rival, &c, 1.3, NULL, &p), SCALLOP_OK); /* and as good as new */
+    CHECK_EQUAL(p.v_end, whole.v_end);
+    scallop_rival_destroy(rival);
+  }
+}
+
+/* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. */
+static void patience_in_a_search(void **state)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-12);
+  struct scallop_rival_steady s;
+  struct counter counter = { 0, 0 };
+  const struct scallop_patience patience = { count_down, &counter };
+  (void)state;
+  c.T = 1e-4;
+  assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  CHECK_EQUAL(s.v_start, 0.25);
+  CHECK_EQUAL(s.displacement, NAN);
+  assert_int_equal(s.periods, 0);
+  assert_int_equal(scallop_rival_root(rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  CHECK_EQUAL(s.v_start, NAN);
+  CHECK_EQUAL(s.displacement, NAN);
+  counter = (struct counter){ 0, 20000 };
+  assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_true(s.periods > 100 && s.v_start != 0.25 && isfinite(s.displacement));
+  counter = (struct counter){ 0, 60 };
+  assert_int_equal(scallop_rival_root(rival, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
+  assert_true(s.periods > 2 && isfinite(s.v_start) && isfinite(s.displacement));
+  scallop_rival_destroy(rival);
+}
+
+/* It ends a search also of a rival that never asks. */
+static void patience_between_periods(void **state)
+{
+  struct map m = map_of(linear, 1 - 1e-6, 0.2);
+  struct scallop_crawler c = unit_crawler();
+  struct scallop_rival_steady s;
+  struct counter counter = { 0, 11 };
+  const struct scallop_patience patience = { count_down, &counter };
+  (void)state;
+  assert_int_equal(scallop_rival_simulate(&m.rival, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(s.periods, 11);
+  CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
+  counter = (struct counter){ 0, 3 };
+  assert_int_equal(scallop_rival_root(&m.rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(s.periods, 3);
+}
+
+/* ---- bad input ---- */
+
+static void refused(const struct scallop_crawler *c, double v0, double tolerance, enum scallop_status wanted)
+{
+  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-9);
+  struct scallop_rival_steady s, before;
+  memset(&s, 0x5a, sizeof s);
+  before = s;
+  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), wanted);
+  if (isfinite(v0))
+    assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), wanted);
+  assert_memory_equal(&s, &before, sizeof s);
+  scallop_rival_destroy(rival);
+}
+
+static void bad_input(void **state)
+{
+  const double bad_tolerances[] = { -1e-9, NAN, INFINITY }, bad_settings[] = { 0, 0.2, -1, 1e-17, NAN, INFINITY };
+  struct scallop_crawler good = scallop_crawler_default(), c = good;
+  struct map m = map_of(linear, 0.5, 0);
+  (void)state;
+  for (int i = 0; i < 3; i++)
+    refused(&good, 1, bad_tolerances[i], SCALLOP_EDOMAIN);
+  refused(&good, NAN, 1e-9, SCALLOP_EDOMAIN);
+  refused(&good, -INFINITY, 1e-9, SCALLOP_EDOMAIN);
+  c.alpha = 0;
+  refused(&c, 1, 1e-9, SCALLOP_EDOMAIN);
+  c = good;
+  c.T = 1e-200;
+  refused(&c, 1, 1e-9, SCALLOP_ERANGE);
+  for (int i = 0; i < 6; i++)
+    assert_null(scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, bad_settings[i]));
+  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)STEPPERS, 1e-9));
+  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper) - 1, 1e-9));
+  scallop_rival_destroy(NULL);
+  scallop_rival_destroy(&m.rival);
+  assert_int_equal(m.calls, -1);
+}
+
+int main(void)
+{
+  static char quadratic[] = "quadratic", sinusoidal[] = "sinusoidal";
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(simulates_slow_maps),
+    cmocka_unit_test(rounding_does_not_end_a_simulation),
+    cmocka_unit_test(simulates_what_is_braked),
+    cmocka_unit_test(noise_ends_a_simulation),
+    cmocka_unit_test(simulation_passes_failures_on),
+    cmocka_unit_test(roots_of_maps),
+    cmocka_unit_test(no_root),
+    { "agrees: quadratic", agrees, NULL, NULL, quadratic },
+    { "agrees: sinusoidal", agrees, NULL, NULL, sinusoidal },
+    cmocka_unit_test(forgets_at_once),
+    cmocka_unit_test(goes_nowhere),
+    cmocka_unit_test(patience_in_a_period),
+    cmocka_unit_test(patience_in_a_search),
+    cmocka_unit_test(patience_between_periods),
+    cmocka_unit_test(bad_input),
+  };
+  gsl_set_error_handler_off();
+  return cmocka_run_group_tests_name("rival", tests, NULL, NULL);
+}
