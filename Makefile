@@ -110,12 +110,12 @@ reproduce: setup-plots
 	@$(MAKE) --no-print-directory $(programs)
 	@sh scripts/reproduce.sh $(B)
 
-## bench:      nanoseconds per period and steady state beside GSL's ODE solvers, as ratios of one run
+## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers
 bench: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@$(B)/scallop-bench
 
-$(B)/scallop-bench: $(B)/bench/bench.o $(alone)
+$(B)/scallop-bench: $(call objects,$(basename $(call rooms,bench))) $(alone)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 

@@ -1,4 +1,4 @@
-/* What an exact answer costs, and what the general-purpose rival takes for the same one.
+/* What an exact answer costs: beside the arithmetic floor, and beside what the general-purpose rival takes for the same one.
  *
  * A batch is a number of passes over a set of seeded crawlers, long enough for the clock; the methods of
  * a case take turns, batch by batch, so that a machine that slows down slows all of them; the table has
@@ -9,30 +9,39 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "bench/floor.h"
+#include "compare/stopwatch.h"
 #include "numerics/numerics.h"
 #include "numerics/odeiv.h"
 
-enum { CRAWLERS = 64, BATCHES = 61, METHODS = 5, STEADY_TIMES = 5 };
+enum { MOST_CRAWLERS = 1024, FEW_CRAWLERS = 64, BATCHES = 61 };
 
 static const double batch_seconds = 2e-3;
-static volatile double sink; /* results go here, so that no work can be left out */
 
-struct crawlers {
-  struct scallop_crawler crawler[CRAWLERS];
-  double v0[CRAWLERS];
-  struct scallop_period_result exact[CRAWLERS];
+/* What crawlers a set has. eps = T^2 (F1 + F2)/(M L) decides the regime: small slides, large sticks. */
+enum choice { REGULAR, STICK_SLIP, ANY };
+static const char *const choice_text[] = { "regular", "stick-slip", "any" };
+
+struct set {
+  int count;
+  struct scallop_crawler crawler[MOST_CRAWLERS];
+  double v0[MOST_CRAWLERS];                          /* near the steady velocity */
+  struct scallop_period_result exact[MOST_CRAWLERS]; /* from there               */
+  double m1[MOST_CRAWLERS], m2[MOST_CRAWLERS], F1[MOST_CRAWLERS], F2[MOST_CRAWLERS], L[MOST_CRAWLERS], T[MOST_CRAWLERS],
+      alpha[MOST_CRAWLERS];
+  const struct scallop_gait *gait[MOST_CRAWLERS];
 };
 
 struct method {
   const char *name;
-  double (*answer)(const struct method *method, int i); /* for crawler i; nan if there is none */
-  const struct crawlers *set;
+  stopwatch_task *pass; /* over all crawlers of the set; context is the method                    */
+  const struct set *set;
   struct scallop_odeiv *odeiv;
   double goal, tolerance, error;
   long passes;
   double ns[BATCHES];
+  struct stopwatch_spread spread;
 };
 
 static _Noreturn void give_up(const char *why)
@@ -53,10 +62,10 @@ static double uniform(double low, double high) /* splitmix64 */
   return low + (high - low) * (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* T = 1; eps decides the regime: small slides, large sticks. */
-static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum scallop_regime regime)
+/* T = 1 */
+static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum choice choice)
 {
-  double log_eps = regime == SCALLOP_SLIDING ? uniform(-4, -1) : uniform(0, 3);
+  double log_eps = choice == REGULAR ? uniform(-4, -1) : choice == STICK_SLIP ? uniform(0, 3) : uniform(-9, 7);
   struct scallop_crawler c = { .m1 = exp(uniform(-1, 1)),
                                .m2 = exp(uniform(-1, 1)),
                                .F1 = exp(uniform(-1, 1)),
@@ -68,11 +77,21 @@ static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum 
   return c;
 }
 
-/* The regular case of the paper: each phase begins and ends with both bodies moving the same way, and
- * in between they move apart or together. */
-static bool regular(const struct scallop_period_result *r)
+/* The regular case of the paper: each phase begins and ends with both bodies moving forward, and in between they move apart or
+ * together, turning while the separation speeds up and while it slows down. */
+static bool is_regular(const struct scallop_crawler *c, const struct scallop_period_result *r, double *worst)
 {
-  return r->regime == SCALLOP_SLIDING && r->modes[0].count == 3 && r->modes[1].count == 3;
+  struct floor_result f;
+  if (r->regime != SCALLOP_SLIDING || r->modes[0].count != 3 || r->modes[1].count != 3 || r->v_start <= 0)
+    return false;
+  if (c->gait != &scallop_gait_quadratic)
+    return true;
+  floor_steady(c, &f);
+  double error = fmax(fabs(f.v_start / r->v_start - 1), fabs(f.displacement / r->displacement - 1));
+  if (error > 1e-10) /* the turning point of l' lies outside of the opposite motion */
+    return false;
+  *worst = fmax(*worst, error);
+  return true;
 }
 
 /* Relative errors mean something only where the answer is not a small difference. */
@@ -81,54 +100,114 @@ static bool sizeable(const struct scallop_crawler *c, const struct scallop_perio
   return fabs(r->v_end) > 0.05 * c->L / c->T && fabs(r->displacement) > 0.05 * c->L;
 }
 
-/* Crawlers within a fifth of their steady velocity, all of the wanted regime. */
-static void fill(struct crawlers *set, const struct scallop_gait *gait, enum scallop_regime regime)
+static bool is_wanted(const struct scallop_crawler *c, const struct scallop_period_result *r, enum choice choice,
+                      double *worst)
+{
+  return choice == ANY || (choice == STICK_SLIP ? r->regime == SCALLOP_STICK_SLIP : is_regular(c, r, worst));
+}
+
+static void put(struct set *set, int i, const struct scallop_crawler *c)
+{
+  set->crawler[i] = *c;
+  set->m1[i] = c->m1;
+  set->m2[i] = c->m2;
+  set->F1[i] = c->F1;
+  set->F2[i] = c->F2;
+  set->L[i] = c->L;
+  set->T[i] = c->T;
+  set->alpha[i] = c->alpha;
+  set->gait[i] = c->gait;
+}
+
+/* Crawlers of the wanted kind. With starts: and a velocity within a fifth of the steady one, from which a period is of the same
+ * regime and its results are not small. Returns how far the floor is from the exact solver, where it applies. */
+static double fill(struct set *set, int count, const struct scallop_gait *gait, enum choice choice, bool starts)
 {
   struct scallop_steady_result steady;
-  for (int i = 0, tries = 0; i < CRAWLERS; tries++) {
-    struct scallop_crawler c = any_crawler(gait, regime);
+  double worst = 0;
+  set->count = count;
+  for (int i = 0, tries = 0; i < count; tries++) {
+    struct scallop_crawler c = any_crawler(gait, choice);
     struct scallop_period_result *r = &set->exact[i];
-    if (tries > 1000 * CRAWLERS || scallop_steady(&c, &steady) < 0)
+    if (tries > 1000 * count || scallop_steady(&c, &steady) < 0)
       give_up("no crawlers of the wanted regime");
-    double v0 = steady.period.v_start * uniform(0.8, 1.2);
-    if (scallop_period(&c, v0, r) != SCALLOP_OK)
-      give_up("a crawler has no period");
-    if (!sizeable(&c, r) || (regime == SCALLOP_SLIDING ? !regular(r) : r->regime != regime))
+    if (!is_wanted(&c, &steady.period, choice, &worst))
       continue;
-    set->crawler[i] = c;
-    set->v0[i++] = v0;
+    set->v0[i] = steady.period.v_start * uniform(0.8, 1.2);
+    if (scallop_period(&c, set->v0[i], r) != SCALLOP_OK)
+      give_up("a crawler has no period");
+    if (starts && (!sizeable(&c, r) || r->regime != steady.period.regime))
+      continue;
+    put(set, i++, &c);
   }
+  return worst;
 }
 
 /* ---- the methods ---- */
 
-static double exact_period(const struct method *m, int i)
+static double exact_periods(void *context)
 {
-  struct scallop_period_result r;
-  enum scallop_status status = scallop_period(&m->set->crawler[i], m->set->v0[i], &r);
-  return status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
+  const struct method *m = context;
+  double sum = 0;
+  for (int i = 0; i < m->set->count; i++) {
+    struct scallop_period_result r;
+    enum scallop_status status = scallop_period(&m->set->crawler[i], m->set->v0[i], &r);
+    sum += status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
+  }
+  return sum;
 }
 
-static double odeiv_period(const struct method *m, int i)
+static double odeiv_periods(void *context)
 {
-  struct scallop_rival_period r;
-  const struct crawlers *set = m->set;
-  enum scallop_status status = scallop_odeiv_run(m->odeiv, &set->crawler[i], set->v0[i], m->tolerance, &r);
-  return status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
+  const struct method *m = context;
+  double sum = 0;
+  for (int i = 0; i < m->set->count; i++) {
+    struct scallop_rival_period r;
+    enum scallop_status status = scallop_odeiv_run(m->odeiv, &m->set->crawler[i], m->set->v0[i], m->tolerance, &r);
+    sum += status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
+  }
+  return sum;
 }
 
-static double exact_steady(const struct method *m, int i)
+static double steady_states(void *context)
 {
-  struct scallop_steady_result r;
-  return scallop_steady(&m->set->crawler[i], &r) >= 0 ? r.mean_velocity : NAN;
+  const struct method *m = context;
+  double sum = 0;
+  for (int i = 0; i < m->set->count; i++) {
+    struct scallop_steady_result r;
+    sum += scallop_steady(&m->set->crawler[i], &r) >= 0 ? r.mean_velocity : NAN;
+  }
+  return sum;
 }
 
-static double clock_alone(const struct method *m, int i)
+static double floors(void *context)
 {
-  (void)m;
-  (void)i;
-  struct timespec t;
-  return clock_gettime(CLOCK_MONOTONIC, &t) == 0 ? (double)t.tv_nsec : NAN;
+  const struct method *m = context;
+  double sum = 0;
+  for (int i = 0; i < m->set->count; i++) {
+    struct floor_result r;
+    floor_steady(&m->set->crawler[i], &r);
+    sum += r.mean_velocity + r.multiplier;
+  }
+  return sum;
+}
+
+static double batches(void *context)
+{
+  const struct set *s = ((const struct method *)context)->set;
+  static double froude[MOST_CRAWLERS], v_start[MOST_CRAWLERS], v_mid[MOST_CRAWLERS], displacement[MOST_CRAWLERS],
+      mean[MOST_CRAWLERS], multiplier[MOST_CRAWLERS];
+  const struct scallop_crawlers crawlers = { s->count, s->m1, s->m2, s->F1, s->F2, s->L, s->T, s->alpha, s->gait };
+  const struct scallop_steady_states states = { .froude = froude,
+                                                .v_start = v_start,
+                                                .v_mid = v_mid,
+                                                .displacement = displacement,
+                                                .mean_velocity = mean,
+                                                .multiplier = multiplier };
+  double sum = scallop_steady_batch(&crawlers, &states, 1) == 0 ? 0 : NAN;
+  for (int i = 0; i < s->count; i++)
+    sum += mean[i];
+  return sum;
 }
 
 /* The larger error, where nan is larger than all. */
@@ -139,7 +218,7 @@ static double odeiv_error(const struct method *m, double tolerance, long *evalua
 {
   double worst = 0;
   *evaluations = 0;
-  for (int i = 0; i < CRAWLERS; i++) {
+  for (int i = 0; i < m->set->count; i++) {
     const struct scallop_period_result *exact = &m->set->exact[i];
     struct scallop_rival_period r;
     if (scallop_odeiv_run(m->odeiv, &m->set->crawler[i], m->set->v0[i], tolerance, &r) != SCALLOP_OK)
@@ -169,163 +248,174 @@ static void choose_tolerance(struct method *m)
 }
 
 /* How far a period moves the steady state: it should not. */
-static double steady_error(const struct crawlers *set)
+static double steady_error(const struct set *set)
 {
   double worst = 0;
   struct scallop_steady_result r;
-  for (int i = 0; i < CRAWLERS; i++) {
+  for (int i = 0; i < set->count; i++) {
     if (scallop_steady(&set->crawler[i], &r) != SCALLOP_OK)
       give_up("no steady state");
-    worst = larger(worst, fabs(r.period.v_end / r.period.v_start - 1));
+    worst = larger(worst, fabs(r.period.v_end - r.period.v_start) / (set->L[i] / set->T[i]));
   }
   return worst;
 }
 
-/* ---- timing ---- */
-
-static double now(void)
-{
-  struct timespec t;
-  if (clock_gettime(CLOCK_MONOTONIC, &t) != 0)
-    give_up("no monotonic clock");
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static double seconds(const struct method *m, long passes)
-{
-  double sum = 0, start = now();
-  for (long pass = 0; pass < passes; pass++)
-    for (int i = 0; i < CRAWLERS; i++)
-      sum += m->answer(m, i);
-  double end = now();
-  sink = sum;
-  if (isnan(sum))
-    give_up("a method failed");
-  return end - start;
-}
-
-/* Doubles the passes until a batch is long enough, which also warms everything up. */
-static void calibrate(struct method *m)
-{
-  for (m->passes = 1; seconds(m, m->passes) < batch_seconds; m->passes *= 2)
-    ;
-}
-
-static int ascending(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
+/* ---- timing and the table ---- */
 
 static void measure(struct method *methods, int count)
 {
-  for (int k = 0; k < count; k++)
-    calibrate(&methods[k]);
+  for (int k = 0; k < count; k++) {
+    struct method *m = &methods[k];
+    if (isnan(m->pass(m)))
+      give_up("a method failed");
+    m->passes = stopwatch_passes(m->pass, m, batch_seconds);
+  }
   for (int batch = 0; batch < BATCHES; batch++)
     for (int k = 0; k < count; k++) {
       struct method *m = &methods[k];
-      m->ns[batch] = 1e9 * seconds(m, m->passes) / ((double)m->passes * CRAWLERS);
+      m->ns[batch] = 1e9 * stopwatch_batch(m->pass, m, m->passes) / ((double)m->passes * m->set->count);
     }
   for (int k = 0; k < count; k++)
-    qsort(methods[k].ns, BATCHES, sizeof *methods[k].ns, ascending);
+    methods[k].spread = stopwatch_spread(methods[k].ns, BATCHES);
 }
 
-static double median(const struct method *m) { return m->ns[BATCHES / 2]; }
-
-/* ---- the table ---- */
-
-static void print_row(const char *name, const char *gait, const struct method *m, const struct method *reference)
+static double ratio(const struct method *m, const struct method *reference)
 {
-  double q1 = m->ns[BATCHES / 4], q3 = m->ns[BATCHES - 1 - BATCHES / 4];
-  printf("%s\t%s\t%s\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", name, gait, m->name, median(m), q1, q3, m->error,
-         median(m) / median(reference), m->tolerance);
+  return m->spread.median / reference->spread.median;
+}
+
+static void print_row(const char *name, const char *choice, const struct method *m, const struct method *reference)
+{
+  printf("%s\t%s\t%s\t%s\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", name, choice, m->set->crawler[0].gait->name, m->name,
+         m->spread.median, m->spread.q1, m->spread.q3, m->error, ratio(m, reference), m->tolerance);
   fflush(stdout);
 }
 
-static void summary(const char *name, const char *gait, const struct method *m)
+/* Every way to a steady state, beside the floor. */
+static void bench_steady(void)
 {
-  const struct method *best = median(&m[1]) < median(&m[2]) ? &m[1] : &m[2];
-  printf("# %s %s: the best GSL at error <= %g is %s: %.1f times the exact solver's time", name, gait, best->goal,
-         best->name, median(best) / median(m));
-  printf("\n");
+  enum { FLOOR, ONE, ONE_HELD, ONE_ANY, BATCH, BATCH_HELD, BATCH_ANY, SINE, SINE_HELD, SINE_ANY, SINE_BATCH, METHODS };
+  static struct set quadratic[3], sine[3];
+  double off = 0;
+  for (int choice = 0; choice < 3; choice++) {
+    off = fmax(off, fill(&quadratic[choice], MOST_CRAWLERS, &scallop_gait_quadratic, (enum choice)choice, false));
+    fill(&sine[choice], MOST_CRAWLERS, &scallop_gait_sinusoidal, (enum choice)choice, false);
+  }
+  struct method m[METHODS] = {
+    [FLOOR] = { .name = "floor", .pass = floors, .set = &quadratic[REGULAR] },
+    [ONE] = { .name = "one at a time", .pass = steady_states, .set = &quadratic[REGULAR] },
+    [ONE_HELD] = { .name = "one at a time", .pass = steady_states, .set = &quadratic[STICK_SLIP] },
+    [ONE_ANY] = { .name = "one at a time", .pass = steady_states, .set = &quadratic[ANY] },
+    [BATCH] = { .name = "batch", .pass = batches, .set = &quadratic[REGULAR] },
+    [BATCH_HELD] = { .name = "batch", .pass = batches, .set = &quadratic[STICK_SLIP] },
+    [BATCH_ANY] = { .name = "batch", .pass = batches, .set = &quadratic[ANY] },
+    [SINE] = { .name = "one at a time", .pass = steady_states, .set = &sine[REGULAR] },
+    [SINE_HELD] = { .name = "one at a time", .pass = steady_states, .set = &sine[STICK_SLIP] },
+    [SINE_ANY] = { .name = "one at a time", .pass = steady_states, .set = &sine[ANY] },
+    [SINE_BATCH] = { .name = "batch", .pass = batches, .set = &sine[ANY] },
+  };
+  for (int k = 0; k < METHODS; k++) {
+    m[k].tolerance = NAN;
+    m[k].error = k == FLOOR ? off : steady_error(m[k].set);
+  }
+  measure(m, METHODS);
+  for (int k = 0; k < METHODS; k++) {
+    const struct set *set = m[k].set;
+    int choice = (int)(set >= sine && set < sine + 3 ? set - sine : set - quadratic);
+    print_row("steady", choice_text[choice], &m[k], &m[FLOOR]);
+  }
+  printf("# quadratic steady state, times the floor: regular %.1f, stick-slip %.1f, any %.1f (wanted: 5); in a batch %.1f, "
+         "%.1f, %.1f "
+         "(wanted: 3)\n",
+         ratio(&m[ONE], m), ratio(&m[ONE_HELD], m), ratio(&m[ONE_ANY], m), ratio(&m[BATCH], m), ratio(&m[BATCH_HELD], m),
+         ratio(&m[BATCH_ANY], m));
+  printf("# sinusoidal steady state, times the quadratic one: regular %.1f, stick-slip %.1f, any %.1f (wanted: 25)\n",
+         ratio(&m[SINE], &m[ONE]), ratio(&m[SINE_HELD], &m[ONE_HELD]), ratio(&m[SINE_ANY], &m[ONE_ANY]));
 }
 
-static void bench_period(const char *name, const struct crawlers *set)
+/* One period beside the rival's; returns the median. */
+static double bench_period(const struct set *set, const char *choice)
 {
+  enum { METHODS = 5 };
   const char *gait = set->crawler[0].gait->name;
   struct scallop_odeiv *rkf45 = scallop_odeiv_make(SCALLOP_ODEIV_RKF45);
   struct scallop_odeiv *rk8pd = scallop_odeiv_make(SCALLOP_ODEIV_RK8PD);
   if (!rkf45 || !rk8pd)
     give_up("out of memory");
   struct method m[METHODS] = {
-    { .name = "exact", .answer = exact_period, .set = set, .tolerance = NAN },
-    { .name = "gsl rkf45", .answer = odeiv_period, .set = set, .odeiv = rkf45, .goal = 1e-12 },
-    { .name = "gsl rk8pd", .answer = odeiv_period, .set = set, .odeiv = rk8pd, .goal = 1e-12 },
-    { .name = "gsl rkf45 to 1e-6", .answer = odeiv_period, .set = set, .odeiv = rkf45, .goal = 1e-6 },
-    { .name = "gsl rk8pd to 1e-6", .answer = odeiv_period, .set = set, .odeiv = rk8pd, .goal = 1e-6 },
+    { .name = "exact", .pass = exact_periods, .set = set, .tolerance = NAN },
+    { .name = "gsl rkf45", .pass = odeiv_periods, .set = set, .odeiv = rkf45, .goal = 1e-12 },
+    { .name = "gsl rk8pd", .pass = odeiv_periods, .set = set, .odeiv = rk8pd, .goal = 1e-12 },
+    { .name = "gsl rkf45 to 1e-6", .pass = odeiv_periods, .set = set, .odeiv = rkf45, .goal = 1e-6 },
+    { .name = "gsl rk8pd to 1e-6", .pass = odeiv_periods, .set = set, .odeiv = rk8pd, .goal = 1e-6 },
   };
   for (int k = 1; k < METHODS; k++)
     choose_tolerance(&m[k]);
   measure(m, METHODS);
   for (int k = 0; k < METHODS; k++)
-    print_row(name, gait, &m[k], m);
-  summary(name, gait, m);
+    print_row("period", choice, &m[k], m);
+  const struct method *best = m[1].spread.median < m[2].spread.median ? &m[1] : &m[2];
+  printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", choice, gait, best->goal,
+         best->name, ratio(best, m));
   scallop_odeiv_destroy(rkf45);
   scallop_odeiv_destroy(rk8pd);
+  return m[0].spread.median;
 }
 
-static void bench_steady(const struct crawlers *set)
+/* The same crawlers at ever smaller T: it must not cost more. */
+static void bench_small_T(const struct scallop_gait *gait)
 {
-  static const double T[STEADY_TIMES] = { 1, 1e-2, 1e-4, 1e-6, 1e-8 };
-  static const char *const name[STEADY_TIMES] = { "steady T=1", "steady T=1e-2", "steady T=1e-4", "steady T=1e-6",
-                                                  "steady T=1e-8" };
-  static struct crawlers sets[STEADY_TIMES];
-  struct method m[STEADY_TIMES];
-  for (int k = 0; k < STEADY_TIMES; k++) {
-    sets[k] = *set;
-    for (int i = 0; i < CRAWLERS; i++)
-      sets[k].crawler[i].T = T[k];
-    m[k] = (struct method){
-      .name = "exact", .answer = exact_steady, .set = &sets[k], .tolerance = NAN, .error = steady_error(&sets[k])
-    };
+  enum { TIMES = 5 };
+  static const double T[TIMES] = { 1, 1e-2, 1e-4, 1e-6, 1e-8 };
+  static const char *const name[TIMES] = { "T=1", "T=1e-2", "T=1e-4", "T=1e-6", "T=1e-8" };
+  static struct set sets[TIMES];
+  struct method m[TIMES];
+  fill(&sets[0], FEW_CRAWLERS, gait, REGULAR, false);
+  for (int k = 0; k < TIMES; k++) {
+    sets[k] = sets[0];
+    for (int i = 0; i < FEW_CRAWLERS; i++)
+      sets[k].crawler[i].T = sets[k].T[i] = T[k];
+    m[k] = (struct method){ .name = name[k], .pass = steady_states, .set = &sets[k], .tolerance = NAN };
+    m[k].error = steady_error(&sets[k]);
   }
-  measure(m, STEADY_TIMES);
-  for (int k = 0; k < STEADY_TIMES; k++)
-    print_row(name[k], set->crawler[0].gait->name, &m[k], m);
-}
-
-static void bench_clock(void)
-{
-  struct method m = { .name = "clock_gettime", .answer = clock_alone, .tolerance = NAN };
-  measure(&m, 1);
-  print_row("clock", "-", &m, &m);
+  measure(m, TIMES);
+  for (int k = 0; k < TIMES; k++)
+    print_row("steady", "small T", &m[k], m);
 }
 
 static void print_head(void)
 {
+  struct stopwatch_clock clock = stopwatch_clock();
   printf("# scallop %s: time for one period and for one steady state\n", SCALLOP_VERSION);
-  printf("# %d batches of at least %g ms, methods in turn; sets of %d crawlers\n", BATCHES, 1e3 * batch_seconds, CRAWLERS);
+  printf("# %d batches of at least %g ms, methods in turn, one thread; the clock costs %.0f ns a reading\n", BATCHES,
+         1e3 * batch_seconds, 1e9 * clock.cost);
+  printf("# sets of %d crawlers (steady) and %d (period, small T); any: T^2 (F1 + F2)/(M L) from e^-9 to e^7\n",
+         MOST_CRAWLERS, FEW_CRAWLERS);
+  printf("# floor: the closed form of the regular modes written out by hand, which checks nothing\n");
   printf("# ns: median and quartiles over the batches, for one answer\n");
-  printf("# error: largest relative difference of v_end and displacement from exact (itself 0);\n");
-  printf("#        steady: how far one period moves the steady velocity, relative\n");
-  printf("# ratio: of the medians, to exact in the same case and gait; steady: to T=1, and must not grow\n");
+  printf("# error: steady: how far one period moves the steady velocity, over L/T (floor: its largest relative\n");
+  printf("#        difference from exact); period: largest relative difference of v_end and displacement from exact\n");
+  printf("# ratio: of the medians, to the floor; period: to exact in the same case and gait; small T: to T=1\n");
   printf("# tolerance: GSL's, the cheapest of 1e-2, 3e-3 ... 1e-15 with error <= 1e-12, or 1e-6 as said\n");
   printf("# quadratic: x1'' is constant in a mode, so Runge-Kutta steps of any length are exact\n");
-  printf("case\tgait\tmethod\tns_median\tns_q1\tns_q3\terror\tratio\ttolerance\n");
+  printf("what\tcrawlers\tgait\tmethod\tns_median\tns_q1\tns_q3\terror\tratio\ttolerance\n");
 }
 
 int main(void)
 {
-  static struct crawlers set;
+  static struct set set;
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
+  double period[2][2];
   print_head();
-  bench_clock();
-  for (int i = 0; i < 2; i++) {
-    fill(&set, gaits[i], SCALLOP_SLIDING);
-    bench_period("regular", &set);
-    bench_steady(&set);
-    fill(&set, gaits[i], SCALLOP_STICK_SLIP);
-    bench_period("stick-slip", &set);
-  }
+  bench_steady();
+  for (int i = 0; i < 2; i++)
+    for (int choice = REGULAR; choice <= STICK_SLIP; choice++) {
+      fill(&set, FEW_CRAWLERS, gaits[i], (enum choice)choice, true);
+      period[i][choice] = bench_period(&set, choice_text[choice]);
+    }
+  printf("# sinusoidal period, times the quadratic one: regular %.1f, stick-slip %.1f (wanted: 10)\n",
+         period[1][REGULAR] / period[0][REGULAR], period[1][STICK_SLIP] / period[0][STICK_SLIP]);
+  for (int i = 0; i < 2; i++)
+    bench_small_T(gaits[i]);
   return 0;
 }

@@ -44,6 +44,7 @@ static inline struct rates rates_at(const struct walk *w, double u)
   if (p->linear)
     return (struct rates){ p->direction * (p->velocity + p->acceleration * (w->sense * u)), p->direction * p->acceleration };
   double velocity, acceleration;
+  w->out->work.gait_evaluations++;
   if (p->curve->rates) {
     p->curve->rates(p, u, &velocity, &acceleration);
   } else {
@@ -133,6 +134,7 @@ static inline int beyond(const struct walk *w, int j)
 static inline void meet(struct walk *w, int j, bool moved)
 {
   int to = beyond(w, j), from = w->region;
+  w->out->work.events++;
   if (to == from && moved) /* touched it, within rounding, and moves away */
     return;
   if (to == from) /* and is back at once: it grazes the curve where the curve begins to hold it */
@@ -165,6 +167,7 @@ static double gap_value(const void *context, double u, double *slope)
 {
   const struct gap *g = context;
   struct rates r = rates_at(g->walk, u);
+  g->walk->out->work.root_iterations++;
   *slope = g->side * g->walk->sense * (g->c_slope - g->curve * r.rate);
   return g->side * (g->c_anchor + g->c_slope * (g->walk->sense * u) - g->curve * r.speed);
 }
@@ -262,6 +265,7 @@ static void stick(struct walk *w)
   advance(w, u, w->curve[j] * w->here.speed,
           w->curve[j] * w->piece->direction * (piece_length(w, u) - piece_length(w, w->u)));
   if (to >= 0) {
+    w->out->work.events++;
     w->stuck = -1;
     w->region = to;
     w->passed = j;
@@ -311,6 +315,7 @@ static void enter(struct walk *w, const struct scallop_piece *piece)
   } else if (w->stuck >= 0) {
     int to = beyond(w, w->stuck);
     if (to >= 0) {
+      w->out->work.events++;
       w->region = to;
       w->stuck = -1;
       w->turned = true;
