@@ -77,8 +77,23 @@ static void touches_where_it_is_held(void **state)
   assert_string_equal(text, "++ -+ 0+ ++");
 }
 
+/* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on, and was
+ * once found to slide on for a twelfth of the phase. */
+static void stops_at_once(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1.6810482026957038e-09, 19782534.230478894,  231.11260285226103, 0.13007378432978592, 1,
+                               66095444.255873002,     0.66363254363346347, &minimum_jerk_gait };
+  char text[SCALLOP_MODES_TEXT];
+  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -3.302e-10);
+  scallop_modes_text(&r.modes, text);
+  assert_string_equal(text, "-- 0+");
+  CHECK_NEAR(r.dx1, 0, 1e-14);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge), cmocka_unit_test(touches_where_it_is_held) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge), cmocka_unit_test(touches_where_it_is_held),
+                                      cmocka_unit_test(stops_at_once) };
   return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
 }
