@@ -6,8 +6,9 @@
 #include "numerics/period.h"
 
 enum { STEPS = 24 };
-/* A tangent misses |l'| by the square of how far it is from where it touches. */
-static const double near_enough = 2e-9;
+/* A crossing found from a tangent is wrong by the square of how far that was from where it touches. So after a step so small the
+ * next tangents touch at the crossings, to all digits, and have the slopes there, which the multiplier needs. */
+static const double small_step = 1e-8;
 
 /* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */
 static double first_guess(const struct scallop_scaled *s)
@@ -36,15 +37,14 @@ static struct tangent tangent_at(const struct scallop_piece *p, double x)
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-/* The tangents at the crossings just found; true: they were found by tangents near enough. */
+/* The tangents at the crossings just found; true: a small step away from those before. */
 static bool touch(const struct scallop_shape *shape, double t, double u, double at[2], struct tangents *tangents)
 {
-  bool near = fabs(t - at[0]) <= near_enough * t && fabs(u - at[1]) <= near_enough * u;
+  bool small = fabs(t - at[0]) <= small_step * t && fabs(u - at[1]) <= small_step * u;
   at[0] = t;
   at[1] = u;
-  if (!near)
-    *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
-  return near;
+  *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
+  return small;
 }
 
 void regular_modes(bool forward, struct scallop_modes modes[2])
@@ -74,7 +74,7 @@ bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *gu
     *guess = held_c ? 0 : NAN;
     return false;
   }
-  bool straight = phase[0].ramps && phase[1].ramps;
+  bool last = phase[0].ramps && phase[1].ramps;
   work->periods = 1;
   for (int i = 0; i < STEPS; i++) {
     bool valid = regular_steady(&scaling, alpha, driven, &tangents[0], &tangents[1], r);
@@ -82,12 +82,10 @@ bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *gu
     if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
       return false;
     work->events = 4;
-    if (straight)
+    if (last)
       return true;
-    bool near = touch(&phase[0], r->t[0], r->u[0], at[0], &tangents[0]);
-    near &= touch(&phase[1], r->t[1], r->u[1], at[1], &tangents[1]);
-    if (near)
-      return true;
+    last = touch(&phase[0], r->t[0], r->u[0], at[0], &tangents[0]);
+    last &= touch(&phase[1], r->t[1], r->u[1], at[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }
