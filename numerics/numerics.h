@@ -7,7 +7,7 @@
  * c meets (m2/M) l' or -(m1/M) l'. A stuck body glues c to its curve. docs/theory.md has the rest.
  *
  * This room never prints, exits or holds state, and never looks at asymptotics/. The solver allocates
- * nothing; the general-purpose rival in odeiv.h, which is there to be compared with, does.
+ * nothing; the general-purpose rivals (rival.h), which are there to be compared with, do.
  */
 #ifndef SCALLOP_NUMERICS_H
 #define SCALLOP_NUMERICS_H
