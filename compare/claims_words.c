@@ -183,8 +183,9 @@ static const struct scallop_piece quick_start[] = { SCALLOP_RAMP(0, 0.2, SCALLOP
                                                     SCALLOP_RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
 static const struct scallop_piece quick_end[] = { SCALLOP_RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
                                                   SCALLOP_RAMP(0.2, 0, SCALLOP_FROM_END, -1, 10) };
-static const struct scallop_gait reversible = { "reversible",
-                                                { { quick_start, 2, 10, -2.5, 2, 1 }, { quick_end, 2, -2.5, 10, 2, -1 } } };
+static const struct scallop_gait reversible = {
+  "reversible", { { quick_start, 2, 10, -2.5, 2, 1, true, true }, { quick_end, 2, -2.5, 10, 2, -1, true, true } }
+};
 
 static void reversible_kinematics(const struct ledger *l)
 {
