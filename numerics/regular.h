@@ -33,6 +33,7 @@ struct regular_phase {
   double eps, between;                     /* c' outside and between the crossings                               */
   double t_start, t_slope;                 /* t1 = t_start + t_slope c, for c at the start                        */
   double u_start, u_slope;                 /* dT likewise                                                        */
+  double shear;                            /* d c_end / d c - 1, without that subtraction                         */
   double t, u, travel, c_end;              /* for the c of regular_run                                           */
 };
 
@@ -42,7 +43,8 @@ struct regular {
   double t[2], u[2]; /* the crossings of each phase, from its start and back from its end          */
 };
 
-SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double eps,
+/* f: of the body that turns, over F1 + F2 */
+SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double f, double eps,
                                     double beta)
 {
   p->up = q * tangents->first.slope;
@@ -55,6 +57,8 @@ SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangen
   p->t_slope = 1 / (p->up + eps);
   p->t_start = -p->up_offset * p->t_slope;
   p->u_slope = climb * p->t_slope;
+  double first = -2 * f * eps * p->t_slope, last = -2 * f * eps * share;
+  p->shear = first + last + first * last;
   p->u_start = (p->between + (p->up_offset - p->down_offset)) * share + climb * p->t_start;
 }
 
@@ -77,11 +81,13 @@ SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double 
   int forward = s->delta * driven > 0; /* backward is forward with the bodies exchanged, in a mirror */
   double sign = forward ? 1 : -1, beta = sign * s->delta, b = 1 - alpha;
   double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
-  double f_e = alpha * (forward ? s->f1 : s->f2), f_c = b * (forward ? s->f2 : s->f1);
+  double f_e = forward ? s->f1 : s->f2, f_c = forward ? s->f2 : s->f1; /* of the bodies that turn */
   struct regular_phase e, c;
-  regular_prepare(&e, extension, q_e, s->eps * (alpha * alpha), beta);
-  regular_prepare(&c, contraction, q_c, s->eps * (b * b), -beta);
-  double ratio = b / alpha, across = e.down - e.eps, back = c.down - c.eps;
+  regular_prepare(&e, extension, q_e, f_e, s->eps * (alpha * alpha), beta);
+  regular_prepare(&c, contraction, q_c, f_c, s->eps * (b * b), -beta);
+  double ratio = b / alpha, across = e.down - e.eps;
+  f_e *= alpha;
+  f_c *= b;
   double turned_c = (c.t_slope + c.u_slope) * ratio; /* by the velocity at the end of the extension */
   double drive = 0.5 * beta * driven;
   double at_zero = drive - f_e * (e.t_start + e.u_start)
@@ -93,7 +99,8 @@ SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double 
   out->c_mid = sign * (e.c_end / alpha);
   out->c_end = sign * (c.c_end / b);
   out->travel = sign * (e.travel + c.travel);
-  out->multiplier = (across * e.u_slope) * (back * c.u_slope);
+  double multiplier = 1 + (e.shear + c.shear + e.shear * c.shear);
+  out->multiplier = multiplier > 0 ? multiplier : 0;
   out->balance = sign * 2 * (drive - f_e * (e.t + e.u) - f_c * (c.t + c.u));
   out->t[0] = e.t;
   out->u[0] = e.u;
