@@ -49,7 +49,7 @@ endif
 tests   := $(patsubst %,$(B)/test_%,$(tests))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check reproduce bench lint format asan clean setup-build setup-check setup-plots
+.PHONY: all help check reproduce bench instructions lint format asan clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -114,6 +114,11 @@ reproduce: setup-plots
 bench: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@$(B)/scallop-bench
+
+## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
+instructions: setup-build
+	@$(MAKE) --no-print-directory $(B)/scallop-bench
+	@sh scripts/instructions.sh $(B)
 
 $(B)/scallop-bench: $(call objects,$(basename $(call rooms,bench))) $(alone)
 	@echo "  LD $@"

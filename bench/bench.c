@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/floor.h"
 #include "compare/stopwatch.h"
@@ -401,11 +402,36 @@ static void print_head(void)
   printf("what\tcrawlers\tgait\tmethod\tns_median\tns_q1\tns_q3\terror\tratio\ttolerance\n");
 }
 
-int main(void)
+/* Nothing but passes over one set, for who counts instructions (scripts/instructions.sh). */
+static int repeat(const char *what, const char *choice_name, const char *gait_name, long passes)
+{
+  static struct set set;
+  const struct scallop_gait *gait = scallop_gait_named(gait_name);
+  struct method m = { .set = &set,
+                      .pass = strcmp(what, "batch") == 0    ? batches
+                              : strcmp(what, "steady") == 0 ? steady_states
+                              : strcmp(what, "period") == 0 ? exact_periods
+                                                            : floors };
+  int choice = 0;
+  while (choice <= ANY && strcmp(choice_name, choice_text[choice]) != 0)
+    choice++;
+  if (!gait || choice > ANY || passes < 0)
+    give_up("usage: scallop-bench [floor|steady|batch|period regular|stick-slip|any quadratic|sinusoidal PASSES]");
+  fill(&set, FEW_CRAWLERS, gait, (enum choice)choice, false);
+  double sum = 0;
+  for (long i = 0; i < passes; i++)
+    sum += m.pass(&m);
+  printf("%ld answers, sum %.17g\n", passes * set.count, sum);
+  return 0;
+}
+
+int main(int count, char **arguments)
 {
   static struct set set;
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
   double period[2][2];
+  if (count == 5)
+    return repeat(arguments[1], arguments[2], arguments[3], strtol(arguments[4], NULL, 10));
   print_head();
   bench_steady();
   for (int i = 0; i < 2; i++)

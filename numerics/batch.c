@@ -25,10 +25,11 @@ struct row {
   double m1[BLOCK], m2[BLOCK], F1[BLOCK], F2[BLOCK], L[BLOCK], T[BLOCK], alpha[BLOCK];
 };
 
-struct answers { /* the last four are doubles so that they fill a vector like the rest                     */
+struct answers { /* the last ones are doubles so that they fill a vector like the rest                     */
   double froude[BLOCK], v_start[BLOCK], v_mid[BLOCK], displacement[BLOCK], mean_velocity[BLOCK], multiplier[BLOCK];
   double valid[BLOCK];
-  double starts[2][BLOCK], ends[2][BLOCK], grip[2][BLOCK]; /* of each phase, as in struct held_phase              */
+  double starts[2][BLOCK], ends[2][BLOCK], grip[2][BLOCK],
+      stuck[2][BLOCK]; /* of each phase, as in struct held_phase              */
 };
 
 static void collect(struct row *row, const struct scallop_crawlers *c, long i, double order)
@@ -109,6 +110,8 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
     out->ends[1][i] = held_c ? p2.ends : p1.ends;
     out->grip[0][i] = held_c ? p1.grip : p2.grip;
     out->grip[1][i] = held_c ? p2.grip : p1.grip;
+    out->stuck[0][i] = held_c ? p1.stuck : p2.stuck;
+    out->stuck[1][i] = held_c ? p2.stuck : p1.stuck;
     double margin = held_least(held_least(p1.margin, p2.margin), p2.grip);
     out->valid[i] = valid & (margin > 0) & (fabs(mean) <= DBL_MAX) ? 1 : 0;
   }
@@ -143,14 +146,21 @@ static void put_regular(const struct scallop_steady_states *states, long i, cons
     regular_modes(a->v_start[j] > 0, states->modes[i]);
 }
 
+/* One body is stuck throughout: the same in both phases, which is at the rear in one and in front in the other. */
+static bool never_moves(const struct answers *a, int j)
+{
+  return a->starts[0][j] == 0 && a->starts[1][j] == 0 && a->stuck[0][j] > 0 && a->stuck[1][j] > 0
+         && a->ends[0][j] == -a->ends[1][j];
+}
+
 static void put_held(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
 {
   put_answer(states, i, a, j);
   if (states->regime)
-    states->regime[i] = SCALLOP_STICK_SLIP;
+    states->regime[i] = never_moves(a, j) ? SCALLOP_AT_REST : SCALLOP_STICK_SLIP;
   for (int phase = 0; states->modes && phase < 2; phase++)
-    held_modes((enum scallop_phase_kind)phase, (int)a->starts[phase][j], (int)a->ends[phase][j], a->grip[phase][j] >= 0,
-               &states->modes[i][phase]);
+    held_modes((enum scallop_phase_kind)phase, (int)a->starts[phase][j], (int)a->ends[phase][j], a->stuck[phase][j] > 0,
+               a->grip[phase][j] >= 0, &states->modes[i][phase]);
 }
 
 static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)
