@@ -80,40 +80,30 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
   }
 }
 
-/* The phase that is followed by rest comes second, and the first begins at rest. */
 VECTOR static void solve_held(const struct row *row, const struct scallop_gait *gait, struct answers *out)
 {
   const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
     struct scaling s;
-    double a = row->alpha[i], b = 1 - a, order = row->order[i];
-    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], a, &s);
-    int held_c = order > 0;
-    double x1 = held_c ? a : b, x2 = held_c ? b : a;
-    struct ramps r1 = { held_c ? e.up : c.up, held_c ? e.down : c.down, held_c ? e.top : c.top, held_c ? e.rest : c.rest };
-    struct ramps r2 = { held_c ? c.up : e.up, held_c ? c.down : e.down, held_c ? c.top : e.top, held_c ? c.rest : e.rest };
-    struct held_phase p1 = held_phase(&s, x1, order, &r1, 0);
-    double between = p1.c_end / x1;
-    struct held_phase p2 = held_phase(&s, x2, -order, &r2, between * x2);
-    double travel = held_c ? p1.travel + p2.travel : p2.travel + p1.travel;
-    double displacement = travel * row->L[i], mean = displacement / row->T[i];
+    struct held h;
+    double alpha = row->alpha[i];
+    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
+    held_steady(&s, alpha, row->order[i], &e, &c, &h);
+    double displacement = h.travel * row->L[i], mean = displacement / row->T[i];
     out->froude[i] = 1 / s.eps;
-    out->v_start[i] = (held_c ? 0 : between) * s.velocity;
-    out->v_mid[i] = (held_c ? between : 0) * s.velocity;
+    out->v_start[i] = h.c_start * s.velocity;
+    out->v_mid[i] = h.c_mid * s.velocity;
     out->displacement[i] = displacement;
     out->mean_velocity[i] = mean;
     out->multiplier[i] = 0;
-    out->starts[0][i] = held_c ? p1.starts : p2.starts;
-    out->starts[1][i] = held_c ? p2.starts : p1.starts;
-    out->ends[0][i] = held_c ? p1.ends : p2.ends;
-    out->ends[1][i] = held_c ? p2.ends : p1.ends;
-    out->grip[0][i] = held_c ? p1.grip : p2.grip;
-    out->grip[1][i] = held_c ? p2.grip : p1.grip;
-    out->stuck[0][i] = held_c ? p1.stuck : p2.stuck;
-    out->stuck[1][i] = held_c ? p2.stuck : p1.stuck;
-    double margin = held_least(held_least(p1.margin, p2.margin), p2.grip);
-    out->valid[i] = valid & (margin > 0) & (fabs(mean) <= DBL_MAX) ? 1 : 0;
+    for (int phase = 0; phase < 2; phase++) {
+      out->starts[phase][i] = h.starts[phase];
+      out->ends[phase][i] = h.ends[phase];
+      out->stuck[phase][i] = h.stuck[phase];
+      out->grip[phase][i] = h.grip[phase];
+    }
+    out->valid[i] = valid & (h.margin > 0) & (fabs(mean) <= DBL_MAX) ? 1 : 0;
   }
 }
 
@@ -146,21 +136,15 @@ static void put_regular(const struct scallop_steady_states *states, long i, cons
     regular_modes(a->v_start[j] > 0, states->modes[i]);
 }
 
-/* One body is stuck throughout: the same in both phases, which is at the rear in one and in front in the other. */
-static bool never_moves(const struct answers *a, int j)
-{
-  return a->starts[0][j] == 0 && a->starts[1][j] == 0 && a->stuck[0][j] > 0 && a->stuck[1][j] > 0
-         && a->ends[0][j] == -a->ends[1][j];
-}
-
 static void put_held(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
 {
+  const double starts[2] = { a->starts[0][j], a->starts[1][j] }, ends[2] = { a->ends[0][j], a->ends[1][j] };
+  const double stuck[2] = { a->stuck[0][j], a->stuck[1][j] }, grip[2] = { a->grip[0][j], a->grip[1][j] };
   put_answer(states, i, a, j);
   if (states->regime)
-    states->regime[i] = never_moves(a, j) ? SCALLOP_AT_REST : SCALLOP_STICK_SLIP;
-  for (int phase = 0; states->modes && phase < 2; phase++)
-    held_modes((enum scallop_phase_kind)phase, (int)a->starts[phase][j], (int)a->ends[phase][j], a->stuck[phase][j] > 0,
-               a->grip[phase][j] >= 0, &states->modes[i][phase]);
+    states->regime[i] = held_regime(starts, ends, stuck);
+  if (states->modes)
+    held_modes(starts, ends, stuck, grip, states->modes[i]);
 }
 
 static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)

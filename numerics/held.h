@@ -55,23 +55,41 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
                               .grip = grip };
 }
 
-/* The modes of such a phase, with starts, ends and whether the body is stuck or held at the end. */
-static inline void held_modes(enum scallop_phase_kind kind, int starts, int ends, bool stuck, bool held,
-                              struct scallop_modes *modes)
+struct held {
+  double c_start, c_mid, travel;                /* in L/T and L                                                            */
+  double margin;                                /* > 0: this is the steady state                                          */
+  double starts[2], ends[2], stuck[2], grip[2]; /* of each phase, as above                                  */
+};
+
+/* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed by rest comes
+ * second, and the first begins at rest. Multiplier and balance are 0. */
+SCALLOP_INLINE void held_steady(const struct scaling *s, double alpha, double order, const struct ramps *e,
+                                const struct ramps *c, struct held *out)
 {
-  struct scallop_mode *m = modes->kept, opposite = { -1, 1 };
-  if (kind == SCALLOP_CONTRACTION)
-    opposite = (struct scallop_mode){ 1, -1 };
-  if (starts != 0)
-    *m++ = (struct scallop_mode){ (signed char)starts, (signed char)starts };
-  if (!stuck)
-    *m++ = opposite;
-  *m = (struct scallop_mode){ (signed char)ends, (signed char)ends };
-  if (held && opposite.s1 != ends) /* it is the other body that goes on */
-    m->s1 = 0;
-  else if (held)
-    m->s2 = 0;
-  modes->count = (int)(m - modes->kept) + 1;
+  int plain = order > 0;
+  double b = 1 - alpha, x1 = plain ? alpha : b, x2 = plain ? b : alpha;
+  struct ramps r1 = { plain ? e->up : c->up, plain ? e->down : c->down, plain ? e->top : c->top, plain ? e->rest : c->rest };
+  struct ramps r2 = { plain ? c->up : e->up, plain ? c->down : e->down, plain ? c->top : e->top, plain ? c->rest : e->rest };
+  struct held_phase p1 = held_phase(s, x1, order, &r1, 0);
+  double between = p1.c_end / x1;
+  struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
+  out->c_start = plain ? 0 : between;
+  out->c_mid = plain ? between : 0;
+  out->travel = plain ? p1.travel + p2.travel : p2.travel + p1.travel;
+  out->margin = held_least(held_least(p1.margin, p2.margin), p2.grip);
+  out->starts[0] = plain ? p1.starts : p2.starts;
+  out->starts[1] = plain ? p2.starts : p1.starts;
+  out->ends[0] = plain ? p1.ends : p2.ends;
+  out->ends[1] = plain ? p2.ends : p1.ends;
+  out->stuck[0] = plain ? p1.stuck : p2.stuck;
+  out->stuck[1] = plain ? p2.stuck : p1.stuck;
+  out->grip[0] = plain ? p1.grip : p2.grip;
+  out->grip[1] = plain ? p2.grip : p1.grip;
 }
+
+/* The modes, the regime and the changes of mode of such a steady state, from starts, ends, stuck and grip of its phases. */
+enum scallop_regime held_regime(const double starts[2], const double ends[2], const double stuck[2]);
+void held_modes(const double starts[2], const double ends[2], const double stuck[2], const double grip[2],
+                struct scallop_modes modes[2]);
 
 #endif

@@ -57,37 +57,34 @@ void regular_modes(bool forward, struct scallop_modes modes[2])
   }
 }
 
-bool regular_solve(const struct scallop_scaled *s, struct regular *r, double *guess, struct scallop_work *work)
+enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regular *r, struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
   double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha), at[2][2] = { { 0, 0 }, { 0, 0 } };
   if (!phase[0].concave || !phase[1].concave) {
-    *guess = first_guess(s);
-    return false;
+    r->c_start = first_guess(s);
+    return REGULAR_NOT;
   }
   const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
-  bool held_e = !regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e);
-  bool held_c = !regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c);
-  if (held_e || held_c) {
-    *guess = held_c ? 0 : NAN;
-    return false;
-  }
+  if (!regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
+    return CONTRACTION_HOLDS;
+  if (!regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
+    return EXTENSION_HOLDS;
   bool last = phase[0].ramps && phase[1].ramps;
   work->periods = 1;
   for (int i = 0; i < STEPS; i++) {
     bool valid = regular_steady(&scaling, alpha, driven, &tangents[0], &tangents[1], r);
-    *guess = r->c_start;
     if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
-      return false;
+      return REGULAR_NOT;
     work->events = 4;
     if (last)
-      return true;
+      return REGULAR_FOUND;
     last = touch(&phase[0], r->t[0], r->u[0], at[0], &tangents[0]);
     last &= touch(&phase[1], r->t[1], r->u[1], at[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }
-  return false;
+  return REGULAR_NOT;
 }

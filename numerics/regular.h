@@ -132,9 +132,14 @@ SCALLOP_INLINE int regular_is_inside(const struct scallop_shape *shape, double t
 /* Extension and contraction: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --. */
 void regular_modes(bool forward, struct scallop_modes modes[2]);
 
-/* True: the regular modes, and *r is the steady state. False: something else, or too hard to tell, and *guess a start velocity to
- * begin with, in L/T; nan: better begin with velocity 0 at the start of the contraction, because a body is held to the end of
- * the extension. Adds to *work. */
-bool regular_solve(const struct scallop_scaled *scaled, struct regular *r, double *guess, struct scallop_work *work);
+enum regular_outcome {
+  REGULAR_FOUND,     /* *r is the steady state                                                            */
+  REGULAR_NOT,       /* something else, or too hard to tell; r->c_start is a place to begin, if it is finite */
+  CONTRACTION_HOLDS, /* friction holds a body to the end of the contraction                                */
+  EXTENSION_HOLDS    /* of the extension only                                                              */
+};
+
+/* Adds to *work. */
+enum regular_outcome regular_solve(const struct scallop_scaled *scaled, struct regular *r, struct scallop_work *work);
 
 #endif

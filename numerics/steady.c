@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "numerics/held.h"
 #include "numerics/period.h"
 #include "numerics/regular.h"
 
@@ -124,43 +125,81 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
 static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
                            struct scallop_steady_result *result)
 {
-  result->v_low = result->v_high = result->period.v_start = r->c_start * s->velocity;
-  result->period.v_mid = r->c_mid * s->velocity;
-  result->period.v_end = r->c_end * s->velocity;
-  result->period.displacement = r->travel * L;
-  result->period.multiplier = r->multiplier;
-  result->period.balance = r->balance;
-  result->period.regime = SCALLOP_SLIDING;
-  regular_modes(r->c_start > 0, result->period.modes);
+  struct scallop_period_result *p = &result->period;
+  result->v_low = result->v_high = p->v_start = r->c_start * s->velocity;
+  p->v_mid = r->c_mid * s->velocity;
+  p->v_end = r->c_end * s->velocity;
+  p->displacement = r->travel * L;
+  p->multiplier = r->multiplier;
+  p->balance = r->balance;
+  p->regime = SCALLOP_SLIDING;
+  regular_modes(r->c_start > 0, p->modes);
+}
+
+static void held_result(const struct scallop_scaled *s, const struct held *h, double L, struct scallop_steady_result *result)
+{
+  struct scallop_period_result *p = &result->period;
+  result->v_low = result->v_high = p->v_start = p->v_end = h->c_start * s->velocity;
+  p->v_mid = h->c_mid * s->velocity;
+  p->displacement = h->travel * L;
+  p->multiplier = p->balance = 0;
+  p->regime = held_regime(h->starts, h->ends, h->stuck);
+  held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
+}
+
+/* order as in held.h. True: it is that simple. */
+static bool solve_held(const struct scallop_scaled *s, double order, struct held *h, struct scallop_work *work)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  if (!phase[SCALLOP_EXTENSION].ramps || !phase[SCALLOP_CONTRACTION].ramps)
+    return false;
+  struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
+  held_steady(&scaling, s->fraction[SCALLOP_EXTENSION], order, &e, &c, h);
+  *work = (struct scallop_work){ .periods = 1, .events = 4 - (h->stuck[0] > 0) - (h->stuck[1] > 0) };
+  return h->margin > 0;
+}
+
+/* Any motion, beginning from c, or, where the extension ends at rest, from there. */
+static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c, struct period *period,
+                                  struct bracket *at, struct scallop_work *work)
+{
+  *work = (struct scallop_work){ 0 };
+  period->c_mid = NAN;
+  if (hint == EXTENSION_HOLDS) {
+    period->c_mid = 0;
+    period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
+    c = period->c_end;
+  }
+  enum scallop_status status = find_root(s, hint == CONTRACTION_HOLDS ? 0 : c, period, work);
+  if (status != SCALLOP_OK)
+    return status;
+  *at = steady_states(s, period->c_start);
+  if (!(at->lo < at->hi))
+    return SCALLOP_OK;
+  period_solve(s, fmin(fmax(0, at->lo), at->hi), period);
+  return SCALLOP_INTERVAL;
 }
 
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
 {
   struct scallop_scaled s;
   struct regular regular;
+  struct held held;
   struct period period;
-  struct bracket at = { 0, 0 };
-  struct scallop_work work = { .periods = 0 };
-  double guess;
+  struct bracket at;
+  struct scallop_work work = { 0 };
   enum scallop_status status = scallop_scale(crawler, &s);
   if (status != SCALLOP_OK)
     return status;
-  bool is_regular = regular_solve(&s, &regular, &guess, &work);
-  if (!is_regular) {
-    period.c_mid = NAN;
-    if (isnan(guess)) {
-      period.c_mid = 0;
-      period_phase(&s, SCALLOP_CONTRACTION, &period, NULL, NULL);
-      guess = period.c_end;
-    }
-    status = find_root(&s, guess, &period, &work);
-    if (status != SCALLOP_OK)
-      return status;
-    at = steady_states(&s, period.c_start);
-    if (at.lo < at.hi)
-      period_solve(&s, fmin(fmax(0, at.lo), at.hi), &period);
-  }
-  double mean = (is_regular ? regular.travel : period.travel) * crawler->L / crawler->T;
+  enum regular_outcome outcome = regular_solve(&s, &regular, &work);
+  bool is_regular = outcome == REGULAR_FOUND, holds = outcome == CONTRACTION_HOLDS || outcome == EXTENSION_HOLDS;
+  bool is_held = holds && solve_held(&s, outcome == CONTRACTION_HOLDS ? 1 : -1, &held, &work);
+  if (!is_regular && !is_held)
+    status = search(&s, outcome, regular.c_start, &period, &at, &work);
+  if (status < 0)
+    return status;
+  double mean = (is_regular ? regular.travel : is_held ? held.travel : period.travel) * crawler->L / crawler->T;
   if (!isfinite(mean))
     return SCALLOP_ERANGE;
   result->froude = 1 / s.eps;
@@ -168,10 +207,12 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   result->work = work;
   if (is_regular) {
     regular_result(&s, &regular, crawler->L, result);
-    return SCALLOP_OK;
+  } else if (is_held) {
+    held_result(&s, &held, crawler->L, result);
+  } else {
+    period_result(crawler, &s, &period, &result->period);
+    result->v_low = at.lo * s.velocity;
+    result->v_high = at.hi * s.velocity;
   }
-  period_result(crawler, &s, &period, &result->period);
-  result->v_low = at.lo * s.velocity;
-  result->v_high = at.hi * s.velocity;
-  return at.lo < at.hi ? SCALLOP_INTERVAL : SCALLOP_OK;
+  return status;
 }
