@@ -17,9 +17,9 @@ B       ?= build
 WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table certified_rows series_derived)
-flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger)|tests/expansions
-flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds
+               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table certified_rows series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table)
+flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
+flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp

@@ -1,53 +1,147 @@
 #include <stdio.h>
+#include <string.h>
 
 #include "compare/points.h"
 #include "compare/with_flint.h"
 
-static const char *const accepts[] = { "m1",        "m2",     "F1",     "F2",     "L",      "T",     "alpha", "gait",
-                                       "certified", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",        "m2",     "F1",      "F2",     "L",      "T",      "alpha", "gait",
+                                       "certified", "points", "threads", "format", "digits", "output", "quiet", NULL };
 static const char *const none[] = { NULL };
 static const char *const columns[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                        "multiplier", "regime",  "modes", "status",       NULL };
 
+/* A steady state as it is written */
+struct state {
+  enum scallop_status status;
+  double numbers[6]; /* froude to multiplier, in the order of the columns */
+  double v_low, v_high;
+  enum scallop_regime regime;
+  const struct scallop_modes *modes; /* of both phases */
+};
+
+static void write_modes(struct table *table, const struct scallop_modes *modes)
+{
+  char both[2 * SCALLOP_MODES_TEXT + 4];
+  scallop_modes_text(&modes[0], both);
+  size_t length = strlen(both);
+  memcpy(both + length, " | ", sizeof " | ");
+  scallop_modes_text(&modes[1], both + length + 3);
+  table_text(table, both);
+}
+
+static void write_interval(struct table *table, double v_low, double v_high)
+{
+  char low[NUMBER_TEXT], high[NUMBER_TEXT], interval[160];
+  number_text(low, v_low, 0);
+  number_text(high, v_high, 0);
+  snprintf(interval, sizeof interval, "interval of steady states: v_start from %s to %s", low, high);
+  table_text(table, interval);
+}
+
+/* refused as in points.h. Returns why, the reason. */
+static const char *write_none(struct table *table, const struct scallop_crawler *crawler, const char *refused,
+                              const char *why)
+{
+  point_crawler(table, crawler, refused);
+  point_blank(table, 6);
+  table_text(table, "-");
+  table_text(table, "-");
+  table_text(table, why);
+  return why;
+}
+
+/* Returns NULL, or why there is no steady state. */
+static const char *write_row(struct table *table, const struct scallop_crawler *crawler, const struct state *s)
+{
+  if (s->status < 0)
+    return write_none(table, crawler, NULL, scallop_status_text(s->status));
+  point_crawler(table, crawler, NULL);
+  for (int i = 0; i < 6; i++)
+    table_number(table, s->numbers[i]);
+  table_text(table, scallop_regime_text(s->regime));
+  write_modes(table, s->modes);
+  if (s->status == SCALLOP_INTERVAL)
+    write_interval(table, s->v_low, s->v_high);
+  else
+    table_text(table, "ok");
+  return NULL;
+}
+
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
-  if (point->certified && !refused)
+  if (refused)
+    return write_none(table, &point->crawler, refused, refused);
+  if (point->certified)
     return certified_steady_row(table, point);
   struct scallop_steady_result r;
-  char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4], interval[160];
-  char low[NUMBER_TEXT], high[NUMBER_TEXT];
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : scallop_steady(&point->crawler, &r);
-  const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
-  point_parameters(table, point, refused);
-  if (why) {
-    point_blank(table, 6);
-    table_text(table, "-");
-    table_text(table, "-");
-    table_text(table, why);
-    return why;
+  struct state s = { .status = scallop_steady(&point->crawler, &r) };
+  if (s.status >= 0)
+    s = (struct state){ .status = s.status,
+                        .numbers = { r.froude, r.period.v_start, r.period.v_mid, r.period.displacement, r.mean_velocity,
+                                     r.period.multiplier },
+                        .v_low = r.v_low,
+                        .v_high = r.v_high,
+                        .regime = r.period.regime,
+                        .modes = r.period.modes };
+  return write_row(table, &point->crawler, &s);
+}
+
+/* The columns of a block of answers */
+struct states {
+  double numbers[6][POINT_BLOCK], v_low[POINT_BLOCK], v_high[POINT_BLOCK];
+  enum scallop_regime regime[POINT_BLOCK];
+  struct scallop_modes modes[POINT_BLOCK][2];
+  enum scallop_status status[POINT_BLOCK];
+};
+
+static struct state state_at(const struct states *a, long i)
+{
+  struct state s = { .status = a->status[i], .v_low = a->v_low[i], .v_high = a->v_high[i], .modes = a->modes[i] };
+  for (int k = 0; k < 6; k++)
+    s.numbers[k] = a->numbers[k][i];
+  if (s.status >= 0)
+    s.regime = a->regime[i];
+  return s;
+}
+
+static struct scallop_crawler crawler_at(const struct scallop_crawlers *c, long i)
+{
+  return (struct scallop_crawler){ c->m1[i], c->m2[i], c->F1[i], c->F2[i], c->L[i], c->T[i], c->alpha[i], c->gait[i] };
+}
+
+static long rows(struct table *table, const struct options *options, const struct point_block *block)
+{
+  struct states a;
+  double(*numbers)[POINT_BLOCK] = a.numbers;
+  const struct scallop_steady_states wanted = { .froude = numbers[0],
+                                                .v_start = numbers[1],
+                                                .v_mid = numbers[2],
+                                                .displacement = numbers[3],
+                                                .mean_velocity = numbers[4],
+                                                .multiplier = numbers[5],
+                                                .v_low = a.v_low,
+                                                .v_high = a.v_high,
+                                                .regime = a.regime,
+                                                .modes = a.modes,
+                                                .status = a.status };
+  long unsolved = 0;
+  scallop_steady_batch(&block->crawlers, &wanted, (int)options->threads);
+  for (long i = 0; i < block->crawlers.count; i++) {
+    const struct scallop_crawler crawler = crawler_at(&block->crawlers, i);
+    const struct state state = state_at(&a, i);
+    const char *refused = block->refused[i];
+    if (*refused ? write_none(table, &crawler, refused, refused) : write_row(table, &crawler, &state))
+      unsolved++;
   }
-  table_number(table, r.froude);
-  table_number(table, r.period.v_start);
-  table_number(table, r.period.v_mid);
-  table_number(table, r.period.displacement);
-  table_number(table, r.mean_velocity);
-  table_number(table, r.period.multiplier);
-  table_text(table, scallop_regime_text(r.period.regime));
-  for (int phase = 0; phase < 2; phase++)
-    scallop_modes_text(&r.period.modes[phase], modes[phase]);
-  snprintf(both, sizeof both, "%s | %s", modes[0], modes[1]);
-  table_text(table, both);
-  number_text(low, r.v_low, 0);
-  number_text(high, r.v_high, 0);
-  snprintf(interval, sizeof interval, "interval of steady states: v_start from %s to %s", low, high);
-  table_text(table, solved == SCALLOP_INTERVAL ? interval : "ok");
-  return NULL;
+  return unsolved;
 }
 
 static enum exit_code run(const struct options *options)
 {
   if (options->certified && !has_flint(options, "--certified"))
     return EXIT_UNSOLVED;
+  if (options->points && !options->certified)
+    return for_each_block(options, columns, rows);
   return for_each_point(options, none, columns, row);
 }
 

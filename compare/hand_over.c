@@ -61,3 +61,9 @@ enum exit_code claims_table(const struct options *options)
   (void)options;
   return EXIT_UNSOLVED;
 }
+
+enum exit_code workprec_table(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}

@@ -1,5 +1,6 @@
 #include "compare/lines.h"
 
+#include <errno.h>
 #include <string.h>
 
 /* What some programs write at the head of a UTF-8 file */
@@ -9,8 +10,10 @@ bool next_line(struct lines *l)
 {
   const size_t mark = sizeof BYTE_ORDER_MARK - 1;
   l->length = getline(&l->line, &l->size, l->file);
-  if (l->length < 0)
+  if (l->length < 0) {
+    l->error = errno;
     return false;
+  }
   if (l->number++ == 0 && strncmp(l->line, BYTE_ORDER_MARK, mark) == 0) {
     l->length -= (ssize_t)mark;
     memmove(l->line, l->line + mark, (size_t)l->length + 1);

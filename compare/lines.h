@@ -12,6 +12,7 @@ struct lines {
   size_t size;
   ssize_t length;
   long number; /* from 1                                              */
+  int error;   /* why the file cannot be read, where it cannot        */
 };
 
 /* Goes on to the next line, without its end (LF or CRLF) and without a byte order mark at the head of the file.

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "compare/digits.h"
 
 struct description {
   const char *name;        /* without the dashes                                              */
@@ -18,13 +19,16 @@ struct description {
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000, MOST_THREADS = 1024 };
+enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
 
 static char message[240];
 
 bool read_number(const char *text, double *value)
 {
   char *end;
+  if (digits_read(text, value))
+    return true;
   if (*text == '\0' || strspn(text, " \t") > 0)
     return false;
   errno = 0;
@@ -54,26 +58,31 @@ static const char *not_allowed(const char *text, const char *allowed)
   return message;
 }
 
-static double *crawler_field(struct scallop_crawler *c, const char *name)
+int crawler_place(const char *name)
 {
-  const struct {
-    const char *name;
-    double *field;
-  } fields[] = {
-    { "m1", &c->m1 }, { "m2", &c->m2 }, { "F1", &c->F1 },       { "F2", &c->F2 },
-    { "L", &c->L },   { "T", &c->T },   { "alpha", &c->alpha },
-  };
-  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++)
-    if (strcmp(name, fields[i].name) == 0)
-      return fields[i].field;
-  return NULL;
+  int i = 0;
+  while (i < CRAWLER_NUMBERS && strcmp(name, crawler_parameters[i]) != 0)
+    i++;
+  return i;
+}
+
+static double *crawler_field(struct scallop_crawler *c, int place)
+{
+  double *const fields[CRAWLER_NUMBERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
+  return fields[place];
+}
+
+void crawler_numbers(const struct scallop_crawler *c, double numbers[CRAWLER_NUMBERS])
+{
+  const double all[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  memcpy(numbers, all, sizeof all);
 }
 
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
 {
-  struct scallop_crawler copy = *crawler;
-  const double *field = crawler_field(&copy, name);
-  return field ? *field : NAN;
+  double numbers[CRAWLER_NUMBERS + 1] = { [CRAWLER_NUMBERS] = NAN };
+  crawler_numbers(crawler, numbers);
+  return numbers[crawler_place(name)];
 }
 
 static const char *set_gait(struct options *o, const char *name, const char *text)
@@ -87,20 +96,22 @@ static const char *set_gait(struct options *o, const char *name, const char *tex
   return NULL;
 }
 
-static const char *set_crawler_number(struct options *o, const char *name, const char *text)
+const char *options_set_crawler_number(struct options *o, int place, const char *text)
 {
   struct scallop_complaint complaint;
-  struct scallop_crawler candidate = scallop_crawler_default();
-  double *field = crawler_field(&candidate, name);
-  if (!read_number(text, field))
-    return not_allowed(text, strcmp(name, "alpha") == 0 ? "a number between 0 and 1, both excluded" : "a finite number > 0");
+  struct scallop_crawler candidate = o->crawler; /* has no other fault */
+  if (!read_number(text, crawler_field(&candidate, place)))
+    return not_allowed(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
   if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
-  *crawler_field(&o->crawler, name) = *field;
-  for (int i = 0; i < 7; i++)
-    if (strcmp(name, crawler_parameters[i]) == 0)
-      o->written[i] = text;
+  o->crawler = candidate;
+  o->written[place] = text;
   return NULL;
+}
+
+static const char *set_crawler_number(struct options *o, const char *name, const char *text)
+{
+  return options_set_crawler_number(o, crawler_place(name), text);
 }
 
 static const char *set_phase(struct options *o, const char *name, const char *text)
@@ -156,6 +167,8 @@ static const char *set_count(struct options *o, const char *name, const char *te
   o->has_order |= strcmp(name, "order") == 0;
   if (strcmp(name, "order") == 0)
     return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
+  if (strcmp(name, "threads") == 0)
+    return read_count(text, 1, MOST_THREADS, &o->threads) ? NULL : not_allowed(text, "a whole number from 1 to 1024");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
   return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 100000000");
 }
@@ -173,7 +186,7 @@ static const char *set_file(struct options *o, const char *name, const char *tex
 {
   if (*text == '\0')
     return not_allowed(text, "a file name");
-  *(strcmp(name, "points") == 0 ? &o->points : &o->output) = text;
+  *(strcmp(name, "points") == 0 ? &o->points : strcmp(name, "from") == 0 ? &o->from : &o->output) = text;
   return NULL;
 }
 
@@ -202,10 +215,26 @@ static const char *set_source(struct options *o, const char *name, const char *t
   return NULL;
 }
 
+static const char *set_limit(struct options *o, const char *name, const char *text)
+{
+  double seconds;
+  (void)name;
+  if (!read_number(text, &seconds) || seconds < 1e-3 || seconds > 3600)
+    return not_allowed(text, "seconds, from 0.001 to 3600");
+  o->limit = seconds;
+  return NULL;
+}
+
 static const char *set_flag(struct options *o, const char *name, const char *text)
 {
   (void)text;
-  *(strcmp(name, "bound") == 0 ? &o->bound : &o->certified) = true;
+  const struct {
+    const char *name;
+    bool *flag;
+  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified }, { "quick", &o->quick }, { "summary", &o->summary } };
+  for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+    if (strcmp(name, flags[i].name) == 0)
+      *flags[i].flag = true;
   return NULL;
 }
 
@@ -239,7 +268,13 @@ static const struct description descriptions[] = {
   { "order", "N", "derive all terms below T^N, N from 1 to 1000 (8)", set_count },
   { "bound", NULL, "bounds for the error of the derived terms below T^N", set_flag },
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
+  { "quick", NULL, "one T, few settings and a short limit: a look, in seconds", set_flag },
+  { "summary", NULL, "for each wanted error the cheapest method, and how many times as long the others take", set_flag },
+  { "from", "FILE", "that summary of a table which was written before; nothing is measured", set_file },
+  { "limit", "SECONDS", "for each method and setting, from 0.001 to 3600 (1; 0.05 with --quick)", set_limit },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
+  { "threads", "N", "threads that solve the points of a file (1); reading and writing, most of the work, are done by one",
+    set_count },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
   { "output", "FILE", "write there instead of to standard output; also -o", set_file },
@@ -359,6 +394,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10,
                          .samples = 40,
+                         .threads = 1,
                          .source = "published",
                          .order = 8,
                          .tolerance = 0.1 };

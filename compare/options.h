@@ -31,8 +31,11 @@ struct options {
   const char *output; /* NULL: standard output                                           */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
-  long periods, samples;
+  long periods, samples, threads;
   double expect, tolerance;
+  const char *from;    /* workprec: a table to summarise, or NULL                              */
+  double limit;        /* workprec: seconds for each setting; 0: not given                   */
+  bool quick, summary; /* workprec                                                       */
   bool has_expect, has_v0, has_gait, has_source, has_order, quiet;
 };
 
@@ -40,9 +43,15 @@ struct options {
  * from text. Returns NULL, or what is wrong with the text. The message lives until the next call. */
 const char *options_set_parameter(struct options *options, const char *name, const char *text);
 
-/* Names of the parameters that describe a crawler, NULL-terminated, and one of them as text. */
+/* Names of the parameters that describe a crawler, NULL-terminated: first the numbers, then the gait. */
+enum { CRAWLER_NUMBERS = 7 };
 extern const char *const crawler_parameters[];
+/* One of the numbers by its name. */
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
+/* For many points: all numbers in that order; the place of one, or CRAWLER_NUMBERS where it is none; options_set_parameter by place. */
+void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
+int crawler_place(const char *name);
+const char *options_set_crawler_number(struct options *options, int place, const char *text);
 
 /* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
  * asked for, or the message is on stderr). */

@@ -7,22 +7,29 @@
 
 #include "compare/lines.h"
 
-enum { COLUMNS = 256, STATUS = 320 };
+enum { COLUMNS = 256 };
 
 struct reader {
   struct lines lines;
   const char *name;               /* of the file, for messages                                       */
   const char *parameter[COLUMNS]; /* of each column; NULL: a column to ignore                        */
+  int place[COLUMNS];             /* of it among the crawler's numbers                               */
   int columns;
+  long rows, unsolved;
 };
+
+void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused)
+{
+  double numbers[CRAWLER_NUMBERS];
+  crawler_numbers(crawler, numbers);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    table_number(table, refused ? NAN : numbers[i]);
+  table_text(table, refused ? "-" : crawler->gait->name);
+}
 
 void point_parameters(struct table *table, const struct options *point, const char *refused)
 {
-  for (const char *const *name = crawler_parameters; *name; name++)
-    if (strcmp(*name, "gait") == 0)
-      table_text(table, refused ? "-" : point->crawler.gait->name);
-    else
-      table_number(table, refused ? NAN : crawler_parameter(&point->crawler, *name));
+  point_crawler(table, &point->crawler, refused);
 }
 
 void point_blank(struct table *table, int count)
@@ -66,7 +73,7 @@ static enum exit_code read_header(struct reader *r, const char *command, const c
   bool useful = false;
   if (!next_data(&r->lines)) {
     if (ferror(r->lines.file)) {
-      complain(command, "cannot read %s: %s", r->name, strerror(errno));
+      complain(command, "cannot read %s: %s", r->name, strerror(r->lines.error));
       return EXIT_FILE;
     }
     complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
@@ -95,7 +102,8 @@ static enum exit_code read_header(struct reader *r, const char *command, const c
       complain(command, "%s:%ld: unknown column '%.80s': did you mean '%s'?", r->name, r->lines.number, cell, near);
       return EXIT_USAGE;
     }
-    r->parameter[r->columns++] = parameter;
+    r->parameter[r->columns] = parameter;
+    r->place[r->columns++] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
     useful |= parameter != NULL;
     cell = tab ? tab + 1 : NULL;
   }
@@ -113,55 +121,109 @@ static bool is_unset(const struct options *point, const char *parameter, const c
   return point->command == &command_series && strcmp(parameter, "v0") == 0 && strcmp(cell, "nan") == 0;
 }
 
+/* Returns NULL, or what is wrong with the cell. */
+static const char *set_cell(const struct reader *r, struct options *point, int column, const char *cell)
+{
+  if (column >= r->columns || !r->parameter[column] || is_unset(point, r->parameter[column], cell))
+    return NULL;
+  if (r->place[column] < CRAWLER_NUMBERS)
+    return options_set_crawler_number(point, r->place[column], cell);
+  return options_set_parameter(point, r->parameter[column], cell);
+}
+
 /* Reads a row into point. Returns NULL, or in status what is wrong with it. */
 static const char *read_row(struct reader *r, struct options *point, char *status)
 {
   int column = 0;
   if (is_binary(&r->lines)) {
-    snprintf(status, STATUS, "line %ld: not text", r->lines.number);
+    snprintf(status, POINT_STATUS, "line %ld: not text", r->lines.number);
     return status;
   }
   for (char *cell = r->lines.line; cell; column++) {
     char *tab = strchr(cell, '\t');
     if (tab)
       *tab = '\0';
-    const char *parameter = column < r->columns ? r->parameter[column] : NULL;
-    if (parameter && !is_unset(point, parameter, cell)) {
-      const char *wrong = options_set_parameter(point, parameter, cell);
-      if (wrong) {
-        snprintf(status, STATUS, "line %ld: %s: %s", r->lines.number, parameter, wrong);
-        return status;
-      }
+    const char *wrong = set_cell(r, point, column, cell);
+    if (wrong) {
+      snprintf(status, POINT_STATUS, "line %ld: %s: %s", r->lines.number, r->parameter[column], wrong);
+      return status;
     }
     cell = tab ? tab + 1 : NULL;
   }
   if (column == r->columns)
     return NULL;
-  snprintf(status, STATUS, "line %ld: %d columns where the header has %d", r->lines.number, column, r->columns);
+  snprintf(status, POINT_STATUS, "line %ld: %d columns where the header has %d", r->lines.number, column, r->columns);
   return status;
 }
 
-static enum exit_code solve_rows(struct reader *r, struct table *table, const struct options *options, point_row *row)
+static void solve_rows(struct reader *r, struct table *table, const struct options *options, point_row *row)
 {
-  long rows = 0, unsolved = 0;
-  char status[STATUS];
-  while (next_data(&r->lines)) {
+  char status[POINT_STATUS];
+  while (!table_failed(table) && next_data(&r->lines)) {
     struct options point = *options;
     const char *wrong = read_row(r, &point, status);
-    rows++;
+    r->rows++;
     if (row(table, &point, wrong))
-      unsolved++;
+      r->unsolved++;
   }
+}
+
+static void set_row(struct point_block *b, long i, const struct scallop_crawler *crawler)
+{
+  double numbers[CRAWLER_NUMBERS];
+  crawler_numbers(crawler, numbers);
+  for (int k = 0; k < CRAWLER_NUMBERS; k++)
+    b->numbers[k][i] = numbers[k];
+  b->gaits[i] = crawler->gait;
+}
+
+/* Up to most rows. False: there is nothing after them. */
+static bool read_block(struct reader *r, const struct options *options, long most, struct point_block *b)
+{
+  long n = 0;
+  bool more = true;
+  while (n < most && (more = next_data(&r->lines))) {
+    struct options point = *options;
+    bool wrong = read_row(r, &point, b->refused[n]) != NULL;
+    if (!wrong)
+      b->refused[n][0] = '\0';
+    set_row(b, n++, wrong ? &options->crawler : &point.crawler);
+  }
+  b->crawlers = (struct scallop_crawlers){ .count = n,
+                                           .m1 = b->numbers[0],
+                                           .m2 = b->numbers[1],
+                                           .F1 = b->numbers[2],
+                                           .F2 = b->numbers[3],
+                                           .L = b->numbers[4],
+                                           .T = b->numbers[5],
+                                           .alpha = b->numbers[6],
+                                           .gait = b->gaits };
+  return more;
+}
+
+static void solve_blocks(struct reader *r, struct table *table, const struct options *options, block_rows *rows)
+{
+  struct point_block block;
+  for (bool more = true; more && !table_failed(table);) {
+    more = read_block(r, options, table->watched ? 1 : POINT_BLOCK, &block);
+    r->rows += block.crawlers.count;
+    r->unsolved += rows(table, options, &block);
+  }
+}
+
+static enum exit_code finish(struct reader *r, struct table *table, const struct options *options)
+{
   if (ferror(r->lines.file)) {
-    complain(options->command->name, "cannot read %s: %s", r->name, strerror(errno));
+    complain(options->command->name, "cannot read %s: %s", r->name, strerror(r->lines.error));
     table_abandon(table);
     return EXIT_FILE;
   }
   if (!table_close(table))
     return EXIT_FILE;
-  if (unsolved > 0)
-    complain(options->command->name, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
-  return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+  if (r->unsolved > 0)
+    complain(options->command->name, "%ld of %ld points could not be solved: the column 'status' says why", r->unsolved,
+             r->rows);
+  return r->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
 static bool begin(struct table *table, const struct options *options, const char *const *extra, const char *const *columns)
@@ -191,24 +253,42 @@ static enum exit_code one_point(const struct options *options, const char *const
   return why ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-enum exit_code for_each_point(const struct options *options, const char *const *extra, const char *const *columns,
-                              point_row *row)
+/* The points of a file, by row or by rows: one of them is NULL. */
+static enum exit_code each(const struct options *options, const char *const *extra, const char *const *columns,
+                           point_row *row, block_rows *rows)
 {
-  if (!options->points)
-    return one_point(options, extra, columns, row);
   bool standard = strcmp(options->points, "-") == 0;
   struct reader r = { .lines = { .file = standard ? stdin : fopen(options->points, "r") },
                       .name = standard ? "standard input" : options->points };
+  struct table table;
   if (!r.lines.file) {
     complain(options->command->name, "cannot read %s: %s", r.name, strerror(errno));
     return EXIT_FILE;
   }
-  struct table table;
   enum exit_code code = read_header(&r, options->command->name, extra);
-  if (code == EXIT_DONE)
-    code = begin(&table, options, extra, columns) ? solve_rows(&r, &table, options, row) : EXIT_FILE;
+  if (code == EXIT_DONE && !begin(&table, options, extra, columns))
+    code = EXIT_FILE;
+  if (code == EXIT_DONE) {
+    if (row)
+      solve_rows(&r, &table, options, row);
+    else
+      solve_blocks(&r, &table, options, rows);
+    code = finish(&r, &table, options);
+  }
   if (!standard)
     fclose(r.lines.file);
   free(r.lines.line);
   return code;
+}
+
+enum exit_code for_each_point(const struct options *options, const char *const *extra, const char *const *columns,
+                              point_row *row)
+{
+  return options->points ? each(options, extra, columns, row, NULL) : one_point(options, extra, columns, row);
+}
+
+enum exit_code for_each_block(const struct options *options, const char *const *columns, block_rows *rows)
+{
+  static const char *const none[] = { NULL };
+  return each(options, none, columns, NULL, rows);
 }

@@ -70,7 +70,7 @@ static bool open_aside(struct table *t, const char *output)
 bool table_open(struct table *t, const struct options *options)
 {
   struct stat there;
-  *t = (struct table){ .file = stdout, .options = options };
+  *t = (struct table){ .file = stdout, .options = options, .watched = isatty(STDOUT_FILENO) };
   if (!options->output)
     return true;
   bool plain = stat(options->output, &there) != 0 || S_ISREG(there.st_mode);
@@ -82,7 +82,49 @@ bool table_open(struct table *t, const struct options *options)
     forget_names(t);
     return false;
   }
+  t->watched = isatty(fileno(t->file));
   return true;
+}
+
+static void flush_text(struct table *t)
+{
+  if (t->used > 0 && fwrite(t->text, 1, t->used, t->file) < t->used && t->error == 0)
+    t->error = errno;
+  t->used = 0;
+}
+
+/* Where the next size <= TABLE_TEXT bytes go; what is written there is then counted in t->used. */
+static char *room(struct table *t, size_t size)
+{
+  if (t->used + size > TABLE_TEXT)
+    flush_text(t);
+  return t->text + t->used;
+}
+
+static void put(struct table *t, const char *text, size_t length)
+{
+  while (length > 0) {
+    size_t part = length < TABLE_TEXT ? length : TABLE_TEXT;
+    memcpy(room(t, part), text, part);
+    t->used += part;
+    text += part;
+    length -= part;
+  }
+}
+
+static void put_char(struct table *t, char c)
+{
+  *room(t, 1) = c;
+  t->used++;
+}
+
+static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
+
+static void end_line(struct table *t)
+{
+  put_char(t, '\n');
+  if (t->watched)
+    flush_text(t);
 }
 
 void table_note(struct table *t, const char *format, ...)
@@ -90,44 +132,38 @@ void table_note(struct table *t, const char *format, ...)
   va_list arguments;
   if (t->options->format == FORMAT_JSON)
     return;
+  put(t, "# ", 2);
+  flush_text(t);
   va_start(arguments, format);
-  fputs("# ", t->file);
   vfprintf(t->file, format, arguments);
-  fputc('\n', t->file);
   va_end(arguments);
+  end_line(t);
 }
 
-void number_text(char text[NUMBER_TEXT], double x, long digits)
+size_t number_text(char text[NUMBER_TEXT], double x, long digits)
 {
-  for (int precision = digits > 0 ? (int)digits : 15;; precision++) {
-    snprintf(text, NUMBER_TEXT, "%.*g", precision, x);
-    if (digits > 0 || precision == 17 || strtod(text, NULL) == x || isnan(x))
-      break;
-  }
-  if (isnan(x)) /* of either sign */
-    memcpy(text, "nan", 4);
+  if (digits == 0 || isnan(x))
+    return digits_write(text, x);
+  return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
 }
 
-static void print_number(FILE *file, double x, long digits)
-{
-  char text[NUMBER_TEXT];
-  number_text(text, x, digits);
-  fputs(text, file);
-}
+static void put_number(struct table *t, double x, long digits) { t->used += number_text(room(t, NUMBER_TEXT), x, digits); }
 
 void table_parameters(struct table *t, const struct options *o)
 {
   if (o->format == FORMAT_JSON)
     return;
-  fputs("# parameters:", t->file);
+  put_text(t, "# parameters:");
   for (const char *const *name = crawler_parameters; *name; name++) {
-    fprintf(t->file, " %s=", *name);
+    put_char(t, ' ');
+    put_text(t, *name);
+    put_char(t, '=');
     if (strcmp(*name, "gait") == 0)
-      fputs(o->crawler.gait->name, t->file);
+      put_text(t, o->crawler.gait->name);
     else
-      print_number(t->file, crawler_parameter(&o->crawler, *name), 0);
+      put_number(t, crawler_parameter(&o->crawler, *name), 0);
   }
-  fputc('\n', t->file);
+  end_line(t);
 }
 
 void table_columns(struct table *t, const char *const *names)
@@ -140,24 +176,31 @@ void table_begin_rows(struct table *t)
 {
   if (t->options->format == FORMAT_JSON)
     return;
-  for (int i = 0; i < t->count; i++)
-    fprintf(t->file, "%s%s", i > 0 ? "\t" : "", t->columns[i]);
-  fputc('\n', t->file);
+  for (int i = 0; i < t->count; i++) {
+    if (i > 0)
+      put_char(t, '\t');
+    put_text(t, t->columns[i]);
+  }
+  end_line(t);
 }
 
 static void begin_cell(struct table *t)
 {
-  if (t->options->format == FORMAT_JSON)
-    fprintf(t->file, "%s\"%s\": ", t->at == 0 ? "{" : ", ", t->columns[t->at]);
-  else if (t->at > 0)
-    fputc('\t', t->file);
+  if (t->options->format == FORMAT_JSON) {
+    put_text(t, t->at == 0 ? "{\"" : ", \"");
+    put_text(t, t->columns[t->at]);
+    put(t, "\": ", 3);
+  } else if (t->at > 0)
+    put_char(t, '\t');
 }
 
 static void end_cell(struct table *t)
 {
   if (++t->at < t->count)
     return;
-  fputs(t->options->format == FORMAT_JSON ? "}\n" : "\n", t->file);
+  if (t->options->format == FORMAT_JSON)
+    put_char(t, '}');
+  end_line(t);
   t->at = 0;
 }
 
@@ -165,16 +208,16 @@ void table_number(struct table *t, double value)
 {
   begin_cell(t);
   if (t->options->format == FORMAT_JSON && !isfinite(value))
-    fputs(isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999", t->file);
+    put_text(t, isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
   else
-    print_number(t->file, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
+    put_number(t, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
   end_cell(t);
 }
 
 void table_digits(struct table *t, const char *number)
 {
   begin_cell(t);
-  fputs(number, t->file);
+  put_text(t, number);
   end_cell(t);
 }
 
@@ -186,38 +229,54 @@ void table_rounded(struct table *t, double value, const char *format)
     memmove(text, text + 1, strlen(text));
   begin_cell(t);
   if (t->options->format == FORMAT_JSON && !isfinite(value))
-    fputs("null", t->file);
+    put_text(t, "null");
   else
-    fputs(isnan(value) ? "nan" : text, t->file);
+    put_text(t, isnan(value) ? "nan" : text);
   end_cell(t);
+}
+
+/* How many characters at the head of text stand for themselves */
+static size_t plain_length(const char *text, bool json)
+{
+  size_t n = 0;
+  while (text[n] >= 0x20 && text[n] <= 0x7e && !(json && (text[n] == '"' || text[n] == '\\')))
+    n++;
+  return n;
 }
 
 void table_text(struct table *t, const char *text)
 {
-  begin_cell(t);
   bool json = t->options->format == FORMAT_JSON;
+  begin_cell(t);
   if (json)
-    fputc('"', t->file);
-  for (; *text; text++) {
-    unsigned char c = (unsigned char)*text;
-    if (json && (c == '"' || c == '\\'))
-      fprintf(t->file, "\\%c", c);
-    else if (c < 0x20)
-      fputc(' ', t->file);
+    put_char(t, '"');
+  for (;;) {
+    size_t plain = plain_length(text, json);
+    put(t, text, plain);
+    text += plain;
+    if (*text == '\0')
+      break;
+    unsigned char c = (unsigned char)*text++;
+    char quoted[] = { '\\', (char)c };
+    if (c < 0x20)
+      put_char(t, ' ');
     else if (c > 0x7e) /* somebody's bytes in a message: not to make the table unreadable */
-      fputc('?', t->file);
+      put_char(t, '?');
     else
-      fputc(c, t->file);
+      put(t, quoted, 2);
   }
   if (json)
-    fputc('"', t->file);
+    put_char(t, '"');
   end_cell(t);
 }
 
+bool table_failed(const struct table *t) { return t->error != 0 || ferror(t->file); }
+
 bool table_close(struct table *t)
 {
+  flush_text(t);
   bool written = fflush(t->file) == 0 && !ferror(t->file);
-  int error = errno;
+  int error = t->error != 0 ? t->error : errno;
   if (t->file != stdout && fclose(t->file) != 0 && written) {
     written = false;
     error = errno;
@@ -239,7 +298,9 @@ bool table_close(struct table *t)
 
 void table_abandon(struct table *t)
 {
-  if (t->file != stdout)
+  if (t->file == stdout)
+    flush_text(t);
+  else
     fclose(t->file);
   if (t->aside) {
     remove(t->aside);

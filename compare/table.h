@@ -6,12 +6,13 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "compare/digits.h"
 #include "compare/options.h"
 
-enum { TABLE_COLUMNS = 64, NUMBER_TEXT = 40 };
+enum { TABLE_COLUMNS = 64, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
 
-/* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. */
-void number_text(char text[NUMBER_TEXT], double x, long digits);
+/* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
+size_t number_text(char text[NUMBER_TEXT], double x, long digits);
 
 struct table {
   FILE *file;
@@ -20,6 +21,10 @@ struct table {
   char *aside;  /* the name while it is written, NULL on standard output */
   const char *columns[TABLE_COLUMNS];
   int count, at; /* columns; the next one in this row                     */
+  bool watched;  /* on a terminal: a line appears when it is complete     */
+  int error;     /* of the first write that failed                        */
+  size_t used;
+  char text[TABLE_TEXT]; /* what the file has not got yet                         */
 };
 
 /* Opens the output named by options. False: the message is on stderr, exit with EXIT_FILE. */
@@ -36,6 +41,8 @@ void table_number(struct table *table, double value);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
 void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
+/* Has writing failed already? Then nothing more is worth its time: table_close says why. */
+bool table_failed(const struct table *table);
 /* Closes, and renames. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
 bool table_close(struct table *table);
 /* Gives the output up: nothing is left behind. */

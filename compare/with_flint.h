@@ -22,4 +22,7 @@ enum exit_code series_derived(const struct options *options);
 /* The ledger */
 enum exit_code claims_table(const struct options *options);
 
+/* Error against run time */
+enum exit_code workprec_table(const struct options *options);
+
 #endif

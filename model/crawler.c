@@ -34,8 +34,19 @@ static enum scallop_status complain(struct scallop_complaint *complaint, const c
   return SCALLOP_EDOMAIN;
 }
 
+static bool is_positive(double x) { return x > 0 && x <= DBL_MAX; }
+
+/* Nothing to complain of, which is what is most often asked. */
+static bool is_good(const struct scallop_crawler *c)
+{
+  return is_positive(c->m1) && is_positive(c->m2) && is_positive(c->F1) && is_positive(c->F2) && is_positive(c->L)
+         && is_positive(c->T) && c->alpha > 0 && c->alpha < 1 && c->gait;
+}
+
 enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler, struct scallop_complaint *complaint)
 {
+  if (is_good(crawler))
+    return SCALLOP_OK;
   const struct {
     const char *name;
     double value;
@@ -44,7 +55,7 @@ enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
     { "F2", crawler->F2 }, { "L", crawler->L },   { "T", crawler->T },
   };
   for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-    if (!(isfinite(positive[i].value) && positive[i].value > 0))
+    if (!is_positive(positive[i].value))
       return complain(complaint, positive[i].name, positive[i].value, "a finite number > 0");
   if (!(crawler->alpha > 0 && crawler->alpha < 1))
     return complain(complaint, "alpha", crawler->alpha, "a number between 0 and 1, both excluded");

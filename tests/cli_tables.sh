@@ -113,7 +113,7 @@ finish "json: valid whatever the cells hold"
 
 # ---- numbers ----
 run 0 steady
-[ "$(cells out m1 m2 F1 F2 L T alpha gait froude v_start)" = '1 1 4 1 10 1 0.75 quadratic 4 3.016620657688953' ] \
+[ "$(cells out m1 m2 F1 F2 L T alpha gait froude v_start)" = '1 1 4 1 10 1 0.75 quadratic 4 3.0166206576889527' ] \
   || note "$(rows out)"
 [ "$(cells out regime status)" = 'sliding ok' ] || note "$(rows out)"
 [ "$(rows out | cut -f 16)" = '++ -+ ++ | ++ +- ++' ] || note "modes: $(rows out)"

@@ -33,7 +33,7 @@ refused() { # NAME CODE PATTERN ARGUMENT...
 row() { sed '/^#/d' "$1" | sed -n "$(($2 + 1))p"; } # FILE N: the Nth row after the header
 status_of() { row "$1" "$2" | awk -F '\t' '{ print $NF }'; }
 
-commands='phase steady trajectory series claims order figure'
+commands='phase steady trajectory series claims order figure workprec'
 takes_crawler='phase steady trajectory series'
 
 # ---- help and version ----

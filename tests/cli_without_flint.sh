@@ -32,6 +32,7 @@ lacks "phase --certified says what is missing" phase --certified --digits 40
 lacks "series --source derived says what is missing" series --source derived
 lacks "series --source limit says what is missing" series --source limit
 lacks "series --bound says what is missing" series --bound
+lacks "workprec says what is missing" workprec --quick
 printf 'old\n' >kept
 run 3 claims -o kept
 [ "$(cat kept)" = old ] || note "the earlier file is gone"

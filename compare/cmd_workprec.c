@@ -1,0 +1,42 @@
+#include <stddef.h>
+
+#include "compare/compare.h"
+#include "compare/with_flint.h"
+
+static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",      "T",      "alpha", "gait",
+                                       "quick", "summary", "from", "limit", "format", "output", "quiet", NULL };
+
+static enum exit_code run(const struct options *options)
+{
+  return has_flint(options, "the certified value that errors are measured from") ? workprec_table(options) : EXIT_UNSOLVED;
+}
+
+const struct command command_workprec = {
+  .name = "workprec",
+  .summary = "error against run time, of every way to get the steady state",
+  .example = "scallop workprec --quick --gait quadratic --T 0.5",
+  .accepts = accepts,
+  .about =
+      "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
+      "displacement (of the geometric centre over a period). Both gaits and T = 1, 0.1, 0.01, 1e-3, 1e-4, unless given.\n"
+      "error: |answer - certified| / |certified|; over L/T and L where the certified value is 0; of a certified answer\n"
+      "the far end of its ball. Parameters are the doubles nearest to what is written, for every method.\n"
+      "time: seconds for one solve: median, minimum and quartiles over the repetitions. Methods take turns; fast ones are\n"
+      "batched until the clock's own cost is below a thousandth. Only ratios within one table mean anything.\n"
+      "gait_evaluations, events, root_iterations, periods: work that a solve takes; nan where there is no such thing.\n"
+      "pareto: yes where, at this gait, T and quantity, no other row is as exact and as fast, and better in one.\n"
+      "status: ok; cut off: by the limit (time is what it took until then, error that of where it stood); or why there\n"
+      "is no answer. Methods:\n"
+      "published: the paper's formula; corrected: what stands in its place where in the limit a body does not turn.\n"
+      "limit, derived series: derived and summed, all of it timed; coefficients known: only summed, in doubles.\n"
+      "exact: the double solver, one crawler at a time; batch: one of 1024, timed together; one period: from the known\n"
+      "start velocity. certified: ball arithmetic. Known coefficients, batch and one period answer other questions than\n"
+      "the rest: for them pareto is '-', and --summary passes over them.\n"
+      "The rivals, each simulated from rest until its periods repeat, and as the root of its period map: gsl rkf45, rk8pd,\n"
+      "msadams and SUNDIALS cvode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff steppers;\n"
+      "moreau: time stepping, which steps over events.\n"
+      "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
+      "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
+      "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact). --from: of an earlier table.",
+  .run = run,
+};

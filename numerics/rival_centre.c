@@ -1,0 +1,48 @@
+#include "numerics/rival_centre.h"
+
+#include <math.h>
+
+/* Both phases from v0 in L/T; v[kind] is the velocity after each, in the same unit. */
+static enum scallop_status run_phases(struct rival_centre *r, const struct scallop_scaled *s, double v0, double v[2])
+{
+  for (int kind = 0; kind < 2; kind++) {
+    r->fraction = s->fraction[kind];
+    r->eps = s->eps * (r->fraction * r->fraction);
+    r->c = (kind == SCALLOP_EXTENSION ? v0 : v[SCALLOP_EXTENSION]) * r->fraction;
+    enum scallop_status status = r->phase(r, &s->gait->phase[kind]);
+    if (status != SCALLOP_OK)
+      return status;
+    v[kind] = r->c / r->fraction;
+  }
+  return SCALLOP_OK;
+}
+
+enum scallop_status rival_centre_period(struct rival_centre *r, const struct scallop_crawler *crawler, double v0,
+                                        struct scallop_rival_period *period)
+{
+  struct scallop_scaled s;
+  double v[2];
+  enum scallop_status status = scallop_scale(crawler, &s);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v0))
+    return SCALLOP_EDOMAIN;
+  double c0 = v0 / s.velocity;
+  if (!isfinite(c0) || (c0 == 0 && v0 != 0))
+    return SCALLOP_ERANGE;
+  *r = (struct rival_centre){
+    .phase = r->phase, .patience = r->patience, .mu1 = s.mu1, .mu2 = s.mu2, .f1 = s.f1, .f2 = s.f2, .f_difference = s.delta
+  };
+  status = run_phases(r, &s, c0, v);
+  if (status != SCALLOP_OK)
+    return status;
+  struct scallop_rival_period answer = { .v_mid = v[0] * s.velocity,
+                                         .v_end = v[1] * s.velocity,
+                                         .displacement = r->x * crawler->L, /* l is back where it was */
+                                         .steps = r->steps,
+                                         .evaluations = r->evaluations };
+  if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
+    return SCALLOP_ERANGE;
+  *period = answer;
+  return SCALLOP_OK;
+}

@@ -1,0 +1,175 @@
+#include "numerics/smoothed.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "numerics/rival_centre.h"
+#include "numerics/rival_motion.h"
+
+enum { DIMENSION = 2 };
+
+/* The first step tried in a period, and the longest. Between two layers of friction the velocity is a straight line,
+ * which these methods solve exactly, so that the step control would lengthen the step until it leaps over the next
+ * layer. Powers of two: steps of a tenth leave an ulp of a phase, and rk4imp fails on a step of that length. */
+static const double first_step = 0x1p-10, longest_step = 0x1p-5;
+
+struct smoothed {
+  struct scallop_rival rival; /* first, so that the one is the other */
+  gsl_odeiv2_driver *driver;  /* msbdf and rk4imp ask it for the tolerance; else only its parts are used */
+  double delta;
+};
+
+struct run {
+  struct rival_centre centre; /* first, so that the one is the other */
+  const struct smoothed *tools;
+  const struct scallop_piece *piece;
+  double d; /* the velocity over which friction is smoothed */
+  double h; /* what the step control suggests               */
+};
+
+/* ---- the equation of motion ---- */
+
+static int equation(double t, const double y[], double dydt[], void *params)
+{
+  struct run *run = params;
+  struct rival_centre *r = &run->centre;
+  double c = y[0], l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
+  dydt[0] = -r->eps * (r->f1 * tanh((c - r->mu2 * l1) / run->d) + r->f2 * tanh((c + r->mu1 * l1) / run->d));
+  dydt[1] = c;
+  r->evaluations++;
+  return GSL_SUCCESS;
+}
+
+static void gait_rates(const struct scallop_piece *p, double t, double *velocity, double *acceleration)
+{
+  double u = rival_flip(p, t);
+  if (p->curve->rates) {
+    p->curve->rates(p, u, velocity, acceleration);
+    return;
+  }
+  *velocity = p->curve->velocity(p, u);
+  *acceleration = p->curve->acceleration(p, u);
+}
+
+/* d tanh(x)/dx. Not 1/cosh(x)^2, which overflows on the way to 0. */
+static double tanh_slope(double x)
+{
+  double t = tanh(x);
+  return (1 - t) * (1 + t);
+}
+
+static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *params)
+{
+  struct run *run = params;
+  struct rival_centre *r = &run->centre;
+  double c = y[0], l1, l2, steepness = r->eps / run->d;
+  gait_rates(run->piece, t, &l1, &l2);
+  double slope1 = r->f1 * tanh_slope((c - r->mu2 * l1) / run->d);
+  double slope2 = r->f2 * tanh_slope((c + r->mu1 * l1) / run->d);
+  dfdy[0] = -steepness * (slope1 + slope2);
+  dfdy[1] = 0;
+  dfdy[2] = 1;
+  dfdy[3] = 0;
+  dfdt[0] = steepness * ((r->mu2 * slope1 - r->mu1 * slope2) * l2);
+  dfdt[1] = 0;
+  r->evaluations++;
+  return GSL_SUCCESS;
+}
+
+/* ---- one piece, one phase, one period ---- */
+
+static long steps_of(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
+
+static enum scallop_status one_step(struct run *run, double *t, double end, double y[])
+{
+  const gsl_odeiv2_driver *d = run->tools->driver;
+  const gsl_odeiv2_system system = { equation, jacobian, DIMENSION, run };
+  if (!rival_patience_lasts(run->centre.patience))
+    return SCALLOP_ESTOPPED;
+  run->h = fmin(run->h, longest_step);
+  if (gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &system, t, end, &run->h, y) != GSL_SUCCESS || !isfinite(y[0]))
+    return SCALLOP_ECONVERGE;
+  return run->centre.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
+}
+
+/* Each piece begins anew, as l'' may jump there. */
+static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
+{
+  struct rival_centre *r = &run->centre;
+  const gsl_odeiv2_driver *d = run->tools->driver;
+  double t = rival_flip(piece, piece->begin), end = rival_flip(piece, piece->end), y[DIMENSION] = { r->c, r->x };
+  run->piece = piece;
+  if (gsl_odeiv2_evolve_reset(d->e) != GSL_SUCCESS || gsl_odeiv2_step_reset(d->s) != GSL_SUCCESS)
+    return SCALLOP_ECONVERGE;
+  enum scallop_status status = SCALLOP_OK;
+  while (t < end && status == SCALLOP_OK)
+    status = one_step(run, &t, end, y);
+  r->steps += steps_of(d->e);
+  r->c = y[0];
+  r->x = y[1];
+  return status;
+}
+
+static enum scallop_status run_phase(struct rival_centre *centre, const struct scallop_shape *shape)
+{
+  struct run *run = (struct run *)centre;
+  run->d = run->tools->delta * centre->fraction;
+  if (!isnormal(run->d) || !isfinite(centre->eps / run->d))
+    return SCALLOP_ERANGE;
+  enum scallop_status status = SCALLOP_OK;
+  for (int i = 0; i < shape->count && status == SCALLOP_OK; i++)
+    status = run_piece(run, &shape->pieces[i]);
+  return status;
+}
+
+static enum scallop_status smoothed_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
+                                           const struct scallop_patience *patience, struct scallop_rival_period *period)
+{
+  struct run run = { .centre = { .phase = run_phase, .patience = patience },
+                     .tools = (const struct smoothed *)self,
+                     .h = first_step };
+  return rival_centre_period(&run.centre, crawler, v0, period);
+}
+
+/* ---- memory ---- */
+
+static void smoothed_destroy(struct scallop_rival *self)
+{
+  struct smoothed *s = (struct smoothed *)self;
+  gsl_odeiv2_driver_free(s->driver);
+  free(s);
+}
+
+static const gsl_odeiv2_step_type *type_of(enum scallop_smoothed_stepper stepper)
+{
+  switch (stepper) {
+  case SCALLOP_SMOOTHED_MSBDF: return gsl_odeiv2_step_msbdf;
+  case SCALLOP_SMOOTHED_BSIMP: return gsl_odeiv2_step_bsimp;
+  case SCALLOP_SMOOTHED_RK4IMP: return gsl_odeiv2_step_rk4imp;
+  }
+  return NULL;
+}
+
+struct scallop_rival *scallop_smoothed_rival(enum scallop_smoothed_stepper stepper, double delta, double tolerance)
+{
+  static const gsl_odeiv2_system shape = { equation, jacobian, DIMENSION, NULL };
+  const gsl_odeiv2_step_type *type = type_of(stepper);
+  bool good = type && delta > 0 && isfinite(delta) && tolerance >= DBL_EPSILON && tolerance <= 0.1;
+  struct smoothed *s = good ? malloc(sizeof *s) : NULL;
+  if (!s)
+    return NULL;
+  gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* GSL aborts when memory is short */
+  *s = (struct smoothed){ { smoothed_period, smoothed_destroy },
+                          gsl_odeiv2_driver_alloc_y_new(&shape, type, first_step, tolerance, tolerance),
+                          delta };
+  gsl_set_error_handler(handler);
+  if (s->driver)
+    return &s->rival;
+  free(s);
+  return NULL;
+}

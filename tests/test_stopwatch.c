@@ -1,0 +1,151 @@
+/* compare/stopwatch: what does not depend on how fast the machine is. */
+#include "check.h"
+#include "compare/stopwatch.h"
+
+static void spread_of_known_samples(void **state)
+{
+  (void)state;
+  double samples[] = { 7.5, 1.25, 3.5, 2.25, 100 };
+  struct stopwatch_spread s = stopwatch_spread(samples, 5);
+  CHECK_EQUAL(s.median, 3.5);
+  CHECK_EQUAL(s.least, 1.25);
+  CHECK_EQUAL(s.q1, 2.25);
+  CHECK_EQUAL(s.q3, 7.5);
+  assert_int_equal(s.repetitions, 5);
+}
+
+static void spread_between_samples(void **state)
+{
+  (void)state;
+  double four[] = { 4, 1, 3, 2 };
+  struct stopwatch_spread s = stopwatch_spread(four, 4);
+  CHECK_EQUAL(s.median, 2.5);
+  CHECK_EQUAL(s.q1, 1.75);
+  CHECK_EQUAL(s.q3, 3.25);
+  double two[] = { 8, 4 };
+  s = stopwatch_spread(two, 2);
+  CHECK_EQUAL(s.median, 6);
+  CHECK_EQUAL(s.least, 4);
+  CHECK_EQUAL(s.q1, 5);
+  CHECK_EQUAL(s.q3, 7);
+}
+
+static void spread_of_one_and_of_none(void **state)
+{
+  (void)state;
+  double one[] = { 2.385 };
+  struct stopwatch_spread s = stopwatch_spread(one, 1);
+  CHECK_EQUAL(s.median, 2.385);
+  CHECK_EQUAL(s.least, 2.385);
+  CHECK_EQUAL(s.q1, 2.385);
+  CHECK_EQUAL(s.q3, 2.385);
+  assert_int_equal(s.repetitions, 1);
+  s = stopwatch_spread(one, 0);
+  CHECK_EQUAL(s.median, NAN);
+  CHECK_EQUAL(s.least, NAN);
+  CHECK_EQUAL(s.q1, NAN);
+  CHECK_EQUAL(s.q3, NAN);
+  assert_int_equal(s.repetitions, 0);
+}
+
+static void the_clock_never_falls(void **state)
+{
+  (void)state;
+  double last = stopwatch_now();
+  for (int i = 0; i < 100000; i++) {
+    double now = stopwatch_now();
+    assert_true(now >= last);
+    last = now;
+  }
+  struct stopwatch_clock clock = stopwatch_clock();
+  assert_true(clock.cost > 0 && clock.cost < 1);
+  assert_true(clock.step > 0 && clock.step < 1);
+  CHECK_AT_MOST(clock.cost, 1e-3 * stopwatch_long_enough(&clock));
+  CHECK_AT_MOST(clock.step, 1e-3 * stopwatch_long_enough(&clock));
+  struct stopwatch_clock slow = { .cost = 1.5, .step = 2.5 };
+  CHECK_EQUAL(stopwatch_long_enough(&slow), 2500);
+}
+
+static double count_up(void *context)
+{
+  long *calls = context;
+  return (double)++*calls;
+}
+
+static void a_batch_calls_so_often(void **state)
+{
+  (void)state;
+  long calls = 0;
+  double seconds = stopwatch_batch(count_up, &calls, 1234);
+  assert_int_equal(calls, 1234);
+  assert_true(seconds >= 0);
+}
+
+static double busy(void *context)
+{
+  double end = stopwatch_now() + *(const double *)context;
+  while (stopwatch_now() < end)
+    ;
+  return end;
+}
+
+static void passes_fill_the_time(void **state)
+{
+  (void)state;
+  double half_a_millisecond = 5e-4;
+  assert_int_equal(stopwatch_passes(busy, &half_a_millisecond, 1e-5), 1);
+  long passes = stopwatch_passes(busy, &half_a_millisecond,
+                                 1.5e-3); /* fewer than 4 only where something else got in between */
+  assert_true(passes >= 1 && passes <= 4);
+  double start = stopwatch_now();
+  assert_true(stopwatch_batch(busy, &half_a_millisecond, 3) >= 3 * half_a_millisecond);
+  assert_true(stopwatch_now() - start >= 3 * half_a_millisecond);
+}
+
+static void a_limit_ends(void **state)
+{
+  (void)state;
+  struct stopwatch_limit over = stopwatch_limit(0);
+  assert_false(stopwatch_lasts(&over));
+  double start = stopwatch_now();
+  struct stopwatch_limit limit = stopwatch_limit(0.02);
+  long answers = 0;
+  while (stopwatch_lasts(&limit))
+    answers++;
+  double took = stopwatch_now() - start;
+  assert_true(took >= 0.02);
+  assert_true(answers > 0);
+}
+
+/* Fast answers are many to a reading of the clock; slow ones have a reading each, so that a limit is not overrun by many. */
+static void readings_are_thinned_out(void **state)
+{
+  (void)state;
+  struct stopwatch_limit limit = stopwatch_limit(60);
+  for (int i = 0; i < 100000; i++)
+    assert_true(stopwatch_lasts(&limit));
+  assert_true(limit.stride >= 1 && limit.stride <= 1000);
+  limit.stride = limit.ask = 4;
+  limit.last = stopwatch_now() - 1; /* the answers are slow */
+  for (int i = 0; i < 3; i++) {
+    assert_true(stopwatch_lasts(&limit));
+    assert_int_equal(limit.stride, 4);
+  }
+  assert_true(stopwatch_lasts(&limit));
+  assert_int_equal(limit.stride, 1);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(spread_of_known_samples),
+    cmocka_unit_test(spread_between_samples),
+    cmocka_unit_test(spread_of_one_and_of_none),
+    cmocka_unit_test(the_clock_never_falls),
+    cmocka_unit_test(a_batch_calls_so_often),
+    cmocka_unit_test(passes_fill_the_time),
+    cmocka_unit_test(a_limit_ends),
+    cmocka_unit_test(readings_are_thinned_out),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
