@@ -170,7 +170,7 @@ static const char *set_count(struct options *o, const char *name, const char *te
   if (strcmp(name, "threads") == 0)
     return read_count(text, 1, MOST_THREADS, &o->threads) ? NULL : not_allowed(text, "a whole number from 1 to 1024");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
-  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 100000000");
+  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
 }
 
 static const char *set_format(struct options *o, const char *name, const char *text)

@@ -1,4 +1,5 @@
 /* The points and the table of ways. */
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,7 @@
 #include "compare/with_flint.h"
 #include "compare/workprec.h"
 
-enum { MOST_POINTS = 10 };
+enum { MOST_POINTS = 40 };
 
 static const char *const columns[] = {
   "method",      "setting",         "gait",    "T",       "quantity",    "error",
@@ -32,6 +33,7 @@ struct run {
 static const char *add_point(struct run *r, const struct scallop_gait *gait, double T)
 {
   struct scallop_crawler c = r->options->crawler;
+  assert(r->count < MOST_POINTS);
   c.gait = gait;
   c.T = T;
   return point_init(&r->points[r->count++], &c);

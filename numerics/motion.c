@@ -326,15 +326,13 @@ static void enter(struct walk *w, const struct scallop_piece *piece)
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes)
 {
   if (motion->trail)
-    ramps_modes(motion->trail, kind, modes);
+    trail_modes(motion->trail, kind, modes);
   else
     *modes = motion->modes;
 }
 
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context)
 {
-  if (input->shape->ramps && !visit && ramps_solve(input, c0, motion))
-    return;
   motion->travel = motion->extra_impulse = motion->slope = 0;
   motion->sticks = motion->forgets = false;
   motion->never_moved[0] = motion->never_moved[1] = true;

@@ -4,14 +4,31 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/concave.h"
+#include "numerics/ramps.h"
+
+/* By a short cut where there is one. */
+static void solve_phase(const struct motion_input *input, double c0, struct motion *motion)
+{
+  bool solved = input->shape->ramps     ? ramps_solve(input, c0, motion)
+                : input->shape->concave ? concave_solve(input, c0, motion)
+                                        : false;
+  if (!solved)
+    motion_solve(input, c0, motion, NULL, NULL);
+}
+
 void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context)
 {
   struct motion_input input = motion_input_of(s, kind);
   bool extension = kind == SCALLOP_EXTENSION;
   double fraction = s->fraction[kind], entry = extension ? period->c_start : period->c_mid;
-  motion_solve(&input, entry * fraction, &period->phase[kind], visit, context);
-  *(extension ? &period->c_mid : &period->c_end) = period->phase[kind].c_end / fraction;
+  struct motion *motion = &period->phase[kind];
+  if (visit)
+    motion_solve(&input, entry * fraction, motion, visit, context);
+  else
+    solve_phase(&input, entry * fraction, motion);
+  *(extension ? &period->c_mid : &period->c_end) = motion->c_end / fraction;
 }
 
 void period_conclude(const struct scallop_scaled *s, struct period *period)

@@ -5,8 +5,6 @@
 
 /* Regions and curves are those of motion.c. By symmetry c starts at or above 0 here: a motion that starts below is seen
  * in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. */
-enum state { ABOVE, BETWEEN, BELOW, HELD_ABOVE /* on curve 0 */, HELD_BELOW /* on curve 1 */ };
-enum { STATE_BITS = 3, STATE_MASK = 7 };
 
 struct side {
   double q0, q1;         /* curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|                         */
@@ -24,12 +22,12 @@ struct progress {
 #define INLINE static inline __attribute__((always_inline))
 
 /* A state that lasts, from time t after the start and r before the end. */
-INLINE void begin(struct progress *p, enum state state, double t, double r)
+INLINE void begin(struct progress *p, enum trail_state state, double t, double r)
 {
-  p->first_switch = p->shift == STATE_BITS ? t : p->first_switch;
+  p->first_switch = p->shift == TRAIL_BITS ? t : p->first_switch;
   p->last_switch = p->shift > 0 ? r : p->last_switch;
   p->trail |= (unsigned)(state + 1) << p->shift;
-  p->shift += STATE_BITS;
+  p->shift += TRAIL_BITS;
 }
 
 /* On along a straight line to velocity c. */
@@ -59,7 +57,7 @@ INLINE void cross(struct progress *p, double change, double slope, double along)
 /* ---- the way up; false: too close to call ---- */
 
 /* Between the curves from time t: c can only meet curve 1, and is then held by it. */
-INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum state *state)
+INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum trail_state *state)
 {
   const struct side *s = &p->side;
   double d = r->top - t, c = p->c + s->between * d, steep = r->up * s->q1, floor = -steep * r->top;
@@ -83,7 +81,7 @@ INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum
   return u < r->top;
 }
 
-INLINE bool go_up(struct progress *p, const struct ramps *r, enum state *state)
+INLINE bool go_up(struct progress *p, const struct ramps *r, enum trail_state *state)
 {
   const struct side *s = &p->side;
   double steep = r->up * s->q0, t = p->c / (steep + s->eps);
@@ -178,7 +176,7 @@ INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
   return true;
 }
 
-INLINE bool go_down(struct progress *p, const struct ramps *r, enum state state)
+INLINE bool go_down(struct progress *p, const struct ramps *r, enum trail_state state)
 {
   switch (state) {
   case ABOVE: return above_down(p, r);
@@ -193,24 +191,24 @@ INLINE bool go_down(struct progress *p, const struct ramps *r, enum state state)
 /* ---- the phase ---- */
 
 /* Region 0 to region 2 and back, curve 0 to curve 1 and back */
-static unsigned mirrored(unsigned trail)
+unsigned trail_mirrored(unsigned trail)
 {
   static const unsigned char other[] = { 0, 1 + BELOW, 1 + BETWEEN, 1 + ABOVE, 1 + HELD_BELOW, 1 + HELD_ABOVE };
   unsigned out = 0;
-  for (int shift = 0; trail >> shift; shift += STATE_BITS)
-    out |= (unsigned)other[trail >> shift & STATE_MASK] << shift;
+  for (int shift = 0; trail >> shift; shift += TRAIL_BITS)
+    out |= (unsigned)other[trail >> shift & TRAIL_MASK] << shift;
   return out;
 }
 
-void ramps_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes)
+void trail_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes)
 {
   static const struct scallop_mode mode[2][6] = {
     { { 0, 0 }, { 1, 1 }, { -1, 1 }, { -1, -1 }, { 0, 1 }, { -1, 0 } },
     { { 0, 0 }, { 1, 1 }, { 1, -1 }, { -1, -1 }, { 1, 0 }, { 0, -1 } },
   };
   modes->count = 0;
-  for (; trail; trail >>= STATE_BITS)
-    modes->kept[modes->count++] = mode[kind][trail & STATE_MASK];
+  for (; trail; trail >>= TRAIL_BITS)
+    modes->kept[modes->count++] = mode[kind][trail & TRAIL_MASK];
 }
 
 bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion)
@@ -229,7 +227,7 @@ bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion
                         .c = fabs(c0),
                         .first_switch = NAN,
                         .last_switch = NAN };
-  enum state state;
+  enum trail_state state;
   if (!go_up(&p, &ramps, &state) || !go_down(&p, &ramps, state))
     return false;
   motion->c_end = sign * p.c + 0.0; /* no -0 */
@@ -239,7 +237,7 @@ bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion
   motion->forgets = motion->sticks = p.held;
   motion->first_switch = p.first_switch;
   motion->last_switch = p.last_switch;
-  motion->trail = forward ? p.trail : mirrored(p.trail);
+  motion->trail = forward ? p.trail : trail_mirrored(p.trail);
   motion->never_moved[rear_is_1 ? 0 : 1] = motion->trail == 1 + HELD_ABOVE;
   motion->never_moved[rear_is_1 ? 1 : 0] = motion->trail == 1 + HELD_BELOW;
   motion->work = (struct scallop_work){ .events = p.events };

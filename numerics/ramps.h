@@ -12,6 +12,12 @@ struct ramps {
   double top, rest; /* rest = 1 - top                                                                    */
 };
 
+/* The regions and curves of motion.c on which c lies in turn, in short: state + 1 in three bits each, the first one lowest. */
+enum trail_state { ABOVE, BETWEEN, BELOW, HELD_ABOVE /* on curve 0 */, HELD_BELOW /* on curve 1 */ };
+enum { TRAIL_BITS = 3, TRAIL_MASK = 7 };
+unsigned trail_mirrored(unsigned trail);
+void trail_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes);
+
 /* For a shape that has them (shape->ramps). */
 static inline struct ramps ramps_of(const struct scallop_shape *shape)
 {
@@ -22,8 +28,5 @@ static inline struct ramps ramps_of(const struct scallop_shape *shape)
 /* As motion_solve, without a visitor; the modes come as motion->trail. False: something touches or meets exactly, within rounding,
  * which is for motion_solve to judge; *motion is then of no use. */
 bool ramps_solve(const struct motion_input *input, double c0, struct motion *motion);
-
-/* The modes behind a trail, for a phase of that kind. */
-void ramps_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes);
 
 #endif
