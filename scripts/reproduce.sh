@@ -34,6 +34,15 @@ ledger 'c["inside"] == "yes" && (c["claim"] == "text_steady_velocity" || c["clai
   printf "  %-13s %-6s %-11s claimed O(T^%s), proven T^%s: %s\n", c["quantity"], c["equation"], c["gait"], c["claimed_order"],
     c["derived_order"], c["verdict"] }'
 echo
+echo "Error against run time (data/workprec.tsv, from one run of \`scallop workprec\`; displacement): how many times as long as the"
+echo "exact solver the cheapest general-purpose method takes, and the cheapest simulation; - where none got there in a second"
+"$scallop" workprec --from data/workprec.tsv | awk -F '\t' '
+  function times(x) { return x == "nan" ? "-" : x }
+  BEGIN { printf "  %-11s %7s %10s %10s %10s %18s\n", "gait", "T", "to 1e-2", "to 1e-6", "to 1e-12", "simulation to 1e-2" }
+  $3 == "displacement" && $4 == "1e-2" { first = times($17); simulated = times($19) }
+  $3 == "displacement" && $4 == "1e-6" { second = times($17) }
+  $3 == "displacement" && $4 == "1e-12" { printf "  %-11s %7s %10s %10s %10s %18s\n", $1, $2, first, second, times($17), simulated }'
+echo
 echo "Refuted under the paper's own conditions:"
 ledger 'c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] != "-" {
   printf "  %-24s %-7s %-13s %-11s claimed O(T^%s), proven T^%s; right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
