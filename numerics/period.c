@@ -45,12 +45,11 @@ void period_conclude(const struct scallop_scaled *s, struct period *period)
   period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
 }
 
-void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period)
+void period_solve(const struct scallop_scaled *scaled, double c_start, double solved, struct period *period)
 {
-  double before = period->c_mid;
   period->c_start = c_start;
   period_phase(scaled, SCALLOP_EXTENSION, period, NULL, NULL);
-  if (period->c_mid != before) /* once a body has been held, it is often the very same */
+  if (period->c_mid != solved) /* once a body has been held, it is often the very same */
     period_phase(scaled, SCALLOP_CONTRACTION, period, NULL, NULL);
   period_conclude(scaled, period);
 }
@@ -89,8 +88,7 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   if (!isfinite(c_start) || (c_start == 0 && v0 != 0))
     return SCALLOP_ERANGE;
   struct period period;
-  period.c_mid = NAN;
-  period_solve(&scaled, c_start, &period);
+  period_solve(&scaled, c_start, NAN, &period);
   struct scallop_period_result answer;
   period_result(crawler, &scaled, &period, &answer);
   answer.v_start = v0;

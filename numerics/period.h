@@ -28,8 +28,8 @@ void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind k
                   scallop_visitor *visit, void *context);
 void period_conclude(const struct scallop_scaled *scaled, struct period *period);
 
-/* *period is what this call left for the same input, or has c_mid = nan. */
-void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
+/* solved: the start velocity of the contraction that *period holds already, or nan. */
+void period_solve(const struct scallop_scaled *scaled, double c_start, double solved, struct period *period);
 void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *period,
                    struct scallop_period_result *result);
 

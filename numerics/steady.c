@@ -28,8 +28,7 @@ static struct bracket surely(const struct scallop_scaled *s)
 static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
-  p.c_mid = NAN;
-  period_solve(s, c, &p);
+  period_solve(s, c, NAN, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
 
@@ -91,15 +90,16 @@ static bool settled(const struct period *p)
 }
 
 /* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
- * Newton's method is in doubt, which is seldom. */
-static enum scallop_status find_root(const struct scallop_scaled *s, double guess, struct period *p,
+ * Newton's method is in doubt, which is seldom. solved as in period_solve. */
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, struct period *p,
                                      struct scallop_work *work)
 {
   double c = isfinite(guess) ? guess : 0;
   struct bracket b = { -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {
-    period_solve(s, c, p);
+    period_solve(s, c, solved, p);
+    solved = p->c_mid;
     add_work(work, p);
     if (settled(p))
       return SCALLOP_OK;
@@ -164,20 +164,20 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct held
 static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c, struct period *period,
                                   struct bracket *at, struct scallop_work *work)
 {
+  double solved = NAN;
   *work = (struct scallop_work){ 0 };
-  period->c_mid = NAN;
   if (hint == EXTENSION_HOLDS) {
-    period->c_mid = 0;
+    period->c_mid = solved = 0;
     period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
     c = period->c_end;
   }
-  enum scallop_status status = find_root(s, hint == CONTRACTION_HOLDS ? 0 : c, period, work);
+  enum scallop_status status = find_root(s, hint == CONTRACTION_HOLDS ? 0 : c, solved, period, work);
   if (status != SCALLOP_OK)
     return status;
   *at = steady_states(s, period->c_start);
   if (!(at->lo < at->hi))
     return SCALLOP_OK;
-  period_solve(s, fmin(fmax(0, at->lo), at->hi), period);
+  period_solve(s, fmin(fmax(0, at->lo), at->hi), NAN, period);
   return SCALLOP_INTERVAL;
 }
 
