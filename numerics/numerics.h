@@ -69,7 +69,7 @@ struct scallop_phase_result {
 
 /* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
  * Relative accuracy: a few ulp of each result, times its condition number; of dx1 and dx2, whose parts cancel where a body hardly
- * moves, a few ulp of L.
+ * moves, a few ulp of L. A mode that lasts less than rounding may be missing from the list.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
@@ -85,13 +85,14 @@ struct scallop_period_result {
   double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
   double v_end;          /* velocity after the period: the period map                             */
   double displacement;   /* of the geometric centre over the period                               */
-  double multiplier;     /* d v_end / d v_start, in [0, 1); from the right where it has two sides */
+  double multiplier;     /* d v_end / d v_start, in [0, 1), or 1 by rounding; from the right where it has two sides */
   double balance;        /* mean friction force over the period / (F1 + F2): 0 when steady        */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };
 
-/* The period map P(v0): extension, then contraction. Statuses as scallop_phase. */
+/* The period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase; a displacement that is small because what
+ * the phases do cancels is good to a few ulp of L. */
 enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result);
 
 struct scallop_steady_result {

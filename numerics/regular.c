@@ -68,6 +68,7 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
   const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
+  r->c_start = 0;
   if (!regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
     return CONTRACTION_HOLDS;
   if (!regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))

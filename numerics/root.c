@@ -46,12 +46,13 @@ static double brent(struct problem *problem, double a, double b)
   return gsl_root_fsolver_root(&solver);
 }
 
-/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. */
+/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. Written so that no power of f is formed,
+ * which could underflow. */
 static double inverse_cubic_step(const struct root_end *p, const struct root_end *before)
 {
-  double d = p->f - before->f, steep = 1 / p->slope;
-  double e = (before->u - p->u + d * steep) / (d * d), g = (1 / before->slope - steep) / d;
-  return -p->f * (steep - p->f * (3 * e + g - p->f * ((g + 2 * e) / d)));
+  double d = p->f - before->f, steep = 1 / p->slope, part = p->f / d;
+  double e = before->u - p->u + d * steep, g = d * (1 / before->slope - steep);
+  return part * part * (3 * e + g - part * (g + 2 * e)) - p->f * steep;
 }
 
 static double clamp(double u, double a, double b)

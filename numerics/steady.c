@@ -7,7 +7,7 @@
 #include "numerics/period.h"
 #include "numerics/regular.h"
 
-enum { STEPS = 500 };
+enum { STEPS = 2200 /* doubles can be halved no longer */ };
 
 struct bracket {
   double lo, hi;
@@ -171,7 +171,7 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
     period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
     c = period->c_end;
   }
-  enum scallop_status status = find_root(s, hint == CONTRACTION_HOLDS ? 0 : c, solved, period, work);
+  enum scallop_status status = find_root(s, c, solved, period, work);
   if (status != SCALLOP_OK)
     return status;
   *at = steady_states(s, period->c_start);

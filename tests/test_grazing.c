@@ -91,9 +91,48 @@ static void stops_at_once(void **state)
   CHECK_NEAR(r.dx1, 0, 1e-14);
 }
 
+/* Forces so weak that the square of a velocity is nothing: a phase is the first half of the period all the same. */
+static void weak_forces(void **state)
+{
+  (void)state;
+  static const struct {
+    struct scallop_crawler crawler;
+    double v0, v_mid;
+  } cases[] = {
+    { { 36.626869277420411, 2.3911884071309298e-05, 709.08612760092365, 2.9961505568387519e-06, 0.61207812813796758,
+        6.5952214710378513e-76, 2.8529183881134063e-06, &scallop_gait_sinusoidal },
+      1.8867979468063009e-80,
+      5.529e-80 },
+    { { 1.1043461739757818e-06, 174.32928666529079, 1365.612623937154, 10935.025825297991, 0.24579963240708735,
+        7.5062844931743244e-81, 0.21028367271181539, &scallop_gait_sinusoidal },
+      0,
+      -8.66e-80 },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct scallop_phase_result r = solve(&cases[i].crawler, SCALLOP_EXTENSION, cases[i].v0);
+    struct scallop_period_result p;
+    assert_int_equal(scallop_period(&cases[i].crawler, cases[i].v0, &p), SCALLOP_OK);
+    CHECK_NEAR(r.v_end, cases[i].v_mid, 1e-3 * fabs(cases[i].v_mid));
+    CHECK_NEAR(r.v_end, p.v_mid, 1e-14 * fabs(p.v_mid));
+  }
+}
+
+/* So light a body that the steady velocity is 1e-147 of l': no bracket is too wide. */
+static void far_from_the_guess(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
+                               1, 0.39310801961328146,     &scallop_gait_sinusoidal };
+  struct scallop_steady_result s;
+  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  CHECK_NEAR(s.period.v_start, -7.170448668775392e-147, 1e-160);
+  CHECK_NEAR(s.period.v_end, s.period.v_start, 1e-160);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge), cmocka_unit_test(touches_where_it_is_held),
-                                      cmocka_unit_test(stops_at_once) };
+                                      cmocka_unit_test(stops_at_once), cmocka_unit_test(weak_forces),
+                                      cmocka_unit_test(far_from_the_guess) };
   return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
 }
