@@ -6,9 +6,23 @@
 static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",      "T",      "alpha", "gait",
                                        "quick", "summary", "from", "limit", "format", "output", "quiet", NULL };
 
+/* An option that --from leaves without an effect; NULL if there is none. */
+static const char *useless_with_from(const struct options *o)
+{
+  for (int i = 0; i < 7; i++)
+    if (o->written[i])
+      return crawler_parameters[i];
+  return o->has_gait ? "gait" : o->quick ? "quick" : o->limit > 0 ? "limit" : NULL;
+}
+
 static enum exit_code run(const struct options *options)
 {
-  return has_flint(options, "the certified value that errors are measured from") ? workprec_table(options) : EXIT_UNSOLVED;
+  const char *useless = options->from ? useless_with_from(options) : NULL;
+  if (useless) {
+    complain("workprec", "--from takes its rows from a table: --%s has nothing to do there", useless);
+    return EXIT_USAGE;
+  }
+  return has_flint(options, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
 }
 
 const struct command command_workprec = {
@@ -25,8 +39,9 @@ const struct command command_workprec = {
       "batched until the clock's own cost is below a thousandth. Only ratios within one table mean anything.\n"
       "gait_evaluations, events, root_iterations, periods: work that a solve takes; nan where there is no such thing.\n"
       "pareto: yes where, at this gait, T and quantity, no other row is as exact and as fast, and better in one.\n"
-      "status: ok; cut off: by the limit (time is what it took until then, error that of where it stood); or why there\n"
-      "is no answer. Methods:\n"
+      "status: ok: the method was content, however wrong: a root or a simulation of a map whose own error outweighs what\n"
+      "friction does in a period settles somewhere else; cut off: by the limit (time is what it took until then, error\n"
+      "that of where it stood); or why there is no answer. The whole run takes some 7 minutes. Methods:\n"
       "published: the paper's formula; corrected: what stands in its place where in the limit a body does not turn.\n"
       "limit, derived series: derived and summed, all of it timed; coefficients known: only summed, in doubles.\n"
       "exact: the double solver, one crawler at a time; batch: one of 1024, timed together; one period: from the known\n"

@@ -19,7 +19,7 @@ struct description {
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000, MOST_THREADS = 1024 };
+enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
 enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
 
 static char message[240];
@@ -167,8 +167,6 @@ static const char *set_count(struct options *o, const char *name, const char *te
   o->has_order |= strcmp(name, "order") == 0;
   if (strcmp(name, "order") == 0)
     return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
-  if (strcmp(name, "threads") == 0)
-    return read_count(text, 1, MOST_THREADS, &o->threads) ? NULL : not_allowed(text, "a whole number from 1 to 1024");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
   return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
 }
@@ -268,13 +266,11 @@ static const struct description descriptions[] = {
   { "order", "N", "derive all terms below T^N, N from 1 to 1000 (8)", set_count },
   { "bound", NULL, "bounds for the error of the derived terms below T^N", set_flag },
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
-  { "quick", NULL, "one T, few settings and a short limit: a look, in seconds", set_flag },
+  { "quick", NULL, "few settings, T = 0.5 and 0.01 unless --T is given, a short limit: a look, in seconds", set_flag },
   { "summary", NULL, "for each wanted error the cheapest method, and how many times as long the others take", set_flag },
   { "from", "FILE", "that summary of a table which was written before; nothing is measured", set_file },
   { "limit", "SECONDS", "for each method and setting, from 0.001 to 3600 (1; 0.05 with --quick)", set_limit },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
-  { "threads", "N", "threads that solve the points of a file (1); reading and writing, most of the work, are done by one",
-    set_count },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
   { "output", "FILE", "write there instead of to standard output; also -o", set_file },
@@ -394,7 +390,6 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10,
                          .samples = 40,
-                         .threads = 1,
                          .source = "published",
                          .order = 8,
                          .tolerance = 0.1 };

@@ -31,7 +31,7 @@ struct options {
   const char *output; /* NULL: standard output                                           */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
-  long periods, samples, threads;
+  long periods, samples;
   double expect, tolerance;
   const char *from;    /* workprec: a table to summarise, or NULL                              */
   double limit;        /* workprec: seconds for each setting; 0: not given                   */

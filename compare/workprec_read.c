@@ -38,7 +38,8 @@ static int split(char *line, char **cells)
 
 static bool refuse(const struct reading *r, const char *what, const char *cell)
 {
-  complain("workprec", "%s:%ld: %s '%.60s': `scallop workprec` writes such a table", r->name, r->lines.number, what, cell);
+  complain("workprec", "%s:%ld: %s '%.60s': `scallop workprec` writes such a table, as TSV", r->name, r->lines.number, what,
+           cell);
   return false;
 }
 
@@ -171,7 +172,7 @@ static enum exit_code read_file(const char *name, struct table *table)
     complain("workprec", "cannot read %s: %s", name, strerror(errno));
     code = EXIT_FILE;
   } else if (code == EXIT_DONE && r->rows == 0) {
-    complain("workprec", "%s: no rows: `scallop workprec` writes such a table", name);
+    complain("workprec", "%s: no rows: `scallop workprec` writes such a table, as TSV", name);
     code = EXIT_USAGE;
   }
   end_point(r);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# steady --points in blocks: as row by row, whatever the number of rows and of threads, in constant memory.
+# steady --points in blocks: as row by row, whatever the number of rows, in constant memory.
 # Usage: sh tests/cli_points.sh build/scallop. One line for each check; non-zero if any failed.
 . "$(dirname "$0")/common.sh"
 
@@ -54,20 +54,6 @@ for gait in quadratic sinusoidal; do
 done
 finish "alternating gaits are those of two files"
 
-# ---- threads ----
-for n in 1 2 3 7 1024; do
-  all --threads $n
-  cmp -s out table.tsv || note "$n threads: another table"
-done
-finish "--threads: the same bytes"
-for n in 0 1025 -1 1.5 '' many; do
-  "$tool" steady --threads "$n" >out 2>err && note "--threads '$n' is taken"
-  grep -q -e "--threads: '$n'.*whole number from 1 to 1024" err || note "--threads '$n': $(cat err)"
-done
-run 2 phase --threads 2
-grep -q "does not take the option '--threads'" err || note "phase: $(cat err)"
-finish "--threads: values that are not allowed"
-
 # ---- rows without an answer ----
 # The row's number among the points is its line - 1. All of the third block is refused.
 awk -F '\t' -v OFS='\t' '
@@ -82,7 +68,7 @@ awk -F '\t' -v OFS='\t' '
   row == 704 { printf "%s\t%s\t", $1, $2; for (i = 0; i < 300; i++) printf "long"; print "\t1\t1\t1\t0.5\tquadratic"; next }
   row > 2048 && row <= 3072 { $5 = "inf" }
   { print }' points.tsv >broken.tsv
-run 3 steady --points broken.tsv --threads 2
+run 3 steady --points broken.tsv
 cp out broken
 grep -q -x 'scallop steady: 1035 of 5000 points could not be solved: the column .status. says why' err || note "$(cat err)"
 rows broken >now
@@ -163,7 +149,7 @@ def kilobytes(rows, text): # the peak of all children so far
     with open("many.tsv", "w") as f:
         f.write("m1\tm2\tF1\tF2\tL\tT\talpha\n")
         f.writelines(text for _ in range(rows))
-    subprocess.run([sys.argv[1], "steady", "--points", "many.tsv", "--threads", "1"],
+    subprocess.run([sys.argv[1], "steady", "--points", "many.tsv"],
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 for text in row, "-" + row:

@@ -274,5 +274,10 @@ printf 'old\n' >kept
 refuse 3 'no certified steady state.*quadratic gait and T = 1' --m1 1e-300 --m2 1e300 -o kept
 refuse 4 'cannot write nowhere/x' --quick -o nowhere/x
 [ "$(cat kept)" = old ] || note "the earlier file is gone"
+for useless in '--T 1' '--gait quadratic' '--F1 2' '--limit 1' '--quick'; do
+  # shellcheck disable=SC2086
+  run 2 workprec --from committed.tsv $useless
+  grep -q -e "${useless%% *} has nothing to do there" err || note "$useless: $(cat err)"
+done
 finish "bad usage"
 exit $failed
