@@ -19,12 +19,7 @@ struct meeting { /* of a line with a curve                                      
 static void look(const struct scallop_piece *p, struct meeting *m, struct scallop_work *work)
 {
   double velocity, acceleration;
-  if (p->curve->rates) {
-    p->curve->rates(p, m->x, &velocity, &acceleration);
-  } else {
-    velocity = p->curve->velocity(p, m->x);
-    acceleration = p->curve->acceleration(p, m->x);
-  }
+  piece_rates(p, m->x, &velocity, &acceleration);
   m->height = p->direction * velocity;
   m->slope = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * acceleration;
   work->gait_evaluations++;

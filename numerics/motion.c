@@ -45,12 +45,7 @@ static inline struct rates rates_at(const struct walk *w, double u)
     return (struct rates){ p->direction * (p->velocity + p->acceleration * (w->sense * u)), p->direction * p->acceleration };
   double velocity, acceleration;
   w->out->work.gait_evaluations++;
-  if (p->curve->rates) {
-    p->curve->rates(p, u, &velocity, &acceleration);
-  } else {
-    velocity = p->curve->velocity(p, u);
-    acceleration = p->curve->acceleration(p, u);
-  }
+  piece_rates(p, u, &velocity, &acceleration);
   return (struct rates){ p->direction * velocity, p->direction * acceleration };
 }
 

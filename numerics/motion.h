@@ -5,6 +5,17 @@
 
 #include "numerics/numerics.h"
 
+/* l' and l'' at an offset of a piece */
+static inline void piece_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+{
+  if (p->curve->rates) {
+    p->curve->rates(p, u, velocity, acceleration);
+  } else {
+    *velocity = p->curve->velocity(p, u);
+    *acceleration = p->curve->acceleration(p, u);
+  }
+}
+
 struct motion_input {
   const struct scallop_scaled *scaled;
   const struct scallop_shape *shape;

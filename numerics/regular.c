@@ -27,12 +27,7 @@ static double first_guess(const struct scallop_scaled *s)
 static struct tangent tangent_at(const struct scallop_piece *p, double x)
 {
   double velocity, acceleration;
-  if (p->curve->rates) {
-    p->curve->rates(p, x, &velocity, &acceleration);
-  } else {
-    velocity = p->curve->velocity(p, x);
-    acceleration = p->curve->acceleration(p, x);
-  }
+  piece_rates(p, x, &velocity, &acceleration);
   double slope = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * acceleration;
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }

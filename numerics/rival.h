@@ -10,8 +10,8 @@
 
 #include "numerics/numerics.h"
 
-/* Asked before each step and each period while a rival works; false: it gives up with SCALLOP_ESTOPPED. NULL instead of it: it may take as long as
- * it takes. */
+/* Asked before each step and each period while a rival works; false: it gives up with SCALLOP_ESTOPPED. NULL instead of it: it may
+ * take as long as it takes. */
 struct scallop_patience {
   bool (*lasts)(void *context);
   void *context;
