@@ -187,7 +187,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   struct regular regular;
   struct held held;
   struct period period;
-  struct bracket at;
+  struct bracket at = { 0, 0 };
   struct scallop_work work = { 0 };
   enum scallop_status status = scallop_scale(crawler, &s);
   if (status != SCALLOP_OK)
