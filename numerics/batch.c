@@ -76,7 +76,7 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     out->displacement[i] = displacement;
     out->mean_velocity[i] = mean;
     out->multiplier[i] = r.multiplier;
-    out->valid[i] = valid & (fabs(mean) <= DBL_MAX) ? 1 : 0;
+    out->valid[i] = (valid & (fabs(mean) <= DBL_MAX)) ? 1 : 0;
   }
 }
 
@@ -103,7 +103,7 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
       out->stuck[phase][i] = h.stuck[phase];
       out->grip[phase][i] = h.grip[phase];
     }
-    out->valid[i] = valid & (h.margin > 0) & (fabs(mean) <= DBL_MAX) ? 1 : 0;
+    out->valid[i] = (valid & (h.margin > 0) & (fabs(mean) <= DBL_MAX)) ? 1 : 0;
   }
 }
 

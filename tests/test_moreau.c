@@ -209,7 +209,7 @@ static void bad_input(void **state)
   (void)state;
   assert_null(scallop_moreau_rival(0));
   assert_null(scallop_moreau_rival(-1));
-  if (LONG_MAX > 0x1p53)
+  if ((double)LONG_MAX > 0x1p53)
     assert_null(scallop_moreau_rival(LONG_MAX));
   refused(&good, NAN, SCALLOP_EDOMAIN);
   refused(&good, -INFINITY, SCALLOP_EDOMAIN);
