@@ -8,7 +8,7 @@
 #include "tests/random_crawler.h"
 
 #if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
-static long allocations;
+static volatile long allocations; /* the compiler must not think that it knows what malloc does */
 
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
@@ -32,10 +32,9 @@ void *realloc(void *old, size_t size)
   return __libc_realloc(old, size);
 }
 
-/* Brings the count up to date: the compiler must not think that it knows malloc. */
 static long counted(void)
 {
-  void *volatile block = malloc(1);
+  void *volatile block = malloc(1); /* or it counts nothing */
   free(block);
   return allocations;
 }
