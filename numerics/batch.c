@@ -225,9 +225,13 @@ static long solve_block(const struct scallop_crawlers *c, const struct scallop_s
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads)
 {
   long count = crawlers->count, failed = 0;
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1) reduction(+ : failed)
+  if (threads <= 1) { /* without the runtime of OpenMP, which may allocate */
+    for (long first = 0; first < count; first += BLOCK)
+      failed += solve_block(crawlers, states, first, count - first < BLOCK ? (int)(count - first) : BLOCK);
+    return failed;
+  }
+#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
   for (long first = 0; first < count; first += BLOCK)
     failed += solve_block(crawlers, states, first, count - first < BLOCK ? (int)(count - first) : BLOCK);
-  (void)threads;
   return failed;
 }
