@@ -6,6 +6,7 @@
 
 #include "numerics/concave.h"
 #include "numerics/ramps.h"
+#include "numerics/start.h"
 
 /* By a short cut where there is one. */
 static void solve_phase(const struct motion_input *input, double c0, struct motion *motion)
@@ -79,14 +80,10 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
 enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result)
 {
   struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(crawler, &scaled);
+  double c_start;
+  enum scallop_status status = start_scaled(crawler, v0, &scaled, &c_start);
   if (status != SCALLOP_OK)
     return status;
-  double c_start = v0 / scaled.velocity;
-  if (!isfinite(v0))
-    return SCALLOP_EDOMAIN;
-  if (!isfinite(c_start) || (c_start == 0 && v0 != 0))
-    return SCALLOP_ERANGE;
   struct period period;
   period_solve(&scaled, c_start, NAN, &period);
   struct scallop_period_result answer;

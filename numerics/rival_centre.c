@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "numerics/start.h"
+
 /* Both phases from v0 in L/T; v[kind] is the velocity after each, in the same unit. */
 static enum scallop_status run_phases(struct rival_centre *r, const struct scallop_scaled *s, double v0, double v[2])
 {
@@ -21,15 +23,10 @@ enum scallop_status rival_centre_period(struct rival_centre *r, const struct sca
                                         struct scallop_rival_period *period)
 {
   struct scallop_scaled s;
-  double v[2];
-  enum scallop_status status = scallop_scale(crawler, &s);
+  double c0, v[2];
+  enum scallop_status status = start_scaled(crawler, v0, &s, &c0);
   if (status != SCALLOP_OK)
     return status;
-  if (!isfinite(v0))
-    return SCALLOP_EDOMAIN;
-  double c0 = v0 / s.velocity;
-  if (!isfinite(c0) || (c0 == 0 && v0 != 0))
-    return SCALLOP_ERANGE;
   *r = (struct rival_centre){
     .phase = r->phase, .patience = r->patience, .mu1 = s.mu1, .mu2 = s.mu2, .f1 = s.f1, .f2 = s.f2, .f_difference = s.delta
   };

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/start.h"
+
 /* ---- the mode ---- */
 
 static void set_mode(struct rival_motion *m, int s1, int s2)
@@ -142,21 +144,16 @@ enum scallop_status rival_motion_period(struct rival_motion *m, const struct sca
                                         struct scallop_rival_period *period)
 {
   struct scallop_scaled s;
-  double v[2];
-  enum scallop_status status = scallop_scale(crawler, &s);
+  double c0, v[2];
+  enum scallop_status status = start_scaled(crawler, v0, &s, &c0);
   if (status != SCALLOP_OK)
     return status;
-  if (!isfinite(v0))
-    return SCALLOP_EDOMAIN;
-  double unit = crawler->L / crawler->T, c0 = v0 / unit;
-  if (!isfinite(c0) || (c0 == 0 && v0 != 0))
-    return SCALLOP_ERANGE;
   *m = (struct rival_motion){ .slide = m->slide, .patience = m->patience, .mu = { s.mu1, s.mu2 }, .f = { s.f1, s.f2 } };
   status = run_phases(m, &s, c0, v);
   if (status != SCALLOP_OK)
     return status;
-  struct scallop_rival_period answer = { .v_mid = v[0] * unit,
-                                         .v_end = v[1] * unit,
+  struct scallop_rival_period answer = { .v_mid = v[0] * s.velocity,
+                                         .v_end = v[1] * s.velocity,
                                          .displacement = m->y[1] * crawler->L, /* l is back where it was */
                                          .steps = m->steps,
                                          .evaluations = m->evaluations,
