@@ -35,7 +35,7 @@ ledger 'c["inside"] == "yes" && (c["claim"] == "text_steady_velocity" || c["clai
     c["derived_order"], c["verdict"] }'
 echo
 echo "Error against run time (data/workprec.tsv, from one run of \`scallop workprec\`; displacement): how many times as long as the"
-echo "exact solver the cheapest general-purpose method takes, and the cheapest simulation; - where none got there in a second"
+echo "exact solver the cheapest general-purpose method takes, and the cheapest simulation; - where no setting got there"
 "$scallop" workprec --from data/workprec.tsv | awk -F '\t' '
   function times(x) { return x == "nan" ? "-" : x }
   BEGIN { printf "  %-11s %7s %10s %10s %10s %18s\n", "gait", "T", "to 1e-2", "to 1e-6", "to 1e-12", "simulation to 1e-2" }
