@@ -4,10 +4,9 @@
 #include <stddef.h>
 
 #include "numerics/ramps.h"
+#include "numerics/root.h"
 
 enum { STEPS = 30 };
-/* After a step so small beside the root the next one shows only rounding: Newton's method squares it. */
-static const double small_step = 1e-9;
 
 struct meeting { /* of a line with a curve                                                        */
   double x;      /* when: from the start, or back from the end                                    */
@@ -32,8 +31,9 @@ static bool meet(const struct scallop_piece *p, double a, double b, double q, do
 {
   double step = a / (q * ends - b);
   m->x = 0;
+  double margin = 1; /* of the last look */
   for (int i = 0; i < STEPS; i++) {
-    bool near = fabs(step) <= small_step * m->x;
+    bool near = fabs(step) <= root_step(margin) * m->x;
     m->x += step;
     if (!(m->x > 0 && m->x < last))
       return false;
@@ -42,6 +42,7 @@ static bool meet(const struct scallop_piece *p, double a, double b, double q, do
     if (near)
       return true;
     step = (a + b * m->x - q * m->height) / (q * m->slope - b);
+    margin = fabs(q * m->slope - b) / (fabs(q * m->slope) + fabs(b));
   }
   return false;
 }
@@ -106,13 +107,20 @@ bool concave_solve(const struct motion_input *in, double c0, struct motion *moti
   double x = -2 * l.f_first / (l.eps + l.q0 * first.slope);
   double x_last = above ? -2 * l.f_first / (l.between + l.q0 * last.slope)
                         : 2 * l.f_second / (l.between - l.q1 * last.slope);
+  double steep = l.q0 * first.slope, fall = (above ? l.q0 : -l.q1) * last.slope; /* d c_after / d c_before, twice */
+  double stretch = (l.between - steep) / (-l.eps - steep) * ((above ? -l.eps : l.eps) + fall) / (l.between + fall);
   unsigned trail = (1 + BETWEEN) | (unsigned)(1 + (above ? ABOVE : BELOW)) << TRAIL_BITS;
   trail = c > 0 ? trail << TRAIL_BITS | (1 + ABOVE) : trail;
+  double between = 1 - first.x - last.x;
+  double travel = sign * 0.5 * ((c + y) * first.x + (y + z) * between + (z + c_end) * last.x);
+  double size = 0.5 * ((c + y) * first.x + (y + fabs(z)) * between + (fabs(z) + fabs(c_end)) * last.x);
+  double stroke = rear_is_1 ? 1 : -1;
   *motion = (struct motion){ .c_end = sign * c_end + 0.0, /* no -0 */
-                             .travel = sign * 0.5
-                                       * ((c + y) * first.x + (y + z) * (1 - first.x - last.x) + (z + c_end) * last.x),
+                             .way = { travel, travel - in->scaled->mu2 * stroke, travel + in->scaled->mu1 * stroke },
+                             .size = { size, size + in->scaled->mu2, size + in->scaled->mu1 },
                              .extra_impulse = sign * (extra - 2 * l.f_first * first.x),
                              .slope = sheared(x, l.eps, x_last),
+                             .stretch = stretch,
                              .first_switch = c > 0 ? first.x : 1 - last.x,
                              .last_switch = last.x,
                              .work = work,

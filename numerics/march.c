@@ -507,6 +507,23 @@ static bool march_piece(struct scallop_march *m)
   return decided;
 }
 
+/* Both bodies come to rest just as l' does, without having turned back. From the right: the rear one would have done so just before,
+ * or would have been caught. */
+static bool end_at_rest(struct scallop_march *m)
+{
+  int turning = m->piece->direction > 0 ? 0 : 1;
+  if (!arb_is_zero(m->v_end) || is_stuck(m) || *direction(m, turning) > 0)
+    return true;
+  enum hold held = hold_against(m, turning, 1);
+  if (held == UNDECIDED)
+    return undecided(m, at_limit[turning]);
+  if (held == PULLED)
+    shear(m, turning, -1);
+  else
+    arb_zero(m->multiplier);
+  return true;
+}
+
 /* The amplitude is 1: so l has gained exactly that, and both bodies must agree on the velocity that they have in common. */
 static bool finish(struct scallop_march *m)
 {
@@ -524,7 +541,9 @@ static bool finish(struct scallop_march *m)
   }
   right = right && arb_intersection(m->v_end, t, t + 1, p);
   _arb_vec_clear(t, 2);
-  return right || undecided(m, "the law of the gait contradicts its amplitude, or the bodies each other: a defect");
+  if (!right)
+    return undecided(m, "the law of the gait contradicts its amplitude, or the bodies each other: a defect");
+  return end_at_rest(m);
 }
 
 bool scallop_march_phase(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)

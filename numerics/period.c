@@ -7,6 +7,7 @@
 #include "numerics/concave.h"
 #include "numerics/ramps.h"
 #include "numerics/start.h"
+#include "numerics/wide_parts.h"
 
 /* By a short cut where there is one. */
 static void solve_phase(const struct motion_input *input, double c0, struct motion *motion)
@@ -32,11 +33,22 @@ void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, 
   *(extension ? &period->c_mid : &period->c_end) = motion->c_end / fraction;
 }
 
+/* Over a whole period the centre of mass and both bodies come equally far: what cancels least tells best. */
+static void sum_travel(const struct motion *e, const struct motion *c, struct period *period)
+{
+  int best = 0;
+  for (int i = 1; i < 3; i++)
+    if (e->size[i] + c->size[i] < e->size[best] + c->size[best])
+      best = i;
+  period->travel = e->way[best] + c->way[best];
+  period->size = e->size[best] + c->size[best];
+}
+
 void period_conclude(const struct scallop_scaled *s, struct period *period)
 {
   const struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  period->travel = e->travel + c->travel;
+  sum_travel(e, c, period);
   period->forgets = e->forgets || c->forgets;
   double driven = s->delta * period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]);
   double from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
@@ -59,6 +71,7 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
                    struct scallop_period_result *result)
 {
   double unit = scaled->velocity;
+  double near_1 = 1 + scaled->eps * p->balance_slope;
   bool at_rest = false, sticks = p->phase[0].sticks || p->phase[1].sticks;
   for (int body = 0; body < 2; body++)
     at_rest |= p->phase[0].never_moved[body] && p->phase[1].never_moved[body];
@@ -67,7 +80,9 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
     .v_mid = p->c_mid * unit,
     .v_end = p->c_end * unit,
     .displacement = p->travel * crawler->L,
-    .multiplier = p->forgets ? 0 : fmax(0, 1 + scaled->eps * p->balance_slope),
+    .multiplier = p->forgets     ? 0
+                  : near_1 > 0.5 ? near_1
+                                 : p->phase[0].stretch * p->phase[1].stretch,
     .balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance,
     .regime = at_rest  ? SCALLOP_AT_REST
               : sticks ? SCALLOP_STICK_SLIP
@@ -87,8 +102,11 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   struct period period;
   period_solve(&scaled, c_start, NAN, &period);
   struct scallop_period_result answer;
+  struct scallop_wide_period wider;
   period_result(crawler, &scaled, &period, &answer);
   answer.v_start = v0;
+  if (period_cancels(period.travel, period.size) && wide_enough_period(crawler, v0, &wider))
+    answer.displacement = wider.displacement.high;
   if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
     return SCALLOP_ERANGE;
   *result = answer;

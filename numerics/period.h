@@ -12,9 +12,14 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
   return alpha * (e - c) + c;
 }
 
+/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding leaves about an ulp
+ * of size, and the displacement itself may be known to as little as an ulp of its own. */
+SCALLOP_INLINE int period_cancels(double travel, double size) { return (travel < 0 ? -travel : travel) < 0.0625 * size; }
+
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */
-  double travel;                /* of the centre of mass, in L                                       */
+  double travel;                /* displacement, in L                                                */
+  double size;                  /* sum of the magnitudes of the parts that it was summed from          */
   double balance;               /* (c_end - c_start)/eps, formed without that subtraction            */
   double noise;                 /* what rounding can do to balance                                   */
   double balance_slope;         /* d balance / d c_start <= 0, unless it forgets                         */

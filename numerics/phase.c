@@ -56,6 +56,16 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
   return run(crawler, kind, v0, &scaled, &unit, &motion, visit, context);
 }
 
+/* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts cancel least. */
+static double best_way(const struct motion *motion, const double beyond[3])
+{
+  int best = 0;
+  for (int i = 1; i < 3; i++)
+    if (motion->size[i] + fabs(beyond[i]) < motion->size[best] + fabs(beyond[best]))
+      best = i;
+  return motion->way[best] + beyond[best];
+}
+
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result)
 {
@@ -65,13 +75,15 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
   enum scallop_status status = run(crawler, kind, v0, &scaled, &unit, &motion, NULL, NULL);
   if (status != SCALLOP_OK)
     return status;
+  const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
+  const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
   struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,
     .v_end = motion.c_end * unit,
-    .dx1 = motion.never_moved[0] ? 0 : (motion.travel - scaled.mu2 * stroke) * crawler->L,
-    .dx2 = motion.never_moved[1] ? 0 : (motion.travel + scaled.mu1 * stroke) * crawler->L,
-    .dxC = (motion.travel + 0.5 * scaled.mu_difference * stroke) * crawler->L,
+    .dx1 = best_way(&motion, body_1) * crawler->L,
+    .dx2 = best_way(&motion, body_2) * crawler->L,
+    .dxC = best_way(&motion, middle) * crawler->L,
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
               : motion.sticks                                ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,

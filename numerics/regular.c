@@ -4,11 +4,9 @@
 #include <stddef.h>
 
 #include "numerics/period.h"
+#include "numerics/root.h"
 
 enum { STEPS = 24 };
-/* A crossing found from a tangent is wrong by the square of how far that was from where it touches. So after a step so small the
- * next tangents touch at the crossings, to all digits, and have the slopes there, which the multiplier needs. */
-static const double small_step = 1e-8;
 
 /* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */
 static double first_guess(const struct scallop_scaled *s)
@@ -32,13 +30,24 @@ static struct tangent tangent_at(const struct scallop_piece *p, double x)
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-/* The tangents at the crossings just found; true: a small step away from those before. */
-static bool touch(const struct scallop_shape *shape, double t, double u, double at[2], struct tangents *tangents)
+struct aim {                  /* of one phase                                                                        */
+  double q, between, outside; /* of the body that turns: its curve; c' between the crossings, minus c' before and after */
+  double t, u;                /* the crossings                                                                    */
+};
+
+static double margin(double steep, double slope) { return fabs(steep - slope) / (fabs(steep) + fabs(slope)); }
+
+/* The tangents at the crossings just found; true: so small a step away from those before that the tangents touch at the crossings, to all
+ * digits, and have the slopes there, which the multiplier needs. */
+static bool touch(const struct scallop_shape *shape, double t, double u, struct aim *aim, struct tangents *tangents)
 {
-  bool small = fabs(t - at[0]) <= small_step * t && fabs(u - at[1]) <= small_step * u;
-  at[0] = t;
-  at[1] = u;
   *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
+  double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
+  double small_t = root_step(margin(up, aim->between));
+  double small_u = root_step(fmin(margin(down, -aim->between), margin(down, aim->outside)));
+  bool small = fabs(t - aim->t) <= small_t * t && fabs(u - aim->u) <= small_u * u;
+  aim->t = t;
+  aim->u = u;
   return small;
 }
 
@@ -55,7 +64,7 @@ void regular_modes(bool forward, struct scallop_modes modes[2])
 enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regular *r, struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
-  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha), at[2][2] = { { 0, 0 }, { 0, 0 } };
+  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha);
   if (!phase[0].concave || !phase[1].concave) {
     r->c_start = first_guess(s);
     return REGULAR_NOT;
@@ -68,6 +77,10 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
     return CONTRACTION_HOLDS;
   if (!regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
     return EXTENSION_HOLDS;
+  bool forward = s->delta * driven > 0;
+  double beta = forward ? s->delta : -s->delta;
+  struct aim aim[2] = { { .q = forward ? s->mu2 : s->mu1, .between = beta * eps_e, .outside = eps_e },
+                        { .q = forward ? s->mu1 : s->mu2, .between = -beta * eps_c, .outside = eps_c } };
   bool last = phase[0].ramps && phase[1].ramps;
   work->periods = 1;
   for (int i = 0; i < STEPS; i++) {
@@ -77,8 +90,8 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
     work->events = 4;
     if (last)
       return REGULAR_FOUND;
-    last = touch(&phase[0], r->t[0], r->u[0], at[0], &tangents[0]);
-    last &= touch(&phase[1], r->t[1], r->u[1], at[1], &tangents[1]);
+    last = touch(&phase[0], r->t[0], r->u[0], &aim[0], &tangents[0]);
+    last &= touch(&phase[1], r->t[1], r->u[1], &aim[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }

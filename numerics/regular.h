@@ -33,7 +33,7 @@ struct regular_phase {
   double eps, between;                     /* c' outside and between the crossings                               */
   double t_start, t_slope;                 /* t1 = t_start + t_slope c, for c at the start                        */
   double u_start, u_slope;                 /* dT likewise                                                        */
-  double shear;                            /* d c_end / d c - 1, without that subtraction                         */
+  double shear, stretch;                   /* d c_end / d c - 1, and d c_end / d c, each without a subtraction       */
   double t, u, travel, c_end;              /* for the c of regular_run                                           */
 };
 
@@ -59,6 +59,7 @@ SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangen
   p->u_slope = climb * p->t_slope;
   double first = -2 * f * eps * p->t_slope, last = -2 * f * eps * share;
   p->shear = first + last + first * last;
+  p->stretch = (p->up - p->between) * p->t_slope * ((p->down - eps) * share);
   p->u_start = (p->between + (p->up_offset - p->down_offset)) * share + climb * p->t_start;
 }
 
@@ -69,7 +70,7 @@ SCALLOP_INLINE int regular_run(struct regular_phase *p, double c)
   double y = p->up * t + p->up_offset, z = p->down * u + p->down_offset;
   p->t = t;
   p->u = u;
-  p->c_end = z - p->eps * u;
+  p->c_end = (p->down - p->eps) * u + p->down_offset;
   p->travel = 0.5 * ((c + y) * t + (y + z) * (1 - t - u) + (z + p->c_end) * u);
   return (t > 0) & (u > 0) & (p->up > p->between) & (p->down > p->eps);
 }
@@ -95,12 +96,14 @@ SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double 
   double start = at_zero / (f_e * (e.t_slope + e.u_slope) + f_c * turned_c * (across * e.u_slope));
   int valid = regular_run(&e, start);
   valid &= regular_run(&c, e.c_end * ratio);
-  out->c_start = sign * (start / alpha);
-  out->c_mid = sign * (e.c_end / alpha);
+  double near_1 = 1 + (e.shear + c.shear + e.shear * c.shear);
+  out->multiplier = near_1 > 0.5 ? near_1 : e.stretch * c.stretch;
+  /* where the map shrinks the error of its argument, its value is better */
+  double better = out->multiplier < 0.5 ? c.c_end * (alpha / b) : start;
+  out->c_start = sign * (better / alpha);
+  out->c_mid = sign * ((e.c_end + e.stretch * (better - start)) / alpha);
   out->c_end = sign * (c.c_end / b);
   out->travel = sign * (e.travel + c.travel);
-  double multiplier = 1 + (e.shear + c.shear + e.shear * c.shear);
-  out->multiplier = multiplier > 0 ? multiplier : 0;
   out->balance = sign * 2 * (drive - f_e * (e.t + e.u) - f_c * (c.t + c.u));
   out->t[0] = e.t;
   out->u[0] = e.u;

@@ -8,8 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-enum { STEPS = 8, BRENT_STEPS = 200, BRENT_STATE = 128 };
-static const double ENOUGH = 1e-10;
+enum { STEPS = 12, BRENT_STEPS = 200, BRENT_STATE = 128 };
 
 struct problem {
   root_function *f;
@@ -55,6 +54,15 @@ static double inverse_cubic_step(const struct root_end *p, const struct root_end
   return part * part * (3 * e + g - part * (g + 2 * e)) - p->f * steep;
 }
 
+/* Will a step of inverse cubic interpolation end at the root to all digits? Its error is about k^3 (step last)^2, with k the relative change of
+ * the slope per unit of u, which is large near a graze and is 1/u at least. */
+static bool is_last(const struct root_end *p, const struct root_end *before, double step, double last)
+{
+  double k = fmax(fabs((p->slope - before->slope) / (last * p->slope)), 1 / fabs(p->u));
+  double error = (k * step) * (k * last);
+  return error * error <= 1e-18 * (k * fabs(p->u));
+}
+
 static double clamp(double u, double a, double b)
 {
   double lo = a < b ? a : b, hi = a < b ? b : a;
@@ -75,8 +83,7 @@ double root_between(root_function *f, const void *context, struct root_end a, st
       break;
     double step = inverse_cubic_step(&p, &before);
     double next = clamp(p.u + step, a.u, b.u);
-    /* the next error is of the order of both steps squared, relative to u */
-    if (fabs(step * last_step) <= ENOUGH * (p.u * p.u))
+    if (is_last(&p, &before, step, last_step))
       return next;
     before = p;
     last_step = next - p.u;

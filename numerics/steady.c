@@ -6,6 +6,7 @@
 #include "numerics/held.h"
 #include "numerics/period.h"
 #include "numerics/regular.h"
+#include "numerics/wide_parts.h"
 
 enum { STEPS = 2200 /* doubles can be halved no longer */ };
 
@@ -63,6 +64,19 @@ static struct bracket steady_states(const struct scallop_scaled *s, double c)
   return (struct bracket){ c, c };
 }
 
+/* The contraction does to velocities what the extension does to their opposites. Then the mirror image of the only steady state, half
+ * a period late, is steady as well: it is that state, which goes back as far as it came. */
+static bool is_mirrored(const struct scallop_scaled *s)
+{
+  if (s->fraction[SCALLOP_EXTENSION] != s->fraction[SCALLOP_CONTRACTION] || !scallop_gait_mirrors(s->gait))
+    return false;
+  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION], *c = &s->gait->phase[SCALLOP_CONTRACTION];
+  for (int i = 0; i < e->count; i++)
+    if (e->pieces[i].direction != -c->pieces[i].direction)
+      return false;
+  return true;
+}
+
 static void add_work(struct scallop_work *work, const struct period *p)
 {
   work->periods++;
@@ -89,6 +103,16 @@ static bool settled(const struct period *p)
   return fabs(p->balance) <= p->noise || fabs(p->balance) <= -2 * DBL_EPSILON * p->balance_slope * fabs(p->c_start);
 }
 
+/* Where the map shrinks the error of its argument, its value is better, as in regular.h. */
+static void improve(struct period *p)
+{
+  const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
+  if (p->forgets || !(e->stretch * c->stretch < 0.5))
+    return;
+  p->c_mid += e->stretch * (p->c_end - p->c_start);
+  p->c_start = p->c_end;
+}
+
 /* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
  * Newton's method is in doubt, which is seldom. solved as in period_solve. */
 static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, struct period *p,
@@ -101,8 +125,10 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
     period_solve(s, c, solved, p);
     solved = p->c_mid;
     add_work(work, p);
-    if (settled(p))
+    if (settled(p)) {
+      improve(p);
       return SCALLOP_OK;
+    }
     double balance = p->forgets ? p->c_end - c : p->balance, next = next_guess(p);
     *(balance > 0 ? &b.lo : &b.hi) = c;
     bool slow = fabs(balance) > before / 2;
@@ -147,6 +173,21 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
 }
 
+/* A displacement that rounding has spoilt, or a small multiplier, which depends on where in the last digit of v_start the root lies. */
+static void mend(const struct scallop_crawler *crawler, const struct period *p, struct scallop_steady_result *result)
+{
+  struct scallop_wide_steady wider;
+  bool cancels = period_cancels(p->travel, p->size), steep = !p->forgets && result->period.multiplier < 0.0625;
+  if ((!cancels && !steep) || !wide_enough_steady(crawler, result->period.v_start, &wider))
+    return;
+  if (cancels) {
+    result->period.displacement = wider.period.displacement.high;
+    result->mean_velocity = wider.mean_velocity.high;
+  }
+  if (steep)
+    result->period.multiplier = wider.period.multiplier.high;
+}
+
 /* order as in held.h. True: it is that simple. */
 static bool solve_held(const struct scallop_scaled *s, double order, struct held *h, struct scallop_work *work)
 {
@@ -175,6 +216,8 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
   if (status != SCALLOP_OK)
     return status;
   *at = steady_states(s, period->c_start);
+  if (!(at->lo < at->hi) && is_mirrored(s))
+    period->travel = period->size = 0;
   if (!(at->lo < at->hi))
     return SCALLOP_OK;
   period_solve(s, fmin(fmax(0, at->lo), at->hi), NAN, period);
@@ -213,6 +256,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     period_result(crawler, &s, &period, &result->period);
     result->v_low = at.lo * s.velocity;
     result->v_high = at.hi * s.velocity;
+    mend(crawler, &period, result);
   }
   return status;
 }

@@ -85,7 +85,7 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   if (!isfinite(v0) || periods < 1 || samples < 1)
     return SCALLOP_EDOMAIN;
   double unit = scaled.velocity;
-  struct sum c = { v0 / unit, 0 }, x = { 0, 0 };
+  struct sum c = { v0 / unit, 0 }, x = { 0, 0 }; /* where periods begin */
   if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
     return SCALLOP_ERANGE;
   struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
@@ -95,11 +95,11 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     r.next = 0;
     for (int kind = 0; kind < 2; kind++) {
       r.kind = (enum scallop_phase_kind)kind;
-      r.x_start = value(&x);
+      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].way[0]);
       period_phase(&scaled, r.kind, &p, record, &r);
-      add(&x, p.phase[kind].travel);
     }
     period_conclude(&scaled, &p);
+    add(&x, p.travel);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };
     else

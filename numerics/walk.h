@@ -1,0 +1,443 @@
+/* The walk from event to event through one phase, once for every floating type: motion.c makes the solver in double of it, wide_solve.h
+ * the ones in wider types. No header in the usual sense, and not public. Before including it define
+ *
+ *     real                                              the type
+ *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
+ *     walk_when(piece, a)                               u in the piece with l''(u) = a, nan if there is none
+ *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece, whichever is first
+ *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which are near each other
+ *     struct root_end, root_function, root_between      as in root.h
+ *
+ * and afterwards walk_show(walk, u, c), which is told of each interval of constant mode.
+ */
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/numerics.h"
+
+struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                  */
+  const struct scallop_shape *shape;
+  real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
+};
+
+struct walk_result { /* as in struct motion                                                                */
+  real c_end, extra_impulse, slope, stretch, first_switch, last_switch;
+  real way[3], size[3];
+  bool forgets, sticks, never_moved[2];
+  struct scallop_work work;
+  struct scallop_modes *modes;
+};
+
+struct rates {
+  real speed, rate; /* |l'| and d|l'|/dt */
+};
+
+/* Over one piece the plane of (time, c) has three regions, divided by two curves. With `front` the
+ * body that l' drives forward and `rear` the other:
+ *
+ *     region 0   both forward                                        slope -eps
+ *     curve 0    rear stuck,  c =  mu_front |l'|
+ *     region 1   rear backward, front forward (opposite motion)      slope  eps (f_rear - f_front)
+ *     curve 1    front stuck, c = -mu_rear |l'|
+ *     region 2   both backward                                       slope  eps
+ *
+ * Region j lies above curve j and region j + 1 below it. */
+struct walk {
+  const struct walk_input *in;
+  const struct scallop_piece *piece;
+  void *audience;         /* of walk_show, or NULL                                                   */
+  real sense;             /* +1: u runs with time, -1: against it                                    */
+  real curve[2];          /* c on a curve divided by |l'|                                            */
+  real slope[3];          /* of c in each region                                                     */
+  real extra[3];          /* what a region adds to extra_impulse per unit of time                    */
+  real u, c;              /* where we are                                                            */
+  real v[2];              /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
+  struct rates here, end; /* there, and at the end of the piece                                      */
+  int region;             /* 0, 1, 2; meaningless while stuck                                        */
+  int stuck;              /* the curve that c is glued to, or -1                                     */
+  int passed;             /* a curve that c has left for the rest of the piece, or -1                */
+  bool turned;            /* the mode may have changed since it was last noted                       */
+  struct walk_result *out;
+};
+
+static inline struct rates rates_at(const struct walk *w, real u)
+{
+  const struct scallop_piece *p = w->piece;
+  if (p->linear)
+    return (struct rates){ p->direction * (p->velocity + p->acceleration * (w->sense * u)), p->direction * p->acceleration };
+  real velocity, acceleration;
+  w->out->work.gait_evaluations++;
+  walk_curve(p, u, &velocity, &acceleration);
+  return (struct rates){ p->direction * velocity, p->direction * acceleration };
+}
+
+/* ---- the record of what happened ---- */
+
+static struct scallop_mode mode_now(const struct walk *w)
+{
+  signed char rear = (signed char)(w->region == 0 ? 1 : -1), front = (signed char)(w->region == 2 ? -1 : 1);
+  if (w->stuck >= 0) {
+    rear = (signed char)(w->stuck == 0 ? 0 : -1);
+    front = (signed char)(w->stuck == 0 ? 1 : 0);
+  }
+  return w->piece->direction > 0 ? (struct scallop_mode){ rear, front } : (struct scallop_mode){ front, rear };
+}
+
+/* Notes the mode that begins at u, unless it goes on. */
+static void note_mode(const struct walk *w, struct scallop_mode mode)
+{
+  struct walk_result *out = w->out;
+  struct scallop_modes *modes = out->modes;
+  real passed = w->piece->anchor == SCALLOP_FROM_START ? w->u : 1 - w->u;
+  real left = w->piece->anchor == SCALLOP_FROM_START ? 1 - w->u : w->u;
+  if (modes->count > 0) {
+    int last = modes->count < SCALLOP_MODES_KEPT ? modes->count - 1 : SCALLOP_MODES_KEPT - 1;
+    if (modes->kept[last].s1 == mode.s1 && modes->kept[last].s2 == mode.s2)
+      return;
+    if (modes->count == 1)
+      out->first_switch = passed;
+    out->last_switch = left;
+  }
+  out->sticks |= mode.s1 == 0 || mode.s2 == 0;
+  out->never_moved[0] &= mode.s1 == 0;
+  out->never_moved[1] &= mode.s2 == 0;
+  /* the last place always holds the current mode */
+  modes->kept[modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT - 1] = mode;
+  modes->count++;
+}
+
+static void walk_show(const struct walk *w, real u, real c);
+
+/* Goes on to u, with velocity c and l' as in there. The sums are the caller's. */
+static inline void advance(struct walk *w, real u, real c, const struct rates *there)
+{
+  w->u = u;
+  w->c = c;
+  w->here = *there;
+}
+
+/* The mode of now lasts until u, where c is the velocity. */
+static inline void last(struct walk *w, real u, real c)
+{
+  if (u == w->u)
+    return;
+  if (w->turned)
+    note_mode(w, mode_now(w));
+  w->turned = false;
+  if (w->audience)
+    walk_show(w, u, c);
+}
+
+/* ---- how far the centre of mass and the bodies come ---- */
+
+static inline real magnitude(real x) { return x < 0 ? -x : x; }
+
+/* size: of the parts that x is the sum of */
+static inline void come(struct walk *w, real x, real size)
+{
+  w->out->way[0] += x;
+  w->out->size[0] += size;
+}
+
+static inline void body_comes(struct walk *w, int j, real x, real size)
+{
+  int body = (j == 0) == (w->piece->direction > 0) ? 1 : 2;
+  w->out->way[body] += x;
+  w->out->size[body] += size;
+}
+
+/* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
+static inline void go_straight(struct walk *w, real u, real c, const struct rates *there, int met)
+{
+  bool linear = w->piece->linear;
+  real duration = w->sense * (u - w->u), x = (w->c + c) / 2 * duration;
+  real size = (magnitude(w->c) + magnitude(c)) / 2 * duration, covered = linear ? 0 : walk_way(w->piece, w->u, u);
+  last(w, u, c);
+  come(w, x, size);
+  for (int j = 0; j < 2; j++) {
+    real q = w->curve[j], v = c - q * there->speed, way = x - q * covered, parts = size + magnitude(q) * covered;
+    if (linear) { /* the body's velocity is linear as well, and nothing large need be subtracted */
+      v = w->v[j] + (w->slope[w->region] - q * there->rate) * duration;
+      way = (w->v[j] + (j == met ? 0 : v)) / 2 * duration;
+      parts = magnitude(way);
+    }
+    body_comes(w, j, way, parts);
+    w->v[j] = j == met ? 0 : v;
+  }
+  advance(w, u, c, there);
+}
+
+/* On along the curve of the body that is stuck; the other one moves with |l'|. */
+static inline void go_along(struct walk *w, real u, const struct rates *there)
+{
+  int j = w->stuck;
+  real forward = j == 0 ? 1 : -1, c = w->curve[j] * there->speed;
+  real covered = w->piece->linear ? (w->here.speed + there->speed) / 2 * (w->sense * (u - w->u))
+                                  : walk_way(w->piece, w->u, u);
+  last(w, u, c);
+  come(w, w->curve[j] * covered, magnitude(w->curve[j]) * covered);
+  body_comes(w, 1 - j, forward * covered, covered);
+  w->v[j] = 0;
+  w->v[1 - j] = forward * there->speed;
+  advance(w, u, c, there);
+}
+
+/* ---- meeting a curve ---- */
+
+/* The region or curve where c goes on from a point of curve j: region j, region j + 1, or glued to
+ * it (-1) while friction can hold the body, which is when the curve's slope lies between the slopes
+ * on its two sides. */
+static inline int beyond(const struct walk *w, int j)
+{
+  real along = w->curve[j] * w->here.rate;
+  return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
+}
+
+/* c has met curve j, coming from w->region. moved: some time has passed since the last event. */
+static inline void meet(struct walk *w, int j, bool moved)
+{
+  int to = beyond(w, j), from = w->region;
+  w->out->work.events++;
+  if (to == from && moved) /* touched it, within rounding, and moves away */
+    return;
+  if (to == from) /* and is back at once: it grazes the curve where the curve begins to hold it */
+    to = -1;
+  w->turned = true;
+  if (to < 0) {
+    w->stuck = j;
+    w->out->forgets = true;
+    return;
+  }
+  /* the flow is sheared: d c_after / d c_before = (slope[to] - along)/(slope[from] - along) = 1 + eps x,
+   * and (slope[to] - slope[from])/eps is the difference of what the regions add to the impulse */
+  real x = (w->extra[to] - w->extra[from]) / (w->slope[from] - w->curve[j] * w->here.rate);
+  w->out->slope += x + w->in->eps * x * w->out->slope;
+  w->out->stretch *= (w->slope[to] - w->curve[j] * w->here.rate) / (w->slope[from] - w->curve[j] * w->here.rate);
+  w->region = to;
+}
+
+/* ---- the next curve met in a region ----
+ *
+ * A curve that is touched and not crossed splits the derivative of the map. The one from the right is
+ * kept: a touch counts from below, where a slightly larger c would cross, and not from above. */
+
+struct gap { /* the distance of c to curve j, positive inside the region                */
+  const struct walk *walk;
+  real side, curve, c_anchor, c_slope;
+};
+
+/* at u, and its derivative with respect to u */
+static real gap_value(const void *context, real u, real *slope)
+{
+  const struct gap *g = context;
+  struct rates r = rates_at(g->walk, u);
+  g->walk->out->work.root_iterations++;
+  *slope = g->side * g->walk->sense * (g->c_slope - g->curve * r.rate);
+  return g->side * (g->c_anchor + g->c_slope * (g->walk->sense * u) - g->curve * r.speed);
+}
+
+/* May the gap be closed at its narrowest, where it is left? */
+static inline bool closes(const struct gap *g, real left) { return left < 0 || (left == 0 && g->side < 0); }
+
+/* Does the gap close, in a piece where l' is linear? Both sides are straight lines: one division. */
+static inline bool straight_contact(const struct gap *g, real *u)
+{
+  const struct walk *w = g->walk;
+  const struct scallop_piece *p = w->piece;
+  real along = g->curve * w->here.rate;
+  if (g->side * (g->c_slope - along) >= 0)
+    return false;
+  *u = w->sense * (g->c_anchor - g->curve * p->direction * p->velocity) / (along - g->c_slope);
+  if (w->sense * (*u - w->u) < 0)
+    *u = w->u;
+  return closes(g, w->sense * (*u - p->end));
+}
+
+/* The gap to a curve that c has just crossed, formed from the distances to that point: it may be far smaller than rounding is in c. */
+static real gap_since(const void *context, real u, real *slope)
+{
+  const struct gap *g = context;
+  const struct walk *w = g->walk;
+  w->out->work.root_iterations++;
+  *slope = g->side * w->sense * (g->c_slope - g->curve * rates_at(w, u).rate);
+  return g->side * (g->c_slope * (w->sense * (u - w->u)) - g->curve * walk_rise(w->piece, w->u, u));
+}
+
+/* c has just crossed the curve and turns towards it again soon, at u = turn: then it is back after about twice that time, and four times
+ * are enough. False: not soon enough for that, or not back. */
+static bool comes_back(const struct gap *g, real turn, real *u)
+{
+  const struct walk *w = g->walk;
+  real away = turn - w->u, far = w->u + 4 * away;
+  if (away == 0 || magnitude(away) > w->u / 256 || w->sense * (w->piece->end - far) < 0)
+    return false;
+  struct root_end now = { .u = turn }, end = { .u = far };
+  now.f = gap_since(g, now.u, &now.slope);
+  end.f = gap_since(g, end.u, &end.slope);
+  if (!(now.f > 0 && end.f < 0))
+    return false;
+  *u = root_between(gap_since, g, now, end);
+  return true;
+}
+
+/* The same where l' is curved. The rate of the gap is monotone because l'' is; so the gap has at most
+ * one turning point, and where it falls it holds at most one root. */
+static bool curved_contact(const struct gap *g, real *u)
+{
+  const struct walk *w = g->walk;
+  struct root_end now = { .u = w->u, .f = g->side * (w->c - g->curve * w->here.speed) };
+  struct root_end end = { .u = w->piece->end };
+  now.slope = g->side * w->sense * (g->c_slope - g->curve * w->here.rate);
+  end.slope = g->side * w->sense * (g->c_slope - g->curve * w->end.rate);
+  end.f = g->side * (g->c_anchor + g->c_slope * (w->sense * end.u) - g->curve * w->end.speed);
+  bool falls_now = w->sense * now.slope < 0, falls_at_end = w->sense * end.slope < 0;
+  if (!falls_now && (!falls_at_end || !closes(g, end.f)))
+    return false;
+  if (falls_now && now.f <= 0) {
+    *u = now.u;
+    return true;
+  }
+  if (falls_now != falls_at_end) {
+    struct root_end turn = { .u = walk_when(w->piece, g->c_slope / g->curve * w->piece->direction) };
+    if (w->sense * (turn.u - now.u) >= 0 && w->sense * (end.u - turn.u) >= 0) {
+      if (!falls_now && g->side * (w->c - g->curve * w->here.speed) == 0 && comes_back(g, turn.u, u))
+        return true;
+      turn.f = gap_value(g, turn.u, &turn.slope);
+      *(falls_now ? &end : &now) = turn;
+    } /* else it is within rounding of the end where it falls */
+  }
+  if (!closes(g, end.f))
+    return false;
+  *u = now.f <= 0 ? now.u : root_between(gap_value, g, now, end);
+  return true;
+}
+
+static inline bool contact(const struct walk *w, int j, real *u)
+{
+  real c_slope = w->slope[w->region];
+  struct gap g = { w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope };
+  return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
+}
+
+/* ---- from event to event ---- */
+
+static void slide(struct walk *w)
+{
+  real u = w->piece->end, candidate;
+  int met = -1;
+  for (int j = w->region == 2 ? 1 : 0; j <= (w->region == 0 ? 0 : 1); j++)
+    if (j != w->passed && contact(w, j, &candidate) && (met < 0 || w->sense * (candidate - u) < 0)) {
+      u = candidate;
+      met = j;
+    }
+  real duration = w->sense * (u - w->u), c = w->c + w->slope[w->region] * duration;
+  struct rates there = met >= 0 ? rates_at(w, u) : w->end;
+  if (met >= 0) /* on the curve to the last digit: the body's velocity is 0 */
+    c = w->curve[met] * there.speed;
+  w->out->extra_impulse += w->extra[w->region] * duration;
+  go_straight(w, u, c, &there, met);
+  if (met >= 0)
+    meet(w, met, duration != 0);
+}
+
+static void stick(struct walk *w)
+{
+  int j = w->stuck, to = -1;
+  real u = w->piece->end, along_end = w->curve[j] * w->end.rate;
+  if (along_end > w->slope[j + 1] || along_end < w->slope[j]) { /* the body is released */
+    to = along_end > w->slope[j + 1] ? j + 1 : j;
+    real when = walk_when(w->piece, w->slope[to] / w->curve[j] * w->piece->direction);
+    if (w->sense * (when - w->u) < 0)
+      when = w->u;
+    if (w->sense * (u - when) > 0)
+      u = when;
+  }
+  struct rates there = to >= 0 ? rates_at(w, u) : w->end;
+  go_along(w, u, &there);
+  if (to >= 0) {
+    w->out->work.events++;
+    w->stuck = -1;
+    w->region = to;
+    w->passed = j;
+    w->turned = true;
+  }
+}
+
+/* Where c stands when the curves are not known to continue: at the start of a phase, and where l'
+ * jumps or changes sign. On the curves' common point c = 0, l' = 0 it stands for c = 0+. */
+static void place(struct walk *w)
+{
+  real upper = w->curve[0] * w->here.speed, lower = w->curve[1] * w->here.speed;
+  w->stuck = -1;
+  w->turned = true;
+  w->region = w->c >= upper ? 0 : w->c < lower ? 2 : 1;
+  if (w->c == upper)
+    meet(w, 0, true);
+}
+
+static void set_regions(struct walk *w)
+{
+  const struct walk_input *s = w->in;
+  real eps = s->eps;
+  bool rear_is_1 = w->piece->direction > 0;
+  w->curve[0] = rear_is_1 ? s->mu2 : s->mu1;
+  w->curve[1] = rear_is_1 ? -s->mu1 : -s->mu2;
+  w->slope[0] = -eps;
+  w->slope[1] = eps * (rear_is_1 ? s->delta : -s->delta);
+  w->slope[2] = eps;
+  w->extra[0] = -2 * (rear_is_1 ? s->f1 : s->f2);
+  w->extra[1] = 0;
+  w->extra[2] = 2 * (rear_is_1 ? s->f2 : s->f1);
+}
+
+static void enter(struct walk *w, const struct scallop_piece *piece)
+{
+  bool anew = !w->piece || piece->jump || piece->direction != w->piece->direction;
+  w->piece = piece;
+  w->sense = piece->anchor == SCALLOP_FROM_START ? 1 : -1;
+  w->u = piece->begin;
+  w->passed = -1;
+  w->here = rates_at(w, piece->begin);
+  w->end = rates_at(w, piece->end);
+  if (anew) {
+    set_regions(w);
+    for (int j = 0; j < 2; j++)
+      w->v[j] = w->c - w->curve[j] * w->here.speed;
+    place(w);
+  } else if (w->stuck >= 0) {
+    int to = beyond(w, w->stuck);
+    if (to >= 0) {
+      w->out->work.events++;
+      w->region = to;
+      w->stuck = -1;
+      w->turned = true;
+    }
+  }
+}
+
+/* c0: velocity of the centre of mass at the start. modes: where they go. */
+static void walk_phase(const struct walk_input *input, real c0, void *audience, struct scallop_modes *modes,
+                       struct walk_result *result)
+{
+  struct walk w;
+  *result = (struct walk_result){
+    .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true }, .modes = modes
+  };
+  modes->count = 0;
+  w.in = input;
+  w.piece = NULL;
+  w.audience = audience;
+  w.c = c0;
+  w.stuck = -1;
+  w.out = result;
+  for (int i = 0; i < input->shape->count; i++) {
+    enter(&w, &input->shape->pieces[i]);
+    while (w.u != w.piece->end) {
+      if (w.stuck >= 0)
+        stick(&w);
+      else
+        slide(&w);
+    }
+  }
+  result->c_end = w.c;
+}

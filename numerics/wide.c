@@ -1,0 +1,171 @@
+#include "numerics/wide.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/start.h"
+#include "numerics/wide_parts.h"
+
+int scallop_width_bits(enum scallop_width width)
+{
+  if (width == SCALLOP_LONG_DOUBLE)
+    return LDBL_MANT_DIG;
+  return WIDE_HAS_FLOAT128 || LDBL_MANT_DIG == 113 ? 113 : 0;
+}
+
+/* ---- domain ---- */
+
+static bool is_exact(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++) {
+      const struct scallop_piece *p = &gait->phase[kind].pieces[i];
+      if (p->jump || (!p->linear && !p->law))
+        return false;
+    }
+  return true;
+}
+
+static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler, double v0)
+{
+  struct scallop_scaled scaled;
+  double c0;
+  enum scallop_status status = start_scaled(crawler, v0, &scaled, &c0);
+  if (status != SCALLOP_OK)
+    return status;
+  return scallop_width_bits(width) > 0 && is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
+}
+
+static bool are_finite(const struct scallop_wide *const numbers[], int count)
+{
+  for (int i = 0; i < count; i++)
+    if (!isfinite(numbers[i]->high))
+      return false;
+  return true;
+}
+
+static bool period_is_finite(const struct scallop_wide_period *p)
+{
+  const struct scallop_wide *const numbers[] = { &p->v_start, &p->v_mid, &p->v_end, &p->displacement };
+  return are_finite(numbers, 4);
+}
+
+bool wide_enough_period(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out)
+{
+  bool is_wider = LDBL_MANT_DIG > DBL_MANT_DIG;
+  if (!is_exact(crawler->gait) || (!is_wider && scallop_width_bits(SCALLOP_BINARY128) == 0))
+    return false;
+  (is_wider ? wide_long_period : wide_quad_period)(crawler, v0, out);
+  return isfinite(out->displacement.high);
+}
+
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out)
+{
+  bool is_wider = LDBL_MANT_DIG > DBL_MANT_DIG;
+  if (!is_exact(crawler->gait) || (!is_wider && scallop_width_bits(SCALLOP_BINARY128) == 0))
+    return false;
+  return (is_wider ? wide_long_steady : wide_quad_steady)(crawler, guess, out) && isfinite(out->mean_velocity.high);
+}
+
+/* ---- solves ---- */
+
+enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
+                                       enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result)
+{
+  struct scallop_wide_phase answer;
+  enum scallop_status status = check(width, crawler, v0);
+  if (status != SCALLOP_OK)
+    return status;
+  (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, &answer);
+  const struct scallop_wide *const numbers[] = { &answer.v_end, &answer.dx1, &answer.dx2, &answer.dxC };
+  if (!are_finite(numbers, 4))
+    return SCALLOP_ERANGE;
+  *result = answer;
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_wide_period(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
+                                        struct scallop_wide_period *result)
+{
+  struct scallop_wide_period answer;
+  enum scallop_status status = check(width, crawler, v0);
+  if (status != SCALLOP_OK)
+    return status;
+  (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, &answer);
+  if (!period_is_finite(&answer))
+    return SCALLOP_ERANGE;
+  *result = answer;
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_wide_steady(enum scallop_width width, const struct scallop_crawler *crawler,
+                                        struct scallop_wide_steady *result)
+{
+  struct scallop_wide_steady answer;
+  struct scallop_steady_result near;
+  enum scallop_status status = check(width, crawler, 0);
+  if (status != SCALLOP_OK)
+    return status;
+  double guess = scallop_steady(crawler, &near) >= 0 ? near.period.v_start : 0;
+  if (!(width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, &answer))
+    return SCALLOP_ECONVERGE;
+  if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
+    return SCALLOP_ERANGE;
+  *result = answer;
+  return SCALLOP_OK;
+}
+
+/* ---- value and error ---- */
+
+static enum scallop_width widest(void)
+{
+  return scallop_width_bits(SCALLOP_BINARY128) > 0 ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
+}
+
+static double error_of(double value, const struct scallop_wide *exact)
+{
+  return fabs((exact->high - value) + exact->low) * (1 + 0x1p-20) + 0x1p-62 * fabs(value);
+}
+
+enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                        const struct scallop_phase_result *r, struct scallop_phase_error *error)
+{
+  struct scallop_wide_phase w;
+  enum scallop_status status = scallop_wide_phase(widest(), crawler, kind, v0, &w);
+  if (status != SCALLOP_OK)
+    return status;
+  *error = (struct scallop_phase_error){ error_of(r->t1, &w.t1),   error_of(r->dT, &w.dT),   error_of(r->v_end, &w.v_end),
+                                         error_of(r->dx1, &w.dx1), error_of(r->dx2, &w.dx2), error_of(r->dxC, &w.dxC) };
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, double v0,
+                                         const struct scallop_period_result *r, struct scallop_period_error *error)
+{
+  struct scallop_wide_period w;
+  enum scallop_status status = scallop_wide_period(widest(), crawler, v0, &w);
+  if (status != SCALLOP_OK)
+    return status;
+  *error = (struct scallop_period_error){ error_of(r->v_mid, &w.v_mid), error_of(r->v_end, &w.v_end),
+                                          error_of(r->displacement, &w.displacement),
+                                          error_of(r->multiplier, &w.multiplier) };
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler, const struct scallop_steady_result *r,
+                                         struct scallop_steady_error *error)
+{
+  struct scallop_wide_steady w;
+  enum scallop_status status = scallop_wide_steady(widest(), crawler, &w);
+  if (status != SCALLOP_OK)
+    return status;
+  const struct scallop_period_result *p = &r->period;
+  *error = (struct scallop_steady_error){ error_of(r->froude, &w.froude),
+                                          error_of(p->v_start, &w.period.v_start),
+                                          error_of(p->v_mid, &w.period.v_mid),
+                                          error_of(p->displacement, &w.period.displacement),
+                                          error_of(r->mean_velocity, &w.mean_velocity),
+                                          error_of(p->multiplier, &w.period.multiplier) };
+  return SCALLOP_OK;
+}

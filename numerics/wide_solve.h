@@ -1,0 +1,312 @@
+/* The walk (walk.h) in a type wider than double, from the parameters to the results: included once for each type, with
+ *
+ *     real          the type
+ *     REAL_BITS     of its significand
+ *     WIDE(name)    what the three functions at the end are called
+ *
+ *     real_sine, real_cosine     of 0 <= x < 1
+ *
+ * defined before. Not public. */
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/start.h"
+#include "numerics/wide.h"
+
+/* 2^-REAL_BITS: half of the distance from 1 to the next number */
+#define ROUNDING ((real)1 / (1LL << REAL_BITS / 2) / (1LL << (REAL_BITS - REAL_BITS / 2)))
+
+/* ---- the gait: |l'| by its law, and its derivatives with respect to u ---- */
+
+/* The circle's number in three doubles: 159 bits. */
+static real circle_number(void) { return (real)0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53 + -0x1.f1976b7ed8fbcp-109; }
+
+/* Of pi u, 0 <= u <= 1/2, both as accurate as u and 1/2 - u are. */
+static void half_turn(real u, real *sine, real *cosine)
+{
+  real half = (real)1 / 2, angle = circle_number() * (4 * u > 1 ? half - u : u);
+  real s = real_sine(angle), c = real_cosine(angle);
+  *sine = 4 * u > 1 ? c : s;
+  *cosine = 4 * u > 1 ? s : c;
+}
+
+static real polynomial(const struct scallop_law *law, real u, int order)
+{
+  real sum = 0;
+  for (int k = law->degree; k >= order; k--) {
+    real factor = law->numerator[k];
+    for (int i = 0; i < order; i++)
+      factor *= k - i;
+    sum = sum * u + factor;
+  }
+  return sum / law->denominator;
+}
+
+static real speed_derivative(const struct scallop_piece *p, real u, int order)
+{
+  if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
+    return polynomial(p->law, u, order);
+  real pi = circle_number(), sine, cosine;
+  half_turn(u, &sine, &cosine);
+  return pi / 2 * (order == 0 ? sine : order == 1 ? pi * cosine : -pi * pi * sine);
+}
+
+static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
+{
+  *velocity = p->direction * speed_derivative(p, u, 0);
+  *acceleration = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * speed_derivative(p, u, 1);
+}
+
+static real walk_way(const struct scallop_piece *p, real from, real to)
+{
+  real way = 0, sum_sine, difference_sine, cosine, apart = from < to ? to - from : from - to;
+  if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
+    for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
+      real power = 1, terms = 0;
+      for (int i = 0; i <= k; i++, power *= from)
+        terms = terms * to + power;
+      way += terms * p->law->numerator[k] / (k + 1);
+    }
+    return way / p->law->denominator * apart;
+  }
+  half_turn((from + to) / 2, &sum_sine, &cosine);
+  half_turn(apart / 2, &difference_sine, &cosine);
+  return sum_sine * difference_sine;
+}
+
+static real walk_rise(const struct scallop_piece *p, real from, real to)
+{
+  return speed_derivative(p, to, 0) - speed_derivative(p, from, 0);
+}
+
+/* ---- roots ---- */
+
+typedef real root_function(const void *context, real u, real *slope);
+struct root_end {
+  real u, f, slope;
+};
+
+/* Newton's method in a bracket, which is halved where that leaves it or is slow. */
+static real root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
+{
+  if (a.f == 0 || b.f == 0)
+    return a.f == 0 ? a.u : b.u;
+  struct root_end p = (a.f < 0 ? -a.f : a.f) < (b.f < 0 ? -b.f : b.f) ? a : b;
+  real before = a.u - b.u;
+  for (int i = 0; i < 4 * REAL_BITS; i++) {
+    real step = -p.f / p.slope, next = p.u + step;
+    bool inside = (next > a.u) != (next > b.u), slow = (step < 0 ? -step : step) > (before < 0 ? -before : before) / 2;
+    if (!inside || slow) {
+      next = (a.u + b.u) / 2;
+      step = next - p.u;
+    }
+    if ((step < 0 ? -step : step) <= 2 * ROUNDING * (next < 0 ? -next : next))
+      return next;
+    before = step;
+    p.u = next;
+    p.f = f(context, next, &p.slope);
+    if (p.f == 0)
+      return next;
+    *((p.f < 0) == (a.f < 0) ? &a : &b) = p;
+  }
+  return p.u;
+}
+
+struct rate_search {
+  const struct scallop_piece *piece;
+  real wanted; /* of the derivative of |l'| with respect to u */
+};
+
+static real rate_beyond(const void *context, real u, real *slope)
+{
+  const struct rate_search *s = context;
+  *slope = speed_derivative(s->piece, u, 2);
+  return speed_derivative(s->piece, u, 1) - s->wanted;
+}
+
+static real walk_when(const struct scallop_piece *p, real a)
+{
+  if (p->linear)
+    return a == p->acceleration ? p->begin : NAN;
+  const struct rate_search search = { p, (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * a };
+  struct root_end begin = { .u = p->begin }, end = { .u = p->end };
+  begin.f = rate_beyond(&search, begin.u, &begin.slope);
+  end.f = rate_beyond(&search, end.u, &end.slope);
+  return (begin.f > 0) == (end.f > 0) && begin.f != 0 && end.f != 0 ? NAN : root_between(rate_beyond, &search, begin, end);
+}
+
+#include "numerics/walk.h"
+
+static void walk_show(const struct walk *w, real u, real c) { (void)w, (void)u, (void)c; }
+
+/* ---- scaling ---- */
+
+struct wide_scaled { /* as in struct scallop_scaled                                                        */
+  struct walk_input phase[2];
+  real fraction[2], eps, velocity, driven;
+};
+
+static void scale(const struct scallop_crawler *c, struct wide_scaled *s)
+{
+  real M = (real)c->m1 + c->m2, F = (real)c->F1 + c->F2, T = c->T, L = c->L;
+  s->fraction[0] = c->alpha;
+  s->fraction[1] = 1 - (real)c->alpha;
+  s->eps = T / L * T * F / M;
+  s->velocity = L / T;
+  s->driven = s->fraction[0] * c->gait->phase[0].net + s->fraction[1] * c->gait->phase[1].net;
+  for (int kind = 0; kind < 2; kind++)
+    s->phase[kind] = (struct walk_input){ .shape = &c->gait->phase[kind],
+                                          .mu1 = c->m1 / M,
+                                          .mu2 = c->m2 / M,
+                                          .f1 = c->F1 / F,
+                                          .f2 = c->F2 / F,
+                                          .delta = ((real)c->F1 - c->F2) / F,
+                                          .eps = s->eps * s->fraction[kind] * s->fraction[kind] };
+}
+
+static struct scallop_wide split(real x)
+{
+  double high = (double)x;
+  return (struct scallop_wide){ high, isfinite(high) ? (double)(x - high) : 0 };
+}
+
+/* ---- a phase ---- */
+
+/* As in phase.c: how far something comes, from the way whose parts cancel least. */
+static real best_way(const struct walk_result *r, const real beyond[3])
+{
+  int best = 0;
+  for (int i = 1; i < 3; i++)
+    if (r->size[i] + magnitude(beyond[i]) < r->size[best] + magnitude(beyond[best]))
+      best = i;
+  return r->way[best] + beyond[best];
+}
+
+void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *out)
+{
+  struct wide_scaled s;
+  struct walk_result r;
+  scale(c, &s);
+  real unit = s.velocity / s.fraction[kind], tau = s.fraction[kind] * c->T, stroke = kind == SCALLOP_EXTENSION ? 1 : -1;
+  const struct walk_input *in = &s.phase[kind];
+  walk_phase(in, v0 / unit, NULL, &out->modes, &r);
+  out->t1 = split(r.first_switch * tau);
+  out->dT = split(r.last_switch * tau);
+  out->v_end = split(r.c_end * unit);
+  out->dx1 = split(best_way(&r, (const real[3]){ -stroke * in->mu2, 0, -stroke }) * c->L);
+  out->dx2 = split(best_way(&r, (const real[3]){ stroke * in->mu1, stroke, 0 }) * c->L);
+  out->dxC = split(best_way(&r, (const real[3]){ stroke * (in->mu1 - in->mu2) / 2, stroke / 2, -stroke / 2 }) * c->L);
+  out->regime = r.never_moved[0] || r.never_moved[1] ? SCALLOP_AT_REST : r.sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
+}
+
+/* ---- a period ---- */
+
+struct wide_period {
+  struct walk_result phase[2];
+  real c_start, c_mid, c_end, balance, noise, slope; /* as in struct period                                       */
+  bool forgets;
+};
+
+static void run_period(const struct wide_scaled *s, real c_start, struct scallop_modes modes[2], struct wide_period *p)
+{
+  real extra[2], slope[2];
+  p->c_start = p->c_mid = p->c_end = c_start;
+  for (int kind = 0; kind < 2; kind++) {
+    real a = s->fraction[kind];
+    p->c_mid = p->c_end;
+    walk_phase(&s->phase[kind], p->c_mid * a, NULL, &modes[kind], &p->phase[kind]);
+    p->c_end = p->phase[kind].c_end / a;
+    extra[kind] = a * p->phase[kind].extra_impulse;
+    slope[kind] = a * a * p->phase[kind].slope;
+  }
+  real driven = s->phase[0].delta * s->driven;
+  p->forgets = p->phase[0].forgets || p->phase[1].forgets;
+  p->balance = driven + extra[0] + extra[1];
+  p->noise = (magnitude(driven) + magnitude(extra[0]) + magnitude(extra[1])) * ROUNDING;
+  p->slope = slope[0] + slope[1] + s->eps * slope[0] * slope[1];
+}
+
+/* As in period.c: over a whole period all come equally far. */
+static real travel_of(const struct walk_result phase[2])
+{
+  int best = 0;
+  for (int i = 1; i < 3; i++)
+    if (phase[0].size[i] + phase[1].size[i] < phase[0].size[best] + phase[1].size[best])
+      best = i;
+  return phase[0].way[best] + phase[1].way[best];
+}
+
+static void period_out(const struct scallop_crawler *c, const struct wide_scaled *s, const struct wide_period *p,
+                       struct scallop_wide_period *out)
+{
+  real near_1 = 1 + s->eps * p->slope;
+  bool never = false, sticks = p->phase[0].sticks || p->phase[1].sticks;
+  for (int body = 0; body < 2; body++)
+    never |= p->phase[0].never_moved[body] && p->phase[1].never_moved[body];
+  out->v_start = split(p->c_start * s->velocity);
+  out->v_mid = split(p->c_mid * s->velocity);
+  out->v_end = split(p->c_end * s->velocity);
+  out->displacement = split(travel_of(p->phase) * c->L);
+  out->multiplier = split(p->forgets ? 0 : 2 * near_1 > 1 ? near_1 : p->phase[0].stretch * p->phase[1].stretch);
+  out->regime = never ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
+}
+
+void WIDE(period)(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
+{
+  struct wide_scaled s;
+  struct wide_period p;
+  scale(c, &s);
+  run_period(&s, v0 / s.velocity, out->modes, &p);
+  period_out(c, &s, &p, out);
+}
+
+/* ---- the steady state ---- */
+
+static bool settled(const struct wide_period *p)
+{
+  real change = p->forgets ? p->c_end - p->c_start : p->balance / p->slope;
+  return magnitude(change) <= 2 * ROUNDING * magnitude(p->c_start) || (!p->forgets && magnitude(p->balance) <= p->noise);
+}
+
+/* Above the highest curve both bodies always move forward, below the lowest always backward. */
+static real surely(const struct wide_scaled *s)
+{
+  return 2 * (s->phase[0].shape->peak / s->fraction[0] + s->phase[1].shape->peak / s->fraction[1] + s->eps);
+}
+
+/* Newton's method on the balance, or, once a body has been stuck, the map itself, inside a bracket that is halved where they
+ * are slow. False: neither ends. */
+static bool find_steady(const struct wide_scaled *s, real c, struct scallop_modes modes[2], struct wide_period *p)
+{
+  real high = surely(s), low = -high, last = 4 * high, before = last;
+  for (int i = 0; i < 40000; i++) { /* the exponents of a wide type are halved no longer than that */
+    run_period(s, c, modes, p);
+    if (settled(p))
+      return true;
+    real change = p->forgets ? p->c_end - c : -p->balance / p->slope;
+    *((p->forgets ? change : p->balance) > 0 ? &low : &high) = c;
+    bool slow = magnitude(change) > before / 2;
+    before = last;
+    last = magnitude(change);
+    real next = c + change;
+    if (slow || !(next > low && next < high))
+      next = low + (high - low) / 2;
+    if (next == low || next == high)
+      return true;
+    c = next;
+  }
+  return false;
+}
+
+bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
+{
+  struct wide_scaled s;
+  struct wide_period p;
+  scale(c, &s);
+  if (!find_steady(&s, guess / s.velocity, out->period.modes, &p))
+    return false;
+  out->froude = split(1 / s.eps);
+  period_out(c, &s, &p, &out->period);
+  out->mean_velocity = split(travel_of(p.phase) * s.velocity);
+  return true;
+}
