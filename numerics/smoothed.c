@@ -10,6 +10,7 @@
 
 #include "numerics/rival_centre.h"
 #include "numerics/rival_motion.h"
+#include "numerics/start.h"
 
 enum { DIMENSION = 2 };
 
@@ -24,12 +25,24 @@ struct smoothed {
   double delta;
 };
 
+/* Who looks at a phase from inside; a period has nobody, and count is 0. */
+struct watch {
+  const struct scallop_crawler *crawler;
+  enum scallop_phase_kind kind;
+  double duration;
+  const double *times; /* those to come */
+  int count;
+  scallop_sampler *sampler;
+  void *context;
+};
+
 struct run {
   struct rival_centre centre; /* first, so that the one is the other */
   const struct smoothed *tools;
   const struct scallop_piece *piece;
   double d; /* the velocity over which friction is smoothed */
   double h; /* what the step control suggests               */
+  struct watch watch;
 };
 
 /* ---- the equation of motion ---- */
@@ -97,6 +110,39 @@ static enum scallop_status one_step(struct run *run, double *t, double end, doub
   return run->centre.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
 }
 
+static double next_time(const struct watch *w) { return w->count > 0 ? w->times[0] / w->duration : INFINITY; }
+
+static struct scallop_sample sample_at(const struct run *run, double t, const double y[])
+{
+  const struct watch *w = &run->watch;
+  const struct rival_centre *r = &run->centre;
+  double length, start, L = w->crawler->L, unit = L / w->duration;
+  double l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
+  scallop_gait_at(w->crawler->gait, w->kind, 0, &start, NULL, NULL);
+  scallop_gait_at(w->crawler->gait, w->kind, t, &length, NULL, NULL);
+  struct scallop_sample s = { .t = w->times[0], .l = L * length };
+  s.x1 = L * (y[1] - r->mu2 * (length - start));
+  s.x2 = s.x1 + s.l;
+  s.xC = s.x1 + s.l / 2;
+  s.v1 = unit * (y[0] - r->mu2 * l1);
+  s.v2 = unit * (y[0] + r->mu1 * l1);
+  return s;
+}
+
+/* Gives the samples whose time has come, or is so near that a step to there would be too short for rk4imp. */
+static enum scallop_status show(struct run *run, double t, const double y[])
+{
+  struct watch *w = &run->watch;
+  for (; next_time(w) <= t + 4 * DBL_EPSILON; w->times++, w->count--) {
+    struct scallop_sample sample = sample_at(run, t, y);
+    if (!isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.v2))
+      return SCALLOP_ERANGE;
+    if (!w->sampler(w->context, &sample))
+      return SCALLOP_STOPPED;
+  }
+  return SCALLOP_OK;
+}
+
 /* Each piece begins anew, as l'' may jump there. */
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
 {
@@ -106,9 +152,12 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
   run->piece = piece;
   if (gsl_odeiv2_evolve_reset(d->e) != GSL_SUCCESS || gsl_odeiv2_step_reset(d->s) != GSL_SUCCESS)
     return SCALLOP_ECONVERGE;
-  enum scallop_status status = SCALLOP_OK;
-  while (t < end && status == SCALLOP_OK)
-    status = one_step(run, &t, end, y);
+  enum scallop_status status = show(run, t, y);
+  while (t < end && status == SCALLOP_OK) {
+    status = one_step(run, &t, fmin(end, next_time(&run->watch)), y);
+    if (status == SCALLOP_OK)
+      status = show(run, t, y);
+  }
   r->steps += steps_of(d->e);
   r->c = y[0];
   r->x = y[1];
@@ -134,6 +183,40 @@ static enum scallop_status smoothed_period(struct scallop_rival *self, const str
                      .tools = (const struct smoothed *)self,
                      .h = first_step };
   return rival_centre_period(&run.centre, crawler, v0, period);
+}
+
+static bool are_times(const double *times, int count, double duration)
+{
+  for (int i = 0; i < count; i++)
+    if (!(times[i] >= (i == 0 ? 0 : times[i - 1]) && times[i] <= duration))
+      return false;
+  return count >= 0;
+}
+
+enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+                                           enum scallop_phase_kind kind, double v0, const struct scallop_patience *patience,
+                                           const double *times, int count, scallop_sampler *sampler, void *context)
+{
+  struct scallop_scaled s;
+  double c0;
+  enum scallop_status status = start_scaled(crawler, v0, &s, &c0);
+  if (status != SCALLOP_OK)
+    return status;
+  double duration = scallop_phase_duration(crawler, kind), fraction = s.fraction[kind];
+  if (!are_times(times, count, duration))
+    return SCALLOP_EDOMAIN;
+  struct run run = { .centre = { .patience = patience,
+                                 .mu1 = s.mu1,
+                                 .mu2 = s.mu2,
+                                 .f1 = s.f1,
+                                 .f2 = s.f2,
+                                 .fraction = fraction,
+                                 .eps = s.eps * (fraction * fraction),
+                                 .c = c0 * fraction },
+                     .tools = (const struct smoothed *)rival,
+                     .h = first_step,
+                     .watch = { crawler, kind, duration, times, count, sampler, context } };
+  return run_phase(&run.centre, &s.gait->phase[kind]);
 }
 
 /* ---- memory ---- */
