@@ -1,18 +1,37 @@
 /* In place of the parts that need FLINT: hands the command over to the program that has them. */
 #include <errno.h>
 #include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/auxv.h>
+#endif
 
 #include "compare/with_flint.h"
+
+/* The path of this program, through any link; false if it is not known. */
+static bool own_path(char path[PATH_MAX])
+{
+  ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - 1);
+  if (length >= 0) {
+    path[length] = '\0';
+    return true;
+  }
+#ifdef __linux__
+  /* without /proc */
+  const char *started_as = (const char *)getauxval(AT_EXECFN); /* NOLINT(performance-no-int-to-ptr) */
+  return started_as && realpath(started_as, path);
+#else
+  return false;
+#endif
+}
 
 /* The program called name in the folder of this one; false if its path is not known. */
 static bool beside(char path[PATH_MAX], const char *name)
 {
-  ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - 1);
-  if (length < 0)
+  if (!own_path(path))
     return false;
-  path[length] = '\0';
   char *base = strrchr(path, '/');
   size_t room = base ? (size_t)(PATH_MAX - (base + 1 - path)) : 0;
   if (room <= strlen(name))
@@ -63,6 +82,24 @@ enum exit_code claims_table(const struct options *options)
 }
 
 enum exit_code workprec_table(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code stress_table(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code stress_point(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code stress_stiff(const struct options *options)
 {
   (void)options;
   return EXIT_UNSOLVED;

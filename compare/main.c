@@ -1,7 +1,9 @@
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <gsl/gsl_errno.h>
 
@@ -17,7 +19,8 @@ static void help(FILE *to)
     fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
   fputs("\nscallop COMMAND --help tells what a command takes and prints. scallop --version: the version.\n"
         "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 a computation could not be done,\n"
-        "4 a file could not be read or written.\n",
+        "4 a file or standard output could not be read or written. A closed pipe is such a case: scallop ... | head -n 1.\n"
+        "A run that a signal ends returns the signal's. Whatever ends it, -o FILE leaves the earlier file or the new one.\n",
         to);
 }
 
@@ -47,6 +50,21 @@ static int flushed(void)
   return EXIT_FILE;
 }
 
+/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written into it. What
+ * stands there instead cannot be written to either. */
+static void keep_places(void)
+{
+  for (int place = STDOUT_FILENO; place <= STDERR_FILENO; place++) {
+    if (fcntl(place, F_GETFD) >= 0)
+      continue;
+    int other = open("/", O_RDONLY);
+    if (other < 0 || other == place)
+      continue;
+    dup2(other, place);
+    close(other);
+  }
+}
+
 static const struct command *command_named(const char *name)
 {
   const struct command *const *c = commands;
@@ -58,7 +76,10 @@ static const struct command *command_named(const char *name)
 int main(int count, char **arguments)
 {
   gsl_set_error_handler_off();
-  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, with a message */
+  keep_places();
+  /* A closed pipe and a file that may not grow are failed writes, with a message: half a table is an error. */
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
   if (count < 2) {
     help(stderr);
     return EXIT_USAGE;

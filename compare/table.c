@@ -3,9 +3,7 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
-#include <signal.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,82 +12,45 @@
 
 static const char *where(const struct table *t) { return t->options->output ? t->options->output : "standard output"; }
 
-/* The unfinished file, for a signal that ends the process. */
-static const char *volatile unfinished;
-
-static void give_up(int signal_number)
+/* A link to the file that standard output goes to, as /dev/stdout is: a new file in its place would take what it held before. */
+static bool leads_to_standard_output(const char *output)
 {
-  if (unfinished)
-    unlink(unfinished);
-  signal(signal_number, SIG_DFL);
-  raise(signal_number);
-}
-
-static void watch(const char *aside)
-{
-  static const int signals[] = { SIGINT, SIGTERM, SIGHUP };
-  struct sigaction before, ours = { .sa_handler = give_up };
-  sigfillset(&ours.sa_mask); /* a second signal waits until the file is gone */
-  unfinished = aside;
-  for (int i = 0; aside && i < 3; i++)
-    if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* under nohup the terminal may go */
-      sigaction(signals[i], &ours, NULL);
-}
-
-static void forget_names(struct table *t)
-{
-  free(t->aside);
-  free(t->target);
-  t->aside = t->target = NULL;
-}
-
-/* Opens a file beside the one it will become. The target is found through any link. */
-static bool open_aside(struct table *t, const char *output)
-{
-  enum { ENDING = 32 };
-  struct stat there;
-  t->target = realpath(output, NULL);
-  if (!t->target && lstat(output, &there) == 0) /* a link to nothing */
-    return false;
-  if (!t->target)
-    t->target = strdup(output);
-  if (!t->target)
-    return false;
-  size_t size = strlen(t->target) + ENDING;
-  t->aside = malloc(size);
-  if (!t->aside)
-    return false;
-  snprintf(t->aside, size, "%s.%ld.part", t->target, (long)getpid());
-  watch(t->aside); /* before the file is there */
-  t->file = fopen(t->aside, "w");
-  if (t->file && stat(t->target, &there) == 0)
-    (void)fchmod(fileno(t->file), there.st_mode & 07777); /* what the file replaces could be read by the same people */
-  return t->file != NULL;
+  struct stat link, there, standard;
+  return lstat(output, &link) == 0 && S_ISLNK(link.st_mode) && stat(output, &there) == 0
+         && fstat(STDOUT_FILENO, &standard) == 0 && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
 }
 
 bool table_open(struct table *t, const struct options *options)
 {
   struct stat there;
-  *t = (struct table){ .file = stdout, .options = options, .watched = isatty(STDOUT_FILENO) };
-  if (!options->output)
-    return true;
-  bool plain = stat(options->output, &there) != 0 || S_ISREG(there.st_mode);
-  if (!plain) /* a pipe or a device: nothing to rename onto */
-    t->file = fopen(options->output, "w");
-  if (plain ? !open_aside(t, options->output) : !t->file) {
-    complain(options->command->name, "cannot write %s: %s", options->output, strerror(errno));
-    watch(NULL);
-    forget_names(t);
+  const char *output = options->output;
+  *t = (struct table){ .file = stdout, .options = options };
+  if (output && !leads_to_standard_output(output)) {
+    t->is_aside = stat(output, &there) != 0 || S_ISREG(there.st_mode);
+    if (!t->is_aside) /* a pipe or a device: nothing to put in its place */
+      t->file = fopen(output, "w");
+    else
+      t->file = aside_open(&t->aside, output) ? t->aside.file : NULL;
+  }
+  if (!t->file) {
+    complain(options->command->name, "cannot write %s: %s", output, strerror(errno));
     return false;
   }
   t->watched = isatty(fileno(t->file));
   return true;
 }
 
+/* The first error is the one to tell of. */
+static void note_error(struct table *t, bool failed)
+{
+  if (failed && t->error == 0)
+    t->error = errno;
+}
+
 static void flush_text(struct table *t)
 {
-  if (t->used > 0 && fwrite(t->text, 1, t->used, t->file) < t->used && t->error == 0)
-    t->error = errno;
+  if (t->used > 0)
+    note_error(t, fwrite(t->text, 1, t->used, t->file) < t->used);
   t->used = 0;
 }
 
@@ -135,7 +96,7 @@ void table_note(struct table *t, const char *format, ...)
   put(t, "# ", 2);
   flush_text(t);
   va_start(arguments, format);
-  vfprintf(t->file, format, arguments);
+  note_error(t, vfprintf(t->file, format, arguments) < 0);
   va_end(arguments);
   end_line(t);
 }
@@ -270,41 +231,37 @@ void table_text(struct table *t, const char *text)
   end_cell(t);
 }
 
-bool table_failed(const struct table *t) { return t->error != 0 || ferror(t->file); }
+bool table_failed(const struct table *t) { return t->error != 0; }
+
+/* Of some file systems only this tells that the quota is full; another descriptor's does it too, and standard output stays open. */
+static bool closes(int descriptor)
+{
+  int other = dup(descriptor);
+  return other < 0 || close(other) == 0;
+}
 
 bool table_close(struct table *t)
 {
   flush_text(t);
-  bool written = fflush(t->file) == 0 && !ferror(t->file);
-  int error = t->error != 0 ? t->error : errno;
-  if (t->file != stdout && fclose(t->file) != 0 && written) {
-    written = false;
-    error = errno;
-  }
-  if (t->aside) {
-    if (written && rename(t->aside, t->target) != 0) {
-      written = false;
-      error = errno;
-    }
-    if (!written)
-      remove(t->aside);
-  }
-  if (!written)
-    complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(error));
-  watch(NULL);
-  forget_names(t);
-  return written;
+  note_error(t, fflush(t->file) != 0);
+  if (t->is_aside && t->error != 0)
+    aside_drop(&t->aside);
+  else if (t->is_aside)
+    note_error(t, !aside_keep(&t->aside));
+  else
+    note_error(t, (t->file == stdout ? !closes(STDOUT_FILENO) : fclose(t->file) != 0));
+  if (t->error != 0)
+    complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(t->error));
+  return t->error == 0;
 }
 
 void table_abandon(struct table *t)
 {
-  if (t->file == stdout)
+  if (t->is_aside)
+    aside_drop(&t->aside);
+  else {
     flush_text(t);
-  else
-    fclose(t->file);
-  if (t->aside) {
-    remove(t->aside);
-    watch(NULL);
-    forget_names(t);
+    if (t->file != stdout)
+      fclose(t->file);
   }
 }

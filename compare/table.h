@@ -1,11 +1,12 @@
-/* Tables: TSV with '#' lines on top, or JSON with one object a line, to standard output or to a file
- * that is written aside and renamed when it is complete. */
+/* Tables: TSV with '#' lines on top, or JSON with one object a line, to standard output, to a file that appears when it is complete
+ * (compare/aside.h), or to a pipe or a device. */
 #ifndef SCALLOP_TABLE_H
 #define SCALLOP_TABLE_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "compare/aside.h"
 #include "compare/digits.h"
 #include "compare/options.h"
 
@@ -17,8 +18,8 @@ size_t number_text(char text[NUMBER_TEXT], double x, long digits);
 struct table {
   FILE *file;
   const struct options *options;
-  char *target; /* the file it becomes, through any link               */
-  char *aside;  /* the name while it is written, NULL on standard output */
+  struct aside aside;
+  bool is_aside; /* or the file is standard output, a pipe or a device     */
   const char *columns[TABLE_COLUMNS];
   int count, at; /* columns; the next one in this row                     */
   bool watched;  /* on a terminal: a line appears when it is complete     */
@@ -43,7 +44,7 @@ void table_digits(struct table *table, const char *number);                /* a 
 void table_text(struct table *table, const char *text);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
-/* Closes, and renames. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
+/* Closes, and puts the file in its place. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
 bool table_close(struct table *table);
 /* Gives the output up: nothing is left behind. */
 void table_abandon(struct table *table);

@@ -138,6 +138,18 @@ for command in $takes_crawler claims; do
     finish "$command --$name: values that are not allowed"
   done
 done
+for value in ' 1' '1 ' "$(printf '1\t')" ' '; do
+  refuse 2 'without blanks' steady --T "$value"
+  refuse 2 'without blanks' phase --v0 "$value"
+  refuse 2 'without blanks' trajectory --start "$value"
+done
+run 2 steady --T "$(printf '\n1')"
+refuse 2 'whole number' trajectory --periods ' 3'
+refuse 2 '> 0; .*too small: below 2.2e-308' steady --T 1e-310
+refuse 2 'excluded; .*too small: below 2.2e-308' steady --alpha 1e-400
+refuse 2 '> 0; .*too large: no double is above 1.8e308' steady --T 1e309
+refuse 2 "'1x' is not allowed here: it takes a finite number > 0\$" steady --T 1x
+finish "blanks around a number, numbers beyond the doubles: the message says so"
 for value in 0 1 -1 2 -0.5 1.0000000000000002; do
   refuse 2 "--alpha: '$value'.*between 0 and 1" steady --alpha $value
 done
