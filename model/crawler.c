@@ -98,7 +98,7 @@ enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallo
   const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,       s.f2,           s.eps,
                                     s.eps * (a * a), s.eps * (b * b), s.velocity, s.velocity / a, s.velocity / b };
   for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
-    if (!isnormal(must_be_normal[i]))
+    if (!scaling_is_normal(must_be_normal[i]))
       return SCALLOP_ERANGE;
   from_scaling(c, &s, scaled);
   return SCALLOP_OK;

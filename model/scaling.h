@@ -13,7 +13,15 @@ struct scaling {
   double mu1, mu2, mu_difference, f1, f2, delta, eps, velocity; /* as in struct scallop_scaled */
 };
 
-SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive <= DBL_MAX); }
+/* Below DBL_MAX, which is what an overflow gives where it is not rounded up. */
+SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive < DBL_MAX); }
+
+/* Whether a result keeps its digits when it is scaled back. Far below its natural unit it has few to keep. */
+SCALLOP_INLINE int scaling_keeps(double scaled, double result)
+{
+  double a = scaled < 0 ? -scaled : scaled, b = result < 0 ? -result : result;
+  return (b < DBL_MAX) & ((a < 0x1p-960) | (b >= DBL_MIN));
+}
 
 /* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False: scallop_scale
  * will tell what is the matter, and what it is. */
@@ -34,8 +42,8 @@ SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double
   int positive = (m1 > 0) & (m2 > 0) & (F1 > 0) & (F2 > 0) & (L > 0) & (T > 0) & (alpha > 0) & (alpha < 1);
   int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1) & scaling_is_normal(s->f2)
                & scaling_is_normal(slowness) & scaling_is_normal(friction) & scaling_is_normal(speed)
-               & scaling_is_normal(s->eps * (shorter * shorter)) & (s->eps <= DBL_MAX) & (s->velocity >= DBL_MIN)
-               & (s->velocity <= DBL_MAX * shorter);
+               & scaling_is_normal(s->eps * (shorter * shorter)) & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN)
+               & (s->velocity < DBL_MAX * shorter);
   return positive & normal;
 }
 

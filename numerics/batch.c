@@ -56,6 +56,14 @@ static double holds(const struct scallop_crawlers *c, long i, double slope_e, do
   return slope_c * back <= strength * (b * b) ? 1 : slope_e * front <= strength * (a * a) ? -1 : 0;
 }
 
+/* No result over- or underflows. */
+SCALLOP_INLINE int keeps(const struct scaling *s, double c_start, double c_mid, double travel, double displacement,
+                         double mean)
+{
+  return scaling_keeps(1, 1 / s->eps) & scaling_keeps(c_start, c_start * s->velocity)
+         & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
+}
+
 VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
 {
   const struct scallop_shape *phase = gait->phase;
@@ -76,7 +84,8 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     out->displacement[i] = displacement;
     out->mean_velocity[i] = mean;
     out->multiplier[i] = r.multiplier;
-    out->valid[i] = (valid & (fabs(mean) <= DBL_MAX)) ? 1 : 0;
+    valid &= keeps(&s, r.c_start, r.c_mid, r.travel, displacement, mean);
+    out->valid[i] = valid ? 1 : 0;
   }
 }
 
@@ -103,7 +112,8 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
       out->stuck[phase][i] = h.stuck[phase];
       out->grip[phase][i] = h.grip[phase];
     }
-    out->valid[i] = (valid & (h.margin > 0) & (fabs(mean) <= DBL_MAX)) ? 1 : 0;
+    valid &= keeps(&s, h.c_start, h.c_mid, h.travel, displacement, mean);
+    out->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }
 

@@ -89,6 +89,8 @@ static bool turn_back(const struct line *l, const struct scallop_shape *shape, d
 /* The shear of a crossing, added to that of those before (motion.c) */
 static double sheared(double slope, double eps, double x) { return slope + x + eps * x * slope; }
 
+static bool is_near(double a, double b) { return fabs(a - b) < 0x1p-5 * (fabs(a) + fabs(b)); }
+
 bool concave_solve(const struct motion_input *in, double c0, struct motion *motion)
 {
   bool rear_is_1 = in->shape->pieces[0].direction > 0, forward = c0 >= 0;
@@ -109,6 +111,9 @@ bool concave_solve(const struct motion_input *in, double c0, struct motion *moti
                         : 2 * l.f_second / (l.between - l.q1 * last.slope);
   double steep = l.q0 * first.slope, fall = (above ? l.q0 : -l.q1) * last.slope; /* d c_after / d c_before, twice */
   double stretch = (l.between - steep) / (-l.eps - steep) * ((above ? -l.eps : l.eps) + fall) / (l.between + fall);
+  double level = 0x1p-5 * fabs(in->shape->l0);
+  bool delicate = first.slope < level || last.slope < level || is_near(steep, l.between) || is_near(-fall, l.between)
+                  || is_near(fall, above ? l.eps : -l.eps);
   unsigned trail = (1 + BETWEEN) | (unsigned)(1 + (above ? ABOVE : BELOW)) << TRAIL_BITS;
   trail = c > 0 ? trail << TRAIL_BITS | (1 + ABOVE) : trail;
   double between = 1 - first.x - last.x;
@@ -121,6 +126,7 @@ bool concave_solve(const struct motion_input *in, double c0, struct motion *moti
                              .extra_impulse = sign * (extra - 2 * l.f_first * first.x),
                              .slope = sheared(x, l.eps, x_last),
                              .stretch = stretch,
+                             .delicate = delicate,
                              .first_switch = c > 0 ? first.x : 1 - last.x,
                              .last_switch = last.x,
                              .work = work,

@@ -87,6 +87,7 @@ void motion_solve(const struct motion_input *in, double c0, struct motion *motio
   motion->slope = r.slope;
   motion->stretch = r.stretch;
   motion->forgets = r.forgets;
+  motion->delicate = r.delicate;
   motion->sticks = r.sticks;
   motion->never_moved[0] = r.never_moved[0];
   motion->never_moved[1] = r.never_moved[1];

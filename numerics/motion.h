@@ -28,19 +28,21 @@ static inline struct motion_input motion_input_of(const struct scallop_scaled *s
 }
 
 struct motion {
-  double c_end;             /* velocity of the centre of mass at the end                                */
-  double way[3];            /* displacement of the centre of mass, of body 1 and of body 2              */
-  double size[3];           /* sum of the magnitudes of the parts of each, which rounding goes with; never nan */
-  double extra_impulse;     /* integral of c'/eps - (its value with the bodies in opposite motion,
+  double c_end;         /* velocity of the centre of mass at the end                                */
+  double way[3];        /* displacement of the centre of mass, of body 1 and of body 2              */
+  double size[3];       /* sum of the magnitudes of the parts of each, which rounding goes with; never nan */
+  double extra_impulse; /* integral of c'/eps - (its value with the bodies in opposite motion,
                                delta sgn l'): zero where nothing but the stronger driving body matters;
                                meaningless if it forgets                                                */
-  double slope;             /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets     */
-  double stretch;           /* d c_end / d c_0, as a product without cancellation; likewise              */
-  bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
-  bool sticks;              /* a body is stuck for some time                                            */
-  bool never_moved[2];      /* body 1, body 2 stuck throughout                                          */
-  double first_switch;      /* from the start; nan if none                                              */
-  double last_switch;       /* back from the end; nan if none                                           */
+  double slope;         /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets     */
+  double stretch;       /* d c_end / d c_0, as a product without cancellation; likewise              */
+  bool forgets;         /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
+  bool delicate;        /* a curve was crossed nearly at a tangent, or where it is nearly level: slope and stretch depend on
+                               where in the last digit                                                  */
+  bool sticks;          /* a body is stuck for some time                                            */
+  bool never_moved[2];  /* body 1, body 2 stuck throughout                                          */
+  double first_switch;  /* from the start; nan if none                                              */
+  double last_switch;   /* back from the end; nan if none                                           */
   struct scallop_work work; /* periods: 0                                                           */
   unsigned trail;           /* 0, or the modes in short: motion_modes tells them                    */
   struct scallop_modes modes;

@@ -107,7 +107,8 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   answer.v_start = v0;
   if (period_cancels(period.travel, period.size) && wide_enough_period(crawler, v0, &wider))
     answer.displacement = wider.displacement.high;
-  if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
+  if (!scaling_keeps(period.c_mid, answer.v_mid) || !scaling_keeps(period.c_end, answer.v_end)
+      || !scaling_keeps(period.travel, answer.displacement))
     return SCALLOP_ERANGE;
   *result = answer;
   return SCALLOP_OK;

@@ -14,7 +14,7 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
 
 /* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding leaves about an ulp
  * of size, and the displacement itself may be known to as little as an ulp of its own. */
-SCALLOP_INLINE int period_cancels(double travel, double size) { return (travel < 0 ? -travel : travel) < 0.0625 * size; }
+SCALLOP_INLINE int period_cancels(double travel, double size) { return (travel < 0 ? -travel : travel) < 0.125 * size; }
 
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */

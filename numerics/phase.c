@@ -3,7 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/scaling.h"
 #include "numerics/motion.h"
+#include "numerics/start.h"
 
 const char *scallop_regime_text(enum scallop_regime regime)
 {
@@ -40,9 +42,9 @@ static enum scallop_status run(const struct scallop_crawler *crawler, enum scall
     return SCALLOP_EDOMAIN;
   *unit = crawler->L / scallop_phase_duration(crawler, kind);
   double c0 = v0 / *unit;
-  if (!isfinite(c0) || (c0 == 0 && v0 != 0))
-    return SCALLOP_ERANGE;
   struct motion_input input = motion_input_of(scaled, kind);
+  if (!start_is_kept(v0, c0, input.eps))
+    return SCALLOP_ERANGE;
   motion_solve(&input, c0, motion, visit, context);
   return SCALLOP_OK;
 }
@@ -77,19 +79,23 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
     return status;
   const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
   const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
+  const double way[3] = { best_way(&motion, body_1), best_way(&motion, body_2), best_way(&motion, middle) };
   struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,
     .v_end = motion.c_end * unit,
-    .dx1 = best_way(&motion, body_1) * crawler->L,
-    .dx2 = best_way(&motion, body_2) * crawler->L,
-    .dxC = best_way(&motion, middle) * crawler->L,
+    .dx1 = way[0] * crawler->L,
+    .dx2 = way[1] * crawler->L,
+    .dxC = way[2] * crawler->L,
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
               : motion.sticks                                ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,
   };
   motion_modes(&motion, kind, &answer.modes);
-  if (!isfinite(answer.v_end) || !isfinite(answer.dx1) || !isfinite(answer.dx2) || !isfinite(answer.dxC))
+  bool has_switch = !isnan(motion.first_switch);
+  if (!scaling_keeps(motion.c_end, answer.v_end) || !scaling_keeps(way[0], answer.dx1) || !scaling_keeps(way[1], answer.dx2)
+      || !scaling_keeps(way[2], answer.dxC)
+      || (has_switch && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
     return SCALLOP_ERANGE;
   *result = answer;
   return SCALLOP_OK;

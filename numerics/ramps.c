@@ -269,6 +269,7 @@ bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion
   motion->extra_impulse = sign * p.extra_impulse;
   motion->slope = p.slope;
   motion->stretch = p.stretch;
+  motion->delicate = false;
   motion->forgets = motion->sticks = p.held;
   motion->first_switch = p.first_switch;
   motion->last_switch = p.last_switch;

@@ -51,6 +51,14 @@ static bool touch(const struct scallop_shape *shape, double t, double u, struct 
   return small;
 }
 
+static bool is_delicate(const struct scallop_shape *shape, const struct aim *aim, const struct tangents *tangents)
+{
+  static const double small = 0x1p-5;
+  double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
+  return tangents->first.slope < small * fabs(shape->l0) || tangents->last.slope < small * fabs(shape->lT)
+         || margin(up, aim->between) < small || margin(down, -aim->between) < small || margin(down, aim->outside) < small;
+}
+
 void regular_modes(bool forward, struct scallop_modes modes[2])
 {
   for (int phase = 0; phase < 2; phase++) {
@@ -73,6 +81,7 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
   r->c_start = 0;
+  r->delicate = false;
   if (!regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
     return CONTRACTION_HOLDS;
   if (!regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
@@ -92,6 +101,7 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
       return REGULAR_FOUND;
     last = touch(&phase[0], r->t[0], r->u[0], &aim[0], &tangents[0]);
     last &= touch(&phase[1], r->t[1], r->u[1], &aim[1], &tangents[1]);
+    r->delicate = is_delicate(&phase[0], &aim[0], &tangents[0]) || is_delicate(&phase[1], &aim[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }

@@ -40,6 +40,7 @@ struct regular_phase {
 struct regular {
   double c_start, c_mid, c_end; /* in L/T                                                                      */
   double travel, multiplier, balance;
+  bool delicate;     /* as in struct motion                                                          */
   double t[2], u[2]; /* the crossings of each phase, from its start and back from its end          */
 };
 

@@ -69,6 +69,16 @@ static double clamp(double u, double a, double b)
   return u < lo ? lo : u > hi ? hi : u;
 }
 
+/* The first of u a few ulp, 16 times that, and so on towards far at which f has no longer the sign that it has at u: the root may be so near to 0
+ * that halving the whole interval would not get there. */
+static double beyond_root(struct problem *problem, double u, double f, double far)
+{
+  for (double step = copysign(4 * DBL_EPSILON * fmax(fabs(u), DBL_MIN), far - u); fabs(step) < fabs(far - u); step *= 16)
+    if ((value(u + step, problem) > 0) != (f > 0))
+      return u + step;
+  return far;
+}
+
 double root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
 {
   if (a.f == 0 || b.f == 0)
@@ -92,7 +102,8 @@ double root_between(root_function *f, const void *context, struct root_end a, st
   if (p.f == 0)
     return p.u;
   struct problem problem = { f, context };
-  p.u = brent(&problem, a.u, b.u);
+  double far = (p.f > 0) == (a.f > 0) ? b.u : a.u;
+  p.u = brent(&problem, p.u, beyond_root(&problem, p.u, p.f, far));
   p.f = f(context, p.u, &p.slope);
   return p.slope != 0 ? clamp(p.u - p.f / p.slope, a.u, b.u) : p.u;
 }

@@ -173,18 +173,17 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
 }
 
-/* A displacement that rounding has spoilt, or a small multiplier, which depends on where in the last digit of v_start the root lies. */
-static void mend(const struct scallop_crawler *crawler, const struct period *p, struct scallop_steady_result *result)
+/* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
+static void mend(const struct scallop_crawler *crawler, bool cancels, bool delicate, struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  bool cancels = period_cancels(p->travel, p->size), steep = !p->forgets && result->period.multiplier < 0.0625;
-  if ((!cancels && !steep) || !wide_enough_steady(crawler, result->period.v_start, &wider))
+  if ((!cancels && !delicate) || !wide_enough_steady(crawler, result->period.v_start, &wider))
     return;
   if (cancels) {
     result->period.displacement = wider.period.displacement.high;
     result->mean_velocity = wider.mean_velocity.high;
   }
-  if (steep)
+  if (delicate)
     result->period.multiplier = wider.period.multiplier.high;
 }
 
@@ -224,6 +223,15 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
   return SCALLOP_INTERVAL;
 }
 
+static bool in_range(const struct scallop_crawler *crawler, const struct scallop_scaled *s, double c_start, double c_mid,
+                     double travel)
+{
+  double displacement = travel * crawler->L;
+  return scaling_keeps(1, 1 / s->eps) && scaling_keeps(c_start, c_start * s->velocity)
+         && scaling_keeps(c_mid, c_mid * s->velocity) && scaling_keeps(travel, displacement)
+         && scaling_keeps(travel, displacement / crawler->T);
+}
+
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
 {
   struct scallop_scaled s;
@@ -242,21 +250,25 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     status = search(&s, outcome, regular.c_start, &period, &at, &work);
   if (status < 0)
     return status;
-  double mean = (is_regular ? regular.travel : is_held ? held.travel : period.travel) * crawler->L / crawler->T;
-  if (!isfinite(mean))
+  double travel = is_regular ? regular.travel : is_held ? held.travel : period.travel;
+  double c_start = is_regular ? regular.c_start : is_held ? held.c_start : period.c_start;
+  double c_mid = is_regular ? regular.c_mid : is_held ? held.c_mid : period.c_mid;
+  if (!in_range(crawler, &s, c_start, c_mid, travel))
     return SCALLOP_ERANGE;
   result->froude = 1 / s.eps;
-  result->mean_velocity = mean;
+  result->mean_velocity = travel * crawler->L / crawler->T;
   result->work = work;
   if (is_regular) {
     regular_result(&s, &regular, crawler->L, result);
+    mend(crawler, false, regular.delicate, result);
   } else if (is_held) {
     held_result(&s, &held, crawler->L, result);
   } else {
     period_result(crawler, &s, &period, &result->period);
     result->v_low = at.lo * s.velocity;
     result->v_high = at.hi * s.velocity;
-    mend(crawler, &period, result);
+    bool delicate = period.phase[0].delicate || period.phase[1].delicate || result->period.multiplier < 0.0625;
+    mend(crawler, period_cancels(period.travel, period.size), delicate && !period.forgets, result);
   }
   return status;
 }

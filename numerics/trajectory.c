@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "numerics/period.h"
+#include "numerics/start.h"
 
 /* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
 struct sum {
@@ -86,7 +87,7 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     return SCALLOP_EDOMAIN;
   double unit = scaled.velocity;
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 }; /* where periods begin */
-  if (!isfinite(c.high) || (c.high == 0 && v0 != 0))
+  if (!start_is_kept(v0, c.high, scaled.eps))
     return SCALLOP_ERANGE;
   struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
   for (long n = 0; n < periods && !r.stopped; n++) {

@@ -23,7 +23,7 @@ struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are i
 struct walk_result { /* as in struct motion                                                                */
   real c_end, extra_impulse, slope, stretch, first_switch, last_switch;
   real way[3], size[3];
-  bool forgets, sticks, never_moved[2];
+  bool forgets, delicate, sticks, never_moved[2];
   struct scallop_work work;
   struct scallop_modes *modes;
 };
@@ -193,6 +193,15 @@ static inline int beyond(const struct walk *w, int j)
   return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
 }
 
+/* A curve whose slope here is `along`, and `steepest` at the end of the phase, crossed by a line with these slopes on its sides. */
+static inline bool is_delicate(real along, real before, real after, real steepest)
+{
+  const int small = 32;
+  real level = magnitude(along);
+  return small * level < magnitude(steepest) || small * magnitude(along - before) < level + magnitude(before)
+         || small * magnitude(along - after) < level + magnitude(after);
+}
+
 /* c has met curve j, coming from w->region. moved: some time has passed since the last event. */
 static inline void meet(struct walk *w, int j, bool moved)
 {
@@ -208,11 +217,14 @@ static inline void meet(struct walk *w, int j, bool moved)
     w->out->forgets = true;
     return;
   }
+  real along = w->curve[j] * w->here.rate;
   /* the flow is sheared: d c_after / d c_before = (slope[to] - along)/(slope[from] - along) = 1 + eps x,
    * and (slope[to] - slope[from])/eps is the difference of what the regions add to the impulse */
-  real x = (w->extra[to] - w->extra[from]) / (w->slope[from] - w->curve[j] * w->here.rate);
+  real x = (w->extra[to] - w->extra[from]) / (w->slope[from] - along);
   w->out->slope += x + w->in->eps * x * w->out->slope;
-  w->out->stretch *= (w->slope[to] - w->curve[j] * w->here.rate) / (w->slope[from] - w->curve[j] * w->here.rate);
+  w->out->stretch *= (w->slope[to] - along) / (w->slope[from] - along);
+  if (!w->piece->linear)
+    w->out->delicate |= is_delicate(along, w->slope[from], w->slope[to], w->curve[j] * w->in->shape->l0);
   w->region = to;
 }
 

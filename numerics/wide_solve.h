@@ -93,7 +93,7 @@ static real root_between(root_function *f, const void *context, struct root_end 
     return a.f == 0 ? a.u : b.u;
   struct root_end p = (a.f < 0 ? -a.f : a.f) < (b.f < 0 ? -b.f : b.f) ? a : b;
   real before = a.u - b.u;
-  for (int i = 0; i < 4 * REAL_BITS; i++) {
+  for (int i = 0; i < 20000; i++) { /* of halvings towards 0, in a wide type's range of exponents */
     real step = -p.f / p.slope, next = p.u + step;
     bool inside = (next > a.u) != (next > b.u), slow = (step < 0 ? -step : step) > (before < 0 ? -before : before) / 2;
     if (!inside || slow) {
