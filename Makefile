@@ -17,9 +17,9 @@ B       ?= build
 WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table certified_rows series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table)
+               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table claims_read certified_rows series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c))
 flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
-flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec
+flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
@@ -40,16 +40,23 @@ core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_pa
 alone   := $(core) $(call objects,compare/hand_over)
 full    := $(core) $(call objects,$(flint_parts) $(cvode)) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
+# Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
+fuzz_flint := certified decimal expression tables
+fuzz    := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZER  ?=
 ifeq ($(WITH_FLINT),0)
   programs := $(B)/scallop
   tests    := $(filter-out $(flint_tests),$(tests))
+  fuzz     := $(filter-out $(fuzz_flint),$(fuzz))
 else
   programs := $(B)/scallop $(B)/scallop-flint
 endif
 tests   := $(patsubst %,$(B)/test_%,$(tests))
+fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
+fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check reproduce bench instructions lint format asan clean setup-build setup-check setup-plots
+.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -98,12 +105,20 @@ $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(alone)
 	@echo "  LD $@"
 	@$(link) -lcmocka $(LDLIBS)
 
+$(patsubst %,$(B)/fuzz_%,$(fuzz_flint)): $(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(full)
+	@echo "  LD $@"
+	@$(link) $(FUZZER) $(FLINT) $(SUNDIALS) $(LDLIBS)
+
+$(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(alone)
+	@echo "  LD $@"
+	@$(link) $(FUZZER) $(LDLIBS)
+
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
 
 ## check:      build with warnings as errors and run every test, the commands included
 check: setup-check
-	@$(MAKE) --no-print-directory $(programs) $(tests)
-	@WITH_FLINT=$(WITH_FLINT) scripts/check.sh $(B) $(tests)
+	@$(MAKE) --no-print-directory $(programs) $(tests) $(fuzz)
+	@WITH_FLINT=$(WITH_FLINT) scripts/check.sh $(B) $(tests) $(fuzz)
 
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 reproduce: setup-plots
@@ -131,11 +146,21 @@ asan:
 	@$(MAKE) --no-print-directory check B=$(B)/asan \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all $(no_false_alarms)"
 
-sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,model asymptotics numerics compare tests bench,$(wildcard $(r)/*.c)))
+FUZZ_SECONDS ?= 60
+FUZZ_TARGETS ?= $(patsubst $(B)/fuzz_%,%,$(fuzz))
+fuzz_flags = -fno-omit-frame-pointer -Wno-pass-failed -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
+fuzz:
+	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests fuzz
+	@$(MAKE) --no-print-directory fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
+	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
+fuzz-programs: $(fuzz)
+
+sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format
 lint:
 	@scripts/setup.sh build tests lint
-	clang-format --dry-run -Werror $(sources) $(foreach r,model asymptotics numerics compare tests,$(wildcard $(r)/*.h))
+	clang-format --dry-run -Werror $(sources) $(foreach r,model asymptotics numerics compare tests tests/fuzz,$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	clang-tidy --quiet $(sources) -- -std=c11 -D_XOPEN_SOURCE=700 -I.
 

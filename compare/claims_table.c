@@ -1,12 +1,10 @@
 /* The ledger as a table, and its verdicts against those of a ledger that was written before. */
-#include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare/claims.h"
+#include "compare/claims_read.h"
 #include "compare/compare.h"
 #include "compare/decimal.h"
-#include "compare/lines.h"
 #include "compare/with_flint.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
@@ -146,103 +144,17 @@ static const char *const check_columns[] = { "claim",           "equation", "qua
                                              "conditions",      "verdict",  "derived_order", "committed",
                                              "committed_order", NULL };
 
-enum { KEYS = 5, MOST_CELLS = 40 };
-
-struct committed {
-  char *line;            /* holds the cells                                                         */
-  const char *key[KEYS]; /* claim, equation, quantity, gait, conditions                             */
-  const char *verdict, *order;
-  bool met;
-};
-
 struct check {
   struct table table;
-  struct committed *rows;
-  int count, verdicts, differ;
+  struct committed_ledger ledger;
+  int verdicts, differ;
 };
-
-/* The cells of a line by the names in the header; false if one is missing. */
-static bool take_cells(struct committed *row, char *line, char *const *header, int columns_there)
-{
-  static const char *const wanted[] = { "claim", "equation", "quantity", "gait", "conditions", "verdict", "derived_order" };
-  const char **cells[] = {
-    &row->key[0], &row->key[1], &row->key[2], &row->key[3], &row->key[4], &row->verdict, &row->order
-  };
-  int column = 0, found = 0;
-  for (char *cell = line; cell && column < columns_there; column++) {
-    char *tab = strchr(cell, '\t');
-    if (tab)
-      *tab = '\0';
-    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
-      if (strcmp(header[column], wanted[i]) == 0) {
-        *cells[i] = cell;
-        found++;
-      }
-    cell = tab ? tab + 1 : NULL;
-  }
-  return found == sizeof wanted / sizeof *wanted;
-}
-
-static int split_header(char *line, char **header)
-{
-  int n = 0;
-  for (char *cell = line; cell && n < MOST_CELLS;) {
-    char *tab = strchr(cell, '\t');
-    if (tab)
-      *tab = '\0';
-    header[n++] = cell;
-    cell = tab ? tab + 1 : NULL;
-  }
-  return n;
-}
-
-static enum exit_code read_committed(struct check *check, const char *name)
-{
-  struct lines lines = { .file = fopen(name, "r") };
-  char *header[MOST_CELLS], *header_line = NULL;
-  int n = 0, room = 0;
-  enum exit_code code = EXIT_DONE;
-  if (!lines.file) {
-    complain("claims", "cannot read %s: %s", name, strerror(errno));
-    return EXIT_FILE;
-  }
-  while (code == EXIT_DONE && next_line(&lines)) {
-    if (lines.line[0] == '#' || lines.line[0] == '\0')
-      continue;
-    if (!header_line) {
-      header_line = strdup(lines.line);
-      n = split_header(header_line, header);
-      continue;
-    }
-    if (check->count == room)
-      check->rows = realloc(check->rows, sizeof *check->rows * (size_t)(room += 512));
-    struct committed *row = &check->rows[check->count];
-    *row = (struct committed){ .line = strdup(lines.line) };
-    check->count++;
-    if (!take_cells(row, row->line, header, n)) {
-      complain("claims", "%s:%ld: this is no row of a ledger: `scallop claims` writes one", name, lines.number);
-      code = EXIT_USAGE;
-    }
-  }
-  if (code == EXIT_DONE && ferror(lines.file)) {
-    complain("claims", "cannot read %s: %s", name, strerror(errno));
-    code = EXIT_FILE;
-  }
-  if (code == EXIT_DONE && check->count == 0) {
-    complain("claims", "%s: no row of a ledger: `scallop claims` writes one", name);
-    code = EXIT_USAGE;
-  }
-  fclose(lines.file);
-  free(lines.line);
-  free(header_line);
-  return code;
-}
 
 static void write_difference(struct check *check, const char *const *key, const char *now, const char *order,
                              const char *then, const char *order_then)
 {
   struct table *t = &check->table;
-  for (int i = 0; i < KEYS; i++)
+  for (int i = 0; i < COMMITTED_KEYS; i++)
     table_text(t, key[i]);
   table_text(t, now);
   table_text(t, order);
@@ -254,13 +166,13 @@ static void write_difference(struct check *check, const char *const *key, const 
 static void check_row(void *context, const struct claim_row *row)
 {
   struct check *check = context;
-  const char *const key[KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+  const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
   const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
   check->verdicts++;
-  for (int i = 0; i < check->count; i++) {
-    struct committed *c = &check->rows[i];
+  for (int i = 0; i < check->ledger.count; i++) {
+    struct committed *c = &check->ledger.rows[i];
     bool same = true;
-    for (int k = 0; k < KEYS; k++)
+    for (int k = 0; k < COMMITTED_KEYS; k++)
       same = same && strcmp(key[k], c->key[k]) == 0;
     if (!same || c->met)
       continue;
@@ -274,23 +186,21 @@ static void check_row(void *context, const struct claim_row *row)
 
 static enum exit_code check_ledger(const struct options *o)
 {
-  struct check check = { .count = 0 };
+  struct check check = { .differ = 0 };
   const char *wrong = NULL;
-  enum exit_code code = read_committed(&check, o->against);
+  enum exit_code code = committed_read(&check.ledger, o->against);
   if (code == EXIT_DONE && !begin(&check.table, o, check_columns))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
     wrong = each_row(o, check_row, &check);
-    for (int i = 0; i < check.count; i++)
-      if (!check.rows[i].met && (!o->has_gait || strcmp(check.rows[i].key[3], o->crawler.gait->name) == 0))
-        write_difference(&check, check.rows[i].key, "-", "-", check.rows[i].verdict, check.rows[i].order);
+    for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
+      if (!row->met && (!o->has_gait || strcmp(row->key[3], o->crawler.gait->name) == 0))
+        write_difference(&check, row->key, "-", "-", row->verdict, row->order);
     code = end(&check.table, wrong);
   }
   if (code == EXIT_DONE && !o->quiet)
     fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, o->against);
-  for (int i = 0; i < check.count; i++)
-    free(check.rows[i].line);
-  free(check.rows);
+  committed_free(&check.ledger);
   return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
 }
 

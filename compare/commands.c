@@ -4,9 +4,10 @@
 
 #include "compare/compare.h"
 
-const struct command *const commands[] = { &command_phase,  &command_steady,   &command_trajectory,
-                                           &command_series, &command_claims,   &command_order,
-                                           &command_figure, &command_workprec, NULL };
+const struct command *const commands[] = {
+  &command_phase, &command_steady, &command_trajectory, &command_series, &command_claims,
+  &command_order, &command_figure, &command_workprec,   &command_stress, NULL
+};
 
 void complain(const char *command, const char *format, ...)
 {

@@ -11,7 +11,7 @@
 #include "compare/digits.h"
 
 struct description {
-  const char *name;        /* without the dashes                                              */
+  const char *name;        /* without the dashes, and after a dot that of the only command it is about */
   const char *placeholder; /* NULL: a flag                                                    */
   const char *help;
   const char *(*set)(struct options *, const char *name, const char *text);
@@ -19,17 +19,17 @@ struct description {
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000, MOST_CASES = 1000000 };
 enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
 
-static char message[240];
+static char message[320];
 
 bool read_number(const char *text, double *value)
 {
   char *end;
   if (digits_read(text, value))
     return true;
-  if (*text == '\0' || strspn(text, " \t") > 0)
+  if (*text == '\0' || isspace((unsigned char)*text))
     return false;
   errno = 0;
   double x = strtod(text, &end);
@@ -46,7 +46,7 @@ static bool read_count(const char *text, long low, long high, long *value)
   char *end;
   errno = 0;
   long x = strtol(text, &end, 10);
-  if (*text == '\0' || *end != '\0' || errno != 0 || x < low || x > high)
+  if (*text == '\0' || isspace((unsigned char)*text) || *end != '\0' || errno != 0 || x < low || x > high)
     return false;
   *value = x;
   return true;
@@ -56,6 +56,23 @@ static const char *not_allowed(const char *text, const char *allowed)
 {
   snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);
   return message;
+}
+
+/* The same for a number, with what is the matter where the text nearly is one. */
+static const char *no_number(const char *text, const char *allowed)
+{
+  char *end, both[160];
+  size_t length = strlen(text);
+  bool blank = length > 0 && (isspace((unsigned char)text[0]) || isspace((unsigned char)text[length - 1]));
+  errno = 0;
+  double x = strtod(text, &end);
+  bool beyond = !blank && *end == '\0' && errno == ERANGE;
+  snprintf(both, sizeof both, "%s%s", allowed,
+           blank                   ? ", without blanks around it"
+           : beyond && fabs(x) < 1 ? "; this one is too small: below 2.2e-308 doubles lose digits"
+           : beyond                ? "; this one is too large: no double is above 1.8e308"
+                                   : "");
+  return not_allowed(text, both);
 }
 
 int crawler_place(const char *name)
@@ -101,7 +118,7 @@ const char *options_set_crawler_number(struct options *o, int place, const char 
   struct scallop_complaint complaint;
   struct scallop_crawler candidate = o->crawler; /* has no other fault */
   if (!read_number(text, crawler_field(&candidate, place)))
-    return not_allowed(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
+    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
   if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
   o->crawler = candidate;
@@ -119,6 +136,7 @@ static const char *set_phase(struct options *o, const char *name, const char *te
   (void)name;
   if (strcmp(text, "extension") != 0 && strcmp(text, "contraction") != 0)
     return not_allowed(text, "extension or contraction");
+  o->has_phase = true;
   o->phase = *text == 'e' ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
   return NULL;
 }
@@ -129,7 +147,7 @@ static const char *set_number(struct options *o, const char *name, const char *t
   double value;
   bool positive = field == &o->tolerance;
   if (!read_number(text, &value) || (positive && !(value > 0)))
-    return not_allowed(text, positive ? "a finite number > 0" : "a finite number");
+    return no_number(text, positive ? "a finite number > 0" : "a finite number");
   *field = value;
   o->has_expect |= field == &o->expect;
   o->has_v0 |= field == &o->v0;
@@ -144,7 +162,7 @@ static const char *set_start(struct options *o, const char *name, const char *te
   o->start = text;
   if (strcmp(text, "rest") == 0 || strcmp(text, "steady") == 0 || read_number(text, &o->start_velocity))
     return NULL;
-  return not_allowed(text, "rest, steady or a velocity");
+  return no_number(text, "rest, steady or a velocity");
 }
 
 static bool accepted(const struct command *command, const char *name)
@@ -167,6 +185,11 @@ static const char *set_count(struct options *o, const char *name, const char *te
   o->has_order |= strcmp(name, "order") == 0;
   if (strcmp(name, "order") == 0)
     return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
+  o->has_seed |= strcmp(name, "seed") == 0;
+  if (strcmp(name, "cases") == 0)
+    return read_count(text, 1, MOST_CASES, &o->cases) ? NULL : not_allowed(text, "a whole number from 1 to 1000000");
+  if (strcmp(name, "seed") == 0)
+    return read_count(text, 0, 1000000000, &o->seed) ? NULL : not_allowed(text, "a whole number from 0 to 1000000000");
   long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
   return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
 }
@@ -184,7 +207,10 @@ static const char *set_file(struct options *o, const char *name, const char *tex
 {
   if (*text == '\0')
     return not_allowed(text, "a file name");
-  *(strcmp(name, "points") == 0 ? &o->points : strcmp(name, "from") == 0 ? &o->from : &o->output) = text;
+  if (strcmp(name, "output") == 0)
+    o->output = strcmp(text, "-") == 0 ? NULL : text;
+  else
+    *(strcmp(name, "points") == 0 ? &o->points : &o->from) = text;
   return NULL;
 }
 
@@ -193,6 +219,13 @@ static const char *set_errors(struct options *o, const char *name, const char *t
   (void)name;
   o->errors = text;
   return *text == '\0' ? not_allowed(text, "names of claims, separated by commas, or all") : NULL;
+}
+
+static const char *set_family(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  o->family = text;
+  return *text == '\0' ? not_allowed(text, "the name of a family") : NULL;
 }
 
 static const char *set_against(struct options *o, const char *name, const char *text)
@@ -218,7 +251,7 @@ static const char *set_limit(struct options *o, const char *name, const char *te
   double seconds;
   (void)name;
   if (!read_number(text, &seconds) || seconds < 1e-3 || seconds > 3600)
-    return not_allowed(text, "seconds, from 0.001 to 3600");
+    return no_number(text, "seconds, from 0.001 to 3600");
   o->limit = seconds;
   return NULL;
 }
@@ -229,7 +262,8 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
   const struct {
     const char *name;
     bool *flag;
-  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified }, { "quick", &o->quick }, { "summary", &o->summary } };
+  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified }, { "quick", &o->quick }, { "summary", &o->summary },
+                { "full", &o->full },   { "stiff", &o->stiff },         { "error", &o->error } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
       *flags[i].flag = true;
@@ -260,6 +294,15 @@ static const struct description descriptions[] = {
   { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
   { "tol", "D", "how far from it the order may be (0.1)", set_number },
   { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
+  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", set_against },
+  { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", set_flag },
+  { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", set_flag },
+  { "family", "NAME", "of this family only", set_family },
+  { "cases", "N", "of each family and gait (1000; 60 with --check, 10000 with --full)", set_count },
+  { "seed", "N", "of their parameters (1)", set_count },
+  { "full", NULL, "many cases: takes minutes", set_flag },
+  { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", set_flag },
+  { "error", NULL, "after each number an estimate of its error", set_flag },
   { "check", NULL, "compare the verdicts with those in data/claims.tsv: exit code 1 if any differs", set_against },
   { "against", "FILE", "the same with another ledger", set_against },
   { "source", "SOURCE", "published, derived or limit (published)", set_source },
@@ -273,21 +316,26 @@ static const struct description descriptions[] = {
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
-  { "output", "FILE", "write there instead of to standard output; also -o", set_file },
+  { "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", set_file },
   { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
 };
 
-static const struct description *describe(const char *name)
+/* Of an option that several commands take, the description for this one comes first. */
+static const struct description *describe(const char *name, const struct command *command)
 {
-  for (size_t i = 0; i < sizeof descriptions / sizeof *descriptions; i++)
-    if (strcmp(name, descriptions[i].name) == 0)
+  size_t length = strlen(name);
+  for (size_t i = 0; i < sizeof descriptions / sizeof *descriptions; i++) {
+    const char *candidate = descriptions[i].name, *dot = strchr(candidate, '.');
+    if (strncmp(name, candidate, length) == 0
+        && (candidate[length] == '\0' || (candidate + length == dot && strcmp(dot + 1, command->name) == 0)))
       return &descriptions[i];
+  }
   return NULL;
 }
 
 const char *options_set_parameter(struct options *o, const char *name, const char *text)
 {
-  return describe(name)->set(o, name, text);
+  return describe(name, o->command)->set(o, name, text);
 }
 
 /* Levenshtein's, upper and lower case being the same */
@@ -341,10 +389,10 @@ static bool take_option(struct options *o, int count, char **arguments, int *i, 
 {
   const char *argument = arguments[*i];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
-  const struct description *d = accepted(o->command, name) ? describe(name) : NULL;
+  const struct description *d = accepted(o->command, name) ? describe(name, o->command) : NULL;
   if (!d || (!two_dashes && strcmp(argument, "-o") != 0)) {
     const char *near = nearest(name + strspn(name, "-"), o->command->accepts);
-    bool elsewhere = describe(name) != NULL;
+    bool elsewhere = describe(name, o->command) != NULL;
     complain(o->command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
              elsewhere ? "this command does not take the" : "unknown", argument,
              near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "", near && !elsewhere ? "'?" : "",
@@ -392,6 +440,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .samples = 40,
                          .source = "published",
                          .order = 8,
+                         .seed = 1,
                          .tolerance = 0.1 };
   for (int i = 2; i < count; i++) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
@@ -430,9 +479,9 @@ void options_help(FILE *to, const struct command *command)
           command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
           command->about);
   for (const char *const *name = command->accepts; *name; name++) {
-    const struct description *d = describe(*name);
+    const struct description *d = describe(*name, command);
     char left[40];
-    snprintf(left, sizeof left, "--%s %s", d->name, d->placeholder ? d->placeholder : "");
+    snprintf(left, sizeof left, "--%s %s", *name, d->placeholder ? d->placeholder : "");
     fprintf(to, "  %-18s %s\n", left, d->help);
   }
   fprintf(to, "  %-18s %s\n", "--help", "this text");

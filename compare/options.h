@@ -33,10 +33,13 @@ struct options {
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  const char *from;    /* workprec: a table to summarise, or NULL                              */
-  double limit;        /* workprec: seconds for each setting; 0: not given                   */
-  bool quick, summary; /* workprec                                                       */
-  bool has_expect, has_v0, has_gait, has_source, has_order, quiet;
+  const char *from;        /* workprec: a table to summarise, or NULL                              */
+  const char *family;      /* stress: the only family, or NULL                                    */
+  long cases, seed;        /* stress: of each family, 0: as many as is usual; of their parameters   */
+  bool full, stiff, error; /* stress; steady and phase                                          */
+  double limit;            /* workprec: seconds for each setting; 0: not given                   */
+  bool quick, summary;     /* workprec                                                       */
+  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, quiet;
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it

@@ -25,4 +25,9 @@ enum exit_code claims_table(const struct options *options);
 /* Error against run time */
 enum exit_code workprec_table(const struct options *options);
 
+/* Digits that survive: a table of families, one point, and friction smoothed for stiff solvers */
+enum exit_code stress_table(const struct options *options);
+enum exit_code stress_point(const struct options *options);
+enum exit_code stress_stiff(const struct options *options);
+
 #endif

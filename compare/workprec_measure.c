@@ -1,6 +1,7 @@
 /* Ways take turns: each is solved once, for its answer and to see how long it takes; then rounds over all of them, so that a
  * machine that slows down slows all; then errors against the certified value, and the Pareto front. */
 #include <assert.h>
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -212,22 +213,24 @@ static void find_error(struct way *way, int quantity)
   arb_clear(size);
 }
 
+/* Only what JSON takes for a number >= 0 too, as it is copied into tables. */
 double way_error_log10(const char *text)
 {
-  char *end;
-  size_t digits = strcspn(text, "eE");
+  static const char digits[] = "0123456789";
   char mantissa[WAY_TEXT];
-  double exponent = 0;
-  if (digits == 0 || digits >= sizeof mantissa || strspn(text, "0123456789.") != digits)
+  size_t whole = strspn(text, digits), length = whole;
+  if (text[whole] == '.' && isdigit((unsigned char)text[whole + 1]))
+    length += 1 + strspn(text + whole + 1, digits);
+  if (whole == 0 || (text[0] == '0' && whole > 1) || length >= sizeof mantissa)
     return NAN;
-  memcpy(mantissa, text, digits);
-  mantissa[digits] = '\0';
-  if (text[digits] != '\0') {
-    exponent = strtod(text + digits + 1, &end);
-    if (*end != '\0' || end == text + digits + 1)
-      return NAN;
-  }
-  return log10(strtod(mantissa, NULL)) + exponent;
+  memcpy(mantissa, text, length);
+  mantissa[length] = '\0';
+  if (text[length] == '\0')
+    return log10(strtod(mantissa, NULL));
+  const char *exponent = text + length + 1, *size = exponent + (*exponent == '-' || *exponent == '+');
+  if (!strchr("eE", text[length]) || *size == '\0' || size[strspn(size, digits)] != '\0')
+    return NAN;
+  return log10(strtod(mantissa, NULL)) + strtod(exponent, NULL);
 }
 
 static void find_errors(struct way *way)

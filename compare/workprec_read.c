@@ -138,6 +138,18 @@ static bool read_row(struct reading *r, char *const *cells)
   return true;
 }
 
+/* A '#' line of the file as a note: other people's bytes are not to make the table unreadable. */
+static void pass_on(struct table *table, const char *note)
+{
+  char *clean = strdup(note);
+  for (char *c = clean; c && *c; c++)
+    if (*c < 0x20 || *c > 0x7e)
+      *c = *c == '\t' ? ' ' : '?';
+  if (clean)
+    table_note(table, "%s", clean);
+  free(clean);
+}
+
 static bool read_line(struct reading *r)
 {
   char *cells[MOST_CELLS];
@@ -145,7 +157,7 @@ static bool read_line(struct reading *r)
   if (is_binary(&r->lines))
     return refuse(r, "not a text file:", line);
   if (r->table && strncmp(line, "# parameters: ", 14) == 0)
-    table_note(r->table, "%s", line + 2);
+    pass_on(r->table, line + 2);
   if (line[0] == '#' || line[0] == '\0')
     return true;
   int count = split(line, cells);

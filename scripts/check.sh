@@ -13,7 +13,7 @@ run() {
     count=$(grep -c -e '^\[       OK \]' -e '^ok ' "$build/one.log")
     if [ "$count" = 0 ]; then
       case $name in
-        test_* | cli_*) failed=$((failed + 1)); echo "FAIL $name: it ran no test"; return ;;
+        test_* | cli_* | fuzz_*) failed=$((failed + 1)); echo "FAIL $name: it ran no test"; return ;;
         *) count=1 ;;
       esac
     fi
@@ -29,7 +29,11 @@ run() {
   cat "$build/one.log" >>"$log"
 }
 for program in "$@"; do
-  run "$(basename "$program")" "$program"
+  name=$(basename "$program")
+  case $name in
+    fuzz_*) run "$name" "$program" tests/corpus/"${name#fuzz_}"/* ;;
+    *) run "$name" "$program" ;;
+  esac
 done
 for script in tests/cli_*.sh; do
   case $script in

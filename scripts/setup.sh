@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|lint ...
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|lint|fuzz ...
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
@@ -26,6 +26,8 @@ look() { # PURPOSE...: what is missing
       lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
                 command -v clang-format >/dev/null 2>&1 || need clang-format
                 command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;
+      fuzz)     command -v clang >/dev/null 2>&1 || need clang
+                ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-dev ;;
       *)        echo "setup.sh: unknown purpose '$purpose'" >&2; exit 2 ;;
     esac
   done

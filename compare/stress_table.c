@@ -1,0 +1,364 @@
+/* The tables of `stress`: families of cases, and a single point. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "compare/stress.h"
+#include "compare/with_flint.h"
+#include "model/flint.h"
+
+static const char *const family_columns[] = { "family",
+                                              "gait",
+                                              "cases",
+                                              "refused",
+                                              "undecided",
+                                              "quantity",
+                                              "units",
+                                              "ulp",
+                                              "condition",
+                                              "digits",
+                                              "ulp_median",
+                                              "rounding",
+                                              "perturbed",
+                                              "lost_double",
+                                              "lost_long_double",
+                                              "lost_binary128",
+                                              "estimate_least",
+                                              "estimate_most",
+                                              "verdict",
+                                              "worst_at",
+                                              NULL };
+static const char *const point_columns[] = { "quantity",         "value",          "certified", "units",     "ulp",
+                                             "condition",        "digits",         "rounding",  "perturbed", "lost_double",
+                                             "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
+
+enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 10000, NUMBER_DIGITS = 3 };
+
+/* ---- one number of one case ---- */
+
+static double over(double error, double unit) { return error == 0 ? 0 : error / unit; }
+
+static double digits_kept(double error, double value)
+{
+  double most = 53 * log10(2);
+  return value == 0 || isnan(value) ? NAN : error == 0 ? most : fmin(most, fmax(0, -log10(error / fabs(value))));
+}
+
+/* Decimal digits of a type that the error takes away: its ulp is 2^(53 - bits) of a double's */
+static double digits_lost(double error, double ulp, int bits)
+{
+  double ulps = ldexp(over(error, ulp), bits - 53);
+  return ulp == 0 ? NAN : ulps > 1 ? log10(ulps) : 0;
+}
+
+/* The same for double, long double and binary128. */
+static void all_lost(const struct stress_judgement *j, int q, double lost[3])
+{
+  lost[0] = digits_lost(j->error[q], j->ulp[q], 53);
+  for (int w = 0; w < 2; w++)
+    lost[1 + w] = scallop_width_bits((enum scallop_width)w) == 0
+                      ? NAN
+                      : digits_lost(j->wide_error[w][q], j->ulp[q], scallop_width_bits((enum scallop_width)w));
+}
+
+static bool is_judged(const struct stress_judgement *j, int q)
+{
+  return (j->outcome == STRESS_SOLVED || j->outcome == STRESS_UNDECIDED) && j->has[q];
+}
+
+/* How many times the error its estimate is; an error below the 128th part of an ulp counts as that. */
+static double generosity(const struct stress_judgement *j, int q)
+{
+  double least = 0x1p-7 * j->ulp[q];
+  return over(j->estimate[q], fmax(j->error[q], least));
+}
+
+/* ---- a family: the row ---- */
+
+struct row {
+  const struct stress_family *family;
+  const struct scallop_gait *gait;
+  int cases, refused, undecided, broken;
+  int worst, quantity;  /* where error/unit is largest: the case, or -1, and which of its numbers        */
+  double units, median; /* there; of errors in ulp over all numbers                                       */
+  double rounding, perturbed, lost[3], estimate_least, estimate_most;
+  const char *what; /* is broken, first of all; NULL: nothing                                      */
+};
+
+static int by_size(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static double median_of(double *x, int count)
+{
+  if (count == 0)
+    return NAN;
+  qsort(x, (size_t)count, sizeof *x, by_size);
+  return count % 2 ? x[count / 2] : (x[count / 2 - 1] + x[count / 2]) / 2;
+}
+
+static void add_number(struct row *r, const struct stress_judgement *j, int i, int q)
+{
+  double units = over(j->error[q], j->unit[q]), lost[3], generous = generosity(j, q);
+  if (r->worst < 0 || units > r->units) {
+    r->units = units;
+    r->worst = i;
+    r->quantity = q;
+  }
+  r->rounding = fmax(r->rounding, over(j->rounding[q], j->unit[q]));
+  r->perturbed = fmax(r->perturbed, over(j->perturbed[q], j->unit[q]));
+  all_lost(j, q, lost);
+  for (int k = 0; k < 3; k++)
+    r->lost[k] = fmax(r->lost[k], lost[k]);
+  if (j->ulp[q] > 0 && j->error[q] >= 0x1p-7 * j->ulp[q])
+    r->estimate_least = fmin(r->estimate_least, generous);
+  if (j->ulp[q] > 0)
+    r->estimate_most = fmax(r->estimate_most, generous);
+}
+
+/* errors: room for STRESS_QUANTITIES * r->cases numbers */
+static void sum_up(struct row *r, const struct stress_judgement *judgements, double *errors)
+{
+  int count = 0;
+  r->worst = -1;
+  r->estimate_least = INFINITY;
+  for (int i = 0; i < r->cases; i++) {
+    const struct stress_judgement *j = &judgements[i];
+    r->refused += j->outcome == STRESS_REFUSED;
+    r->undecided += j->outcome == STRESS_UNDECIDED;
+    for (int q = 0; q < STRESS_QUANTITIES; q++) {
+      const char *what = stress_broken(j, q);
+      r->broken += what != NULL;
+      r->what = r->what ? r->what : what;
+      if (!is_judged(j, q))
+        continue;
+      add_number(r, j, i, q);
+      if (j->ulp[q] > 0)
+        errors[count++] = over(j->error[q], j->ulp[q]);
+    }
+  }
+  r->median = median_of(errors, count);
+}
+
+static void write_verdict(struct table *t, const char *what, int broken)
+{
+  char text[200];
+  snprintf(text, sizeof text, "broken: %s%s", what, broken > 1 ? ", and more" : "");
+  table_text(t, what ? text : "holds");
+}
+
+static void write_row(struct table *t, const struct row *r, const struct stress_case *cases,
+                      const struct stress_judgement *judgements)
+{
+  static const struct stress_judgement none = { 0 };
+  char arguments[STRESS_ARGUMENTS] = "-";
+  const struct stress_judgement *j = r->worst >= 0 ? &judgements[r->worst] : &none;
+  int q = r->quantity;
+  bool has_ulp = j->ulp[q] > 0;
+  table_text(t, r->family->name);
+  table_text(t, r->gait->name);
+  table_number(t, r->cases);
+  table_number(t, r->refused);
+  table_number(t, r->undecided);
+  table_text(t, r->worst >= 0 ? stress_quantities[r->family->of_phases][q] : "-");
+  table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
+  table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
+  table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
+  table_rounded(t, has_ulp ? digits_kept(j->error[q], j->exact[q]) : NAN, "%.1f");
+  table_rounded(t, r->median, "%.3g");
+  table_rounded(t, r->rounding, "%.3g");
+  table_rounded(t, r->perturbed, "%.3g");
+  for (int k = 0; k < 3; k++)
+    table_rounded(t, r->lost[k], "%.1f");
+  table_rounded(t, isfinite(r->estimate_least) ? r->estimate_least : NAN, "%.4f");
+  table_rounded(t, r->estimate_most, "%.4f");
+  write_verdict(t, r->what, r->broken);
+  if (r->worst >= 0)
+    stress_arguments(&cases[r->worst], arguments);
+  table_text(t, arguments);
+}
+
+/* ---- a family: the work ---- */
+
+struct run {
+  const struct options *options;
+  struct table table;
+  int cases;
+  struct stress_case *stressed;
+  struct stress_judgement *judgements;
+  double *errors;
+  bool shown;
+  int broken; /* rows */
+};
+
+/* Each broken promise as one command; a few of a family are enough. */
+static void report(const struct row *r, const struct run *run)
+{
+  enum { MOST = 3 };
+  char arguments[STRESS_ARGUMENTS];
+  int said = 0;
+  for (int i = 0; i < r->cases && said < MOST; i++)
+    for (int q = 0; q < STRESS_QUANTITIES && said < MOST; q++) {
+      const char *what = stress_broken(&run->judgements[i], q);
+      if (!what)
+        continue;
+      stress_arguments(&run->stressed[i], arguments);
+      complain("stress", "%s, %s gait: %s of %s; to see it: scallop stress %s", r->family->name, r->gait->name, what,
+               stress_quantities[r->family->of_phases][q], arguments);
+      said++;
+    }
+}
+
+static void judge_all(struct run *run, int count)
+{
+#pragma omp parallel
+  {
+#pragma omp for schedule(dynamic)
+    for (int i = 0; i < count; i++)
+      stress_judge(&run->stressed[i], &run->judgements[i]);
+    flint_cleanup();
+  }
+}
+
+static void run_family(struct run *run, const struct stress_family *family, const struct scallop_gait *gait)
+{
+  const struct options *o = run->options;
+  struct row r = { .family = family, .gait = gait };
+  if (run->shown)
+    fprintf(stderr, "\r%s, %s gait\033[K", family->name, gait->name);
+  r.cases = stress_make(family, gait, (unsigned long)o->seed, run->cases, run->stressed);
+  judge_all(run, r.cases);
+  sum_up(&r, run->judgements, run->errors);
+  if (run->shown)
+    fprintf(stderr, "\r\033[K");
+  write_row(&run->table, &r, run->stressed, run->judgements);
+  report(&r, run);
+  run->broken += r.broken > 0;
+}
+
+static const struct stress_family *family_named(const char *name)
+{
+  const struct stress_family *f = stress_families;
+  while (f->name && strcmp(f->name, name) != 0)
+    f++;
+  return f->name ? f : NULL;
+}
+
+static void run_families(struct run *run)
+{
+  const struct options *o = run->options;
+  for (const struct stress_family *f = stress_families; f->name; f++)
+    for (int g = 0; scallop_gait_name(g) && !table_failed(&run->table); g++) {
+      const struct scallop_gait *gait = scallop_gait_named(scallop_gait_name(g));
+      if ((!o->family || f == family_named(o->family)) && (!o->has_gait || gait == o->crawler.gait))
+        run_family(run, f, gait);
+    }
+}
+
+static void begin(struct run *run)
+{
+  const struct options *o = run->options;
+  struct table *t = &run->table;
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: stress%s%s --cases %d --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
+             run->cases, o->seed);
+  table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
+  table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
+             STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
+  for (const struct stress_family *f = stress_families; f->name; f++)
+    if (!o->family || f == family_named(o->family))
+      table_note(t, "%s: %s", f->name, f->about);
+  table_columns(t, family_columns);
+  table_begin_rows(t);
+}
+
+enum exit_code stress_table(const struct options *o)
+{
+  struct run run = { .options = o, .shown = !o->quiet && isatty(STDERR_FILENO) };
+  enum exit_code code = EXIT_UNSOLVED;
+  run.cases = o->cases > 0 ? (int)o->cases : o->full ? FULL_CASES : o->against ? CHECK_CASES : CASES;
+  if (o->family && !family_named(o->family)) {
+    const char *names[64] = { NULL };
+    for (int i = 0; stress_families[i].name && i < 63; i++)
+      names[i] = stress_families[i].name;
+    const char *near = nearest(o->family, names);
+    complain("stress", "--family: there is no family '%s'%s%s%s", o->family, near ? ": did you mean '" : "",
+             near ? near : "", near ? "'?" : "");
+    return EXIT_USAGE;
+  }
+  run.stressed = calloc((size_t)run.cases, sizeof *run.stressed);
+  run.judgements = calloc((size_t)run.cases, sizeof *run.judgements);
+  run.errors = calloc((size_t)run.cases * STRESS_QUANTITIES, sizeof *run.errors);
+  if (!run.stressed || !run.judgements || !run.errors)
+    complain("stress", "out of memory");
+  else if (!table_open(&run.table, o))
+    code = EXIT_FILE;
+  else {
+    begin(&run);
+    run_families(&run);
+    code = !table_close(&run.table) ? EXIT_FILE : o->against && run.broken > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+  }
+  free(run.stressed);
+  free(run.judgements);
+  free(run.errors);
+  return code;
+}
+
+/* ---- a point ---- */
+
+static void write_number(struct table *t, const struct stress_case *s, const struct stress_judgement *j, int q)
+{
+  double lost[3];
+  const char *broken = stress_broken(j, q);
+  bool judged = is_judged(j, q), has_ulp = judged && j->ulp[q] > 0;
+  all_lost(j, q, lost);
+  table_text(t, stress_quantities[s->is_phase][q]);
+  table_number(t, judged ? j->got[q] : NAN);
+  table_number(t, judged ? j->exact[q] : NAN);
+  table_rounded(t, judged ? over(j->error[q], j->unit[q]) : NAN, "%.3g");
+  table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
+  table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
+  table_rounded(t, has_ulp ? digits_kept(j->error[q], j->exact[q]) : NAN, "%.1f");
+  table_rounded(t, judged ? over(j->rounding[q], j->unit[q]) : NAN, "%.3g");
+  table_rounded(t, judged ? over(j->perturbed[q], j->unit[q]) : NAN, "%.3g");
+  for (int k = 0; k < 3; k++)
+    table_rounded(t, judged ? lost[k] : NAN, "%.1f");
+  table_rounded(t, judged ? j->estimate[q] : NAN, "%.4g");
+  if (j->outcome == STRESS_REFUSED)
+    table_text(t, j->why);
+  else if (!judged && !broken)
+    table_text(t, "-");
+  else
+    write_verdict(t, broken, 0);
+}
+
+enum exit_code stress_point(const struct options *o)
+{
+  struct table t;
+  struct stress_judgement j;
+  char arguments[STRESS_ARGUMENTS];
+  const struct stress_case s = { o->crawler, o->has_phase || o->has_v0, o->phase, o->v0 };
+  bool broken = false;
+  stress_judge(&s, &j);
+  flint_cleanup();
+  if (!table_open(&t, o))
+    return EXIT_FILE;
+  stress_arguments(&s, arguments);
+  table_note(&t, "scallop " SCALLOP_VERSION);
+  table_note(&t, "command: stress %s", arguments);
+  if (j.outcome == STRESS_UNDECIDED)
+    table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
+  table_columns(&t, point_columns);
+  table_begin_rows(&t);
+  for (int q = 0; q < STRESS_QUANTITIES; q++) {
+    write_number(&t, &s, &j, q);
+    broken |= stress_broken(&j, q) != NULL;
+  }
+  if (!table_close(&t))
+    return EXIT_FILE;
+  return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->against ? EXIT_CHECK_FAILED : EXIT_DONE;
+}

@@ -1,0 +1,56 @@
+/* Numbers as text, both ways, against C's library: eight bytes as a double, and all bytes as text. */
+#include "compare/digits.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/fuzz/target.h"
+
+static void write_and_read(double x)
+{
+  char text[DIGITS_TEXT], plain[DIGITS_TEXT], quick[DIGITS_TEXT], short_text[NUMBER_TEXT], wanted[NUMBER_TEXT];
+  size_t length = digits_write(text, x), quickly = digits_write_quickly(quick, x);
+  digits_write_plainly(plain, x);
+  if (length != strlen(text) || strcmp(text, plain) != 0 || (quickly > 0 && strcmp(quick, plain) != 0))
+    fuzz_fail("%a is written '%s', plainly '%s'", x, text, plain);
+  double back = NAN, quick_back;
+  if (isnan(x) ? strcmp(text, "nan") != 0 : !same_bits(strtod(text, NULL), x))
+    fuzz_fail("%a is written '%s', which reads back as %a", x, text, strtod(text, NULL));
+  if (isfinite(x) && fpclassify(x) != FP_SUBNORMAL && (!read_number(text, &back) || !same_bits(back, x)))
+    fuzz_fail("%a is written '%s', which is read as %a", x, text, back);
+  if (digits_read(text, &quick_back) && !same_bits(quick_back, x))
+    fuzz_fail("'%s' is read as %a, not %a", text, quick_back, x);
+  for (int digits = 1; digits <= 17; digits++) {
+    number_text(short_text, x, digits);
+    snprintf(wanted, sizeof wanted, "%.*g", digits, x);
+    if (strcmp(short_text, isnan(x) ? "nan" : wanted) != 0)
+      fuzz_fail("%a with %d digits is '%s', not '%s'", x, digits, short_text, wanted);
+  }
+}
+
+/* The quick reader takes nothing that C's does not, and reads the same; what it leaves it does not touch. */
+static void read_text(const char *text)
+{
+  char *end;
+  const double untouched = 0x1.23456789abcdep-7;
+  double got = untouched, wanted = strtod(text, &end);
+  if (!digits_read(text, &got))
+    wanted = untouched;
+  else if (*end != '\0' || end == text)
+    fuzz_fail("'%s' is read as %a and is no number", text, got);
+  if (!same_bits(got, wanted))
+    fuzz_fail("'%s' is read as %a, not %a", text, got, wanted);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+  char *text = fuzz_text(data, size);
+  read_text(text);
+  free(text);
+  for (double x; size >= sizeof x; data += sizeof x, size -= sizeof x) {
+    memcpy(&x, data, sizeof x);
+    write_and_read(x);
+  }
+  return 0;
+}

@@ -1,0 +1,116 @@
+/* Command lines: the first byte chooses the command, the rest, split at newlines and NULs, its arguments. It is read and not run. Each
+ * argument is also read as a number and as every parameter, and held against strtod. */
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/fuzz/target.h"
+
+enum { MOST = 40 };
+
+static int split(char *text, size_t size, char **arguments)
+{
+  int count = 2;
+  for (char *at = text; at <= text + size && count < MOST - 1; at += strlen(at) + 1) {
+    arguments[count++] = at;
+    at[strcspn(at, "\n")] = '\0';
+  }
+  return count;
+}
+
+/* What an accepted command line may hold */
+static void judge(const struct options *o, const char *text)
+{
+  struct scallop_complaint wrong;
+  if (scallop_crawler_check(&o->crawler, &wrong) != SCALLOP_OK)
+    fuzz_fail("%s = %g was taken from\n%s", wrong.name, wrong.given, text);
+  bool beyond = o->certified || o->bound || strcmp(o->source, "published") != 0;
+  if (o->digits < 0 || o->digits > (beyond ? 10000 : 17) || o->order < 1 || o->periods < 1 || o->samples < 1)
+    fuzz_fail("digits %ld, order %ld, periods %ld, samples %ld from\n%s", o->digits, o->order, o->periods, o->samples, text);
+  if (!(o->tolerance > 0) || !isfinite(o->expect) || !isfinite(o->v0) || !isfinite(o->start_velocity) || !(o->limit >= 0))
+    fuzz_fail("tolerance %g, expected %g, v0 %g, start %g, limit %g from\n%s", o->tolerance, o->expect, o->v0,
+              o->start_velocity, o->limit, text);
+  if ((o->command->operand != NULL) != (o->operand != NULL))
+    fuzz_fail("the operand is missing, or not wanted, in\n%s", text);
+}
+
+static bool is_number(const char *text, double *value)
+{
+  char *end;
+  *value = strtod(text, &end);
+  return *text != '\0' && !isspace((unsigned char)*text) && *end == '\0' && isfinite(*value);
+}
+
+/* strtod takes more numbers than read_number only where digits are lost, below the normal range. */
+static void judge_number(const char *text)
+{
+  double wanted, got = NAN;
+  bool number = is_number(text, &wanted), read = read_number(text, &got);
+  if (read && !(number && got == wanted && signbit(got) == signbit(wanted)))
+    fuzz_fail("'%s' is read as %a, strtod has %a", text, got, wanted);
+  if (!read && number && isnormal(wanted))
+    fuzz_fail("'%s' is refused, and is %a", text, wanted);
+}
+
+static bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler *b)
+{
+  double x[CRAWLER_NUMBERS], y[CRAWLER_NUMBERS];
+  bool same = a->gait == b->gait;
+  crawler_numbers(a, x);
+  crawler_numbers(b, y);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    same = same && same_bits(x[i], y[i]);
+  return same;
+}
+
+static void judge_parameters(const char *text)
+{
+  struct options o = { .command = &command_phase, .crawler = scallop_crawler_default() };
+  for (const char *const *name = crawler_parameters; *name; name++) {
+    const struct scallop_crawler before = o.crawler;
+    const char *wrong = options_set_parameter(&o, *name, text);
+    if (wrong && (!same_crawler(&before, &o.crawler) || *wrong == '\0'))
+      fuzz_fail("%s was refused '%s', and changed", *name, text);
+    if (scallop_crawler_check(&o.crawler, NULL) != SCALLOP_OK)
+      fuzz_fail("%s may be '%s'", *name, text);
+  }
+}
+
+/* False with a message, or with help; the arguments are as they were. */
+static void judge_line(const struct command *command, char *text, size_t size)
+{
+  char *arguments[MOST] = { (char *)"scallop", (char *)command->name }, *before;
+  struct options options;
+  struct written w;
+  int code = -1, count = split(text, size, arguments);
+  before = fuzz_text((const uint8_t *)text, size);
+  written_begin(&w);
+  bool run = options_read(&options, command, count, arguments, &code);
+  written_end(&w);
+  if (memcmp(before, text, size) != 0)
+    fuzz_fail("the arguments were changed");
+  if (run)
+    judge(&options, text);
+  else if (!(code == EXIT_DONE && w.out_size > 0) && !(code == EXIT_USAGE && w.err_size > 0))
+    fuzz_fail("exit code %d without a word for\n%s", code, text);
+  for (int i = 2; i < count; i++) {
+    judge_number(arguments[i]);
+    judge_parameters(arguments[i]);
+  }
+  written_free(&w);
+  free(before);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+  int known = 0;
+  while (commands[known])
+    known++;
+  if (size == 0 || known == 0)
+    return 0;
+  char *text = fuzz_text(data + 1, size - 1);
+  judge_line(commands[data[0] % known], text, size - 1);
+  free(text);
+  return 0;
+}

@@ -1,0 +1,76 @@
+/* --points: the first byte chooses the command and the format, the rest is the file. Every row gets its row of output, whatever
+ * it holds, and the exit code says whether one was refused. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/fuzz/target.h"
+
+/* The lines of a file that are neither empty nor comments, counted apart from lines.c; a header is one of them. */
+static long data_lines(const uint8_t *data, size_t size)
+{
+  const uint8_t mark[] = { 0xef, 0xbb, 0xbf };
+  long lines = 0;
+  size_t begin = size >= 3 && memcmp(data, mark, 3) == 0 ? 3 : 0;
+  while (begin < size) {
+    const uint8_t *newline = memchr(data + begin, '\n', size - begin);
+    size_t next = newline ? (size_t)(newline - data) + 1 : size, end = newline ? next - 1 : next;
+    while (end > begin && (data[end - 1] == '\r' || data[end - 1] == '\n'))
+      end--;
+    lines += end > begin && data[begin] != '#';
+    begin = next;
+  }
+  return lines;
+}
+
+static const char *last_cell(const char *line, char cell[16])
+{
+  const char *end = strchr(line, '\n'), *at = end;
+  while (at > line && at[-1] != '\t')
+    at--;
+  snprintf(cell, 16, "%.*s", (int)(end - at < 15 ? end - at : 15), at);
+  return end + 1;
+}
+
+/* Rows whose status, the last column, tells of no answer */
+static long unsolved_rows(const char *table)
+{
+  long unsolved = 0, rows = 0;
+  for (char status[16]; *table;) {
+    bool comment = *table == '#';
+    table = last_cell(table, status);
+    if (!comment && rows++ > 0)
+      unsolved += strcmp(status, "ok") != 0 && strncmp(status, "interval", 8) != 0;
+  }
+  return unsolved;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+  static const struct {
+    uint8_t choice;
+    const struct command *command;
+    const char *format;
+  } ways[] = { { 's', &command_steady, "tsv" },  { 'p', &command_phase, "tsv" },  { 'e', &command_series, "tsv" },
+               { 'S', &command_steady, "json" }, { 'P', &command_phase, "json" }, { 'E', &command_series, "json" } };
+  enum { WAYS = sizeof ways / sizeof *ways };
+  if (size == 0)
+    return 0;
+  int way = 0;
+  while (way < WAYS && ways[way].choice != data[0])
+    way++;
+  way = way < WAYS ? way : data[0] % WAYS;
+  bool json = strcmp(ways[way].format, "json") == 0;
+  const char *const arguments[] = { "--points", fuzz_file(data + 1, size - 1), "--format", ways[way].format, NULL };
+  struct written w;
+  int code = fuzz_run(ways[way].command, arguments, &w);
+  long rows = fuzz_judge_table(&w, code, json ? FORMAT_JSON : FORMAT_TSV), lines = data_lines(data + 1, size - 1);
+  bool read = code == EXIT_DONE || code == EXIT_UNSOLVED;
+  if (!read && code != EXIT_USAGE)
+    fuzz_fail("exit code %d: %s", code, w.err);
+  if (read && rows != lines - 1)
+    fuzz_fail("%ld rows for %ld lines", rows, lines);
+  if (read && !json && (unsolved_rows(w.out) > 0) != (code == EXIT_UNSOLVED))
+    fuzz_fail("exit code %d with %ld rows without an answer", code, unsolved_rows(w.out));
+  written_free(&w);
+  return 0;
+}
