@@ -12,7 +12,8 @@
 enum { BLOCK = 64 };
 
 /* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or reordered. */
-#if defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__
+#if defined VECTOR
+#elif defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__
 #define VECTOR __attribute__((target_clones("avx2", "default")))
 #else
 #define VECTOR

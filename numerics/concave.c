@@ -119,10 +119,9 @@ bool concave_solve(const struct motion_input *in, double c0, struct motion *moti
   double between = 1 - first.x - last.x;
   double travel = sign * 0.5 * ((c + y) * first.x + (y + z) * between + (z + c_end) * last.x);
   double size = 0.5 * ((c + y) * first.x + (y + fabs(z)) * between + (fabs(z) + fabs(c_end)) * last.x);
-  double stroke = rear_is_1 ? 1 : -1;
   *motion = (struct motion){ .c_end = sign * c_end + 0.0, /* no -0 */
-                             .way = { travel, travel - in->scaled->mu2 * stroke, travel + in->scaled->mu1 * stroke },
-                             .size = { size, size + in->scaled->mu2, size + in->scaled->mu1 },
+                             .travel = travel,
+                             .size = size,
                              .extra_impulse = sign * (extra - 2 * l.f_first * first.x),
                              .slope = sheared(x, l.eps, x_last),
                              .stretch = stretch,

@@ -10,16 +10,16 @@
 
 #include <math.h>
 
-#include "numerics/period.h"
+#include "model/scaling.h"
 #include "numerics/ramps.h"
 
 struct held_phase {
   double c_end;
-  double way[3], size[3]; /* as in struct motion                                                        */
-  double starts, ends;    /* signs of c after the start and before the end: starts 0 from rest             */
-  double stuck;           /* 1: the body does not turn, but is held from where it stops, to the end        */
-  double margin;          /* > 0: the motion is of this kind                                               */
-  double grip;            /* of friction on the body at the end: held where >= 0                           */
+  double travel, size; /* of the centre of mass: how far it comes, and the magnitudes of the parts of that  */
+  double starts, ends; /* signs of c after the start and before the end: starts 0 from rest             */
+  double stuck;        /* 1: the body does not turn, but is held from where it stops, to the end        */
+  double margin;       /* > 0: the motion is of this kind                                               */
+  double grip;         /* of friction on the body at the end: held where >= 0                           */
 };
 
 SCALLOP_INLINE double held_least(double a, double b) { return a < b ? a : b; }
@@ -40,24 +40,21 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
   double grip = eps - side * slope;
   int crosses = grip < 0;
   double c_end = crosses ? z - side * eps * u : 0;
-  double d = r->top - t, left = r->rest - u, last = crosses ? 0.5 * c_end * u : 0;
-  double moved = turns ? 0.5 * ((c0 + y) * t + (y + top) * d + (top + z) * left) : 0.5 * (c0 + y) * t;
-  double glued = turns ? 0.5 * r->down * (u * u) : 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
-  double centre = moved + (crosses ? 0.5 * (z + c_end) * u : (above ? q0 : -q1) * glued);
-  double centre_size = (turns ? 0.5 * ((c0 + y) * t + (y + fabs(top)) * d + (fabs(top) + fabs(z)) * left) : moved)
-                       + (crosses ? 0.5 * (fabs(z) + fabs(c_end)) * u : (above ? q0 : q1) * glued);
-  /* of the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes to rest,
-   * another one or two until it does again, and a last one */
-  double v = above ? (between - steep) * d : r->up * t + (between + r->up * q1) * d, v_first = above ? 0 : r->up * t;
-  double one = 0.5 * (c0 + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
-  double near = one + two + last, near_size = one + fabs(two) + fabs(last);
-  double first = above ? near : near - 1, second = above ? near + 1 : near; /* the other one is |l| ahead or behind */
-  double first_size = above ? near_size : near_size + 1, second_size = above ? near_size + 1 : near_size;
+  /* how far the centre of mass comes: sliding straight; turning, then held or crossing; riding all the way */
+  double d = r->top - t, left = r->rest - u, first_way = 0.5 * (c0 + y) * t;
+  double turned_way = first_way + 0.5 * ((y + top) * d + (top + z) * left);
+  double turned_size = first_way + 0.5 * ((y + fabs(top)) * d + (fabs(top) + fabs(z)) * left);
+  double glued = 0.5 * r->down * (u * u), ridden = q0 * 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
+  double held_way = (above ? q0 : -q1) * glued, crossed_way = 0.5 * (z + c_end) * u;
+  double crossed_size = 0.5 * (fabs(z) + fabs(c_end)) * u, last_way = crosses ? crossed_way : held_way;
+  double last_size = crosses ? crossed_size : fabs(held_way);
+  double centre = turns ? turned_way + last_way : first_way + ridden;
+  double centre_size = turns ? turned_size + last_size : first_way + ridden;
   double turning = held_least(top + r->up * q1 * r->top, held_least(u, r->rest - u));
   double riding = held_least(grip, between + fall);
   return (struct held_phase){ .c_end = sign * c_end + 0.0,
-                              .way = { sign * centre, sign * (plain ? first : second), sign * (plain ? second : first) },
-                              .size = { centre_size, plain ? first_size : second_size, plain ? second_size : first_size },
+                              .travel = sign * centre,
+                              .size = centre_size,
                               .starts = c != 0 ? sign : 0,
                               .ends = sign * side,
                               .stuck = turns ? 0.0 : 1.0,
@@ -70,16 +67,6 @@ struct held {
   double margin;                                /* > 0: this is the steady state, and nothing cancels                      */
   double starts[2], ends[2], stuck[2], grip[2]; /* of each phase, as above                                  */
 };
-
-/* Over a whole period, of three displacements that are the same but for rounding the one whose parts cancel least. */
-SCALLOP_INLINE double held_travel(const struct held_phase *a, const struct held_phase *b, double *least_size)
-{
-  double size0 = a->size[0] + b->size[0], size1 = a->size[1] + b->size[1], size2 = a->size[2] + b->size[2];
-  double way0 = a->way[0] + b->way[0], way1 = a->way[1] + b->way[1], way2 = a->way[2] + b->way[2];
-  double way = size1 < size0 ? way1 : way0, size = size1 < size0 ? size1 : size0;
-  *least_size = size2 < size ? size2 : size;
-  return size2 < size ? way2 : way;
-}
 
 /* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed by rest comes
  * second, and the first begins at rest. Multiplier and balance are 0. */
@@ -95,9 +82,11 @@ SCALLOP_INLINE void held_steady(const struct scaling *s, double alpha, double or
   struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
   out->c_start = plain ? 0 : between;
   out->c_mid = plain ? between : 0;
-  double size;
-  out->travel = held_travel(&p1, &p2, &size);
-  out->margin = period_cancels(out->travel, size) ? -1 : held_least(held_least(p1.margin, p2.margin), p2.grip);
+  /* the same body rests in both phases: exactly nowhere; else what cancels is for the search, which looks at the bodies */
+  int rests = p1.stuck + p2.stuck > 1 && p1.ends == -p2.ends;
+  double travel = rests ? 0 : p1.travel + p2.travel, size = rests ? -1 : p1.size + p2.size;
+  out->travel = travel;
+  out->margin = held_least(held_least(p1.margin, p2.margin), held_least(p2.grip, fabs(travel) - 0.125 * size));
   out->starts[0] = plain ? p1.starts : p2.starts;
   out->starts[1] = plain ? p2.starts : p1.starts;
   out->ends[0] = plain ? p1.ends : p2.ends;

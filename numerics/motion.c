@@ -71,18 +71,16 @@ void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, str
     *modes = motion->modes;
 }
 
-void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit, void *context)
+static void solve(const struct motion_input *in, double c0, struct audience *audience, struct motion *motion,
+                  struct motion_ways *ways)
 {
   const struct scallop_scaled *s = in->scaled;
   const struct walk_input input = { in->shape, s->mu1, s->mu2, s->f1, s->f2, s->delta, in->eps };
-  struct audience audience = { visit, context };
   struct walk_result r;
-  walk_phase(&input, c0, visit ? &audience : NULL, &motion->modes, &r);
+  walk_phase(&input, c0, audience, &motion->modes, &r);
   motion->c_end = r.c_end + 0.0; /* no -0 */
-  for (int i = 0; i < 3; i++) {
-    motion->way[i] = r.way[i];
-    motion->size[i] = r.size[i];
-  }
+  motion->travel = r.way[0];
+  motion->size = r.size[0];
   motion->extra_impulse = r.extra_impulse;
   motion->slope = r.slope;
   motion->stretch = r.stretch;
@@ -95,4 +93,19 @@ void motion_solve(const struct motion_input *in, double c0, struct motion *motio
   motion->last_switch = r.last_switch;
   motion->work = r.work;
   motion->trail = 0;
+  for (int i = 0; ways && i < 3; i++) {
+    ways->way[i] = r.way[i];
+    ways->size[i] = r.size[i];
+  }
+}
+
+void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit, void *context)
+{
+  struct audience audience = { visit, context };
+  solve(in, c0, visit ? &audience : NULL, motion, NULL);
+}
+
+void motion_solve_ways(const struct motion_input *in, double c0, struct motion *motion, struct motion_ways *ways)
+{
+  solve(in, c0, NULL, motion, ways);
 }

@@ -29,8 +29,8 @@ static inline struct motion_input motion_input_of(const struct scallop_scaled *s
 
 struct motion {
   double c_end;         /* velocity of the centre of mass at the end                                */
-  double way[3];        /* displacement of the centre of mass, of body 1 and of body 2              */
-  double size[3];       /* sum of the magnitudes of the parts of each, which rounding goes with; never nan */
+  double travel;        /* integral of c: how far the centre of mass comes                           */
+  double size;          /* sum of the magnitudes of the parts of that, which rounding goes with      */
   double extra_impulse; /* integral of c'/eps - (its value with the bodies in opposite motion,
                                delta sgn l'): zero where nothing but the stronger driving body matters;
                                meaningless if it forgets                                                */
@@ -47,9 +47,16 @@ struct motion {
   unsigned trail;           /* 0, or the modes in short: motion_modes tells them                    */
   struct scallop_modes modes;
 };
+/* How far the centre of mass, body 1 and body 2 come, and the sizes of the parts. */
+struct motion_ways {
+  double way[3], size[3];
+};
+
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);
 
 /* c0: velocity of the centre of mass at the start, in L/tau. visit may be NULL. */
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context);
+/* The same, with the ways of the bodies as well. */
+void motion_solve_ways(const struct motion_input *input, double c0, struct motion *motion, struct motion_ways *ways);
 
 #endif

@@ -33,22 +33,30 @@ void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, 
   *(extension ? &period->c_mid : &period->c_end) = motion->c_end / fraction;
 }
 
-/* Over a whole period the centre of mass and both bodies come equally far: what cancels least tells best. */
-static void sum_travel(const struct motion *e, const struct motion *c, struct period *period)
+/* Over a whole period the centre of mass and both bodies come equally far. Where much of that cancels for the first, the one for which least
+ * does tells best. */
+static void look_at_bodies(const struct scallop_scaled *s, struct period *period)
 {
-  int best = 0;
+  struct motion_ways ways[2];
+  const double c[2] = { period->c_start, period->c_mid };
+  for (int kind = 0; kind < 2; kind++) {
+    struct motion_input input = motion_input_of(s, (enum scallop_phase_kind)kind);
+    struct motion again;
+    motion_solve_ways(&input, c[kind] * s->fraction[kind], &again, &ways[kind]);
+  }
   for (int i = 1; i < 3; i++)
-    if (e->size[i] + c->size[i] < e->size[best] + c->size[best])
-      best = i;
-  period->travel = e->way[best] + c->way[best];
-  period->size = e->size[best] + c->size[best];
+    if (ways[0].size[i] + ways[1].size[i] < period->size) {
+      period->travel = ways[0].way[i] + ways[1].way[i];
+      period->size = ways[0].size[i] + ways[1].size[i];
+    }
 }
 
 void period_conclude(const struct scallop_scaled *s, struct period *period)
 {
   const struct motion *e = &period->phase[SCALLOP_EXTENSION], *c = &period->phase[SCALLOP_CONTRACTION];
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  sum_travel(e, c, period);
+  period->travel = e->travel + c->travel;
+  period->size = e->size + c->size;
   period->forgets = e->forgets || c->forgets;
   double driven = s->delta * period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]);
   double from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
@@ -56,6 +64,12 @@ void period_conclude(const struct scallop_scaled *s, struct period *period)
   period->noise = DBL_EPSILON * (fabs(driven) + fabs(from_e) + fabs(from_c));
   double slope_e = a * a * e->slope, slope_c = b * b * c->slope;
   period->balance_slope = slope_e + slope_c + s->eps * slope_e * slope_c;
+}
+
+void period_sum_up(const struct scallop_scaled *s, struct period *period)
+{
+  if (period_cancels(period->travel, period->size, false))
+    look_at_bodies(s, period);
 }
 
 void period_solve(const struct scallop_scaled *scaled, double c_start, double solved, struct period *period)
@@ -92,6 +106,8 @@ void period_result(const struct scallop_crawler *crawler, const struct scallop_s
     motion_modes(&p->phase[kind], (enum scallop_phase_kind)kind, &result->modes[kind]);
 }
 
+static bool has_ramps(const struct scallop_scaled *s) { return s->gait->phase[0].ramps && s->gait->phase[1].ramps; }
+
 enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result)
 {
   struct scallop_scaled scaled;
@@ -101,11 +117,12 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
     return status;
   struct period period;
   period_solve(&scaled, c_start, NAN, &period);
+  period_sum_up(&scaled, &period);
   struct scallop_period_result answer;
   struct scallop_wide_period wider;
   period_result(crawler, &scaled, &period, &answer);
   answer.v_start = v0;
-  if (period_cancels(period.travel, period.size) && wide_enough_period(crawler, v0, &wider))
+  if (period_cancels(period.travel, period.size, has_ramps(&scaled)) && wide_enough_period(crawler, v0, &wider))
     answer.displacement = wider.displacement.high;
   if (!scaling_keeps(period.c_mid, answer.v_mid) || !scaling_keeps(period.c_end, answer.v_end)
       || !scaling_keeps(period.travel, answer.displacement))

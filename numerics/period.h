@@ -12,9 +12,13 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
   return alpha * (e - c) + c;
 }
 
-/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding leaves about an ulp
- * of size, and the displacement itself may be known to as little as an ulp of its own. */
-SCALLOP_INLINE int period_cancels(double travel, double size) { return (travel < 0 ? -travel : travel) < 0.125 * size; }
+/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding leaves up to an ulp
+ * of size, and the displacement itself may be known to as little as an ulp of its own. Of ramps the parts are products, and exact
+ * to a few ulp of their own. */
+SCALLOP_INLINE int period_cancels(double travel, double size, int ramps)
+{
+  return (travel < 0 ? -travel : travel) < (ramps ? 0x1p-6 : 0x1p-3) * size;
+}
 
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */
@@ -31,6 +35,8 @@ struct period {
  * contraction, and the conclusion. */
 void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context);
+/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told in double. */
+void period_sum_up(const struct scallop_scaled *scaled, struct period *period);
 void period_conclude(const struct scallop_scaled *scaled, struct period *period);
 
 /* solved: the start velocity of the contraction that *period holds already, or nan. */

@@ -30,23 +30,20 @@ void scallop_modes_text(const struct scallop_modes *modes, char *text)
   *text = '\0';
 }
 
-/* Scales, and runs the motion; unit is the velocity L/tau. */
-static enum scallop_status run(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                               struct scallop_scaled *scaled, double *unit, struct motion *motion, scallop_visitor *visit,
-                               void *context)
+/* unit is the velocity L/tau, c0 is v0 in that. */
+static enum scallop_status scale(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                 struct scallop_scaled *scaled, double *unit, double *c0)
 {
   enum scallop_status status = scallop_scale(crawler, scaled);
   if (status != SCALLOP_OK)
     return status;
   if (!isfinite(v0))
     return SCALLOP_EDOMAIN;
-  *unit = crawler->L / scallop_phase_duration(crawler, kind);
-  double c0 = v0 / *unit;
-  struct motion_input input = motion_input_of(scaled, kind);
-  if (!start_is_kept(v0, c0, input.eps))
-    return SCALLOP_ERANGE;
-  motion_solve(&input, c0, motion, visit, context);
-  return SCALLOP_OK;
+  double tau = scallop_phase_duration(crawler, kind);
+  *unit = crawler->L / tau;
+  *c0 = v0 / *unit;
+  bool kept = scaling_is_normal(tau) && start_is_kept(v0, *c0, motion_input_of(scaled, kind).eps);
+  return kept ? SCALLOP_OK : SCALLOP_ERANGE;
 }
 
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
@@ -54,18 +51,23 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
 {
   struct scallop_scaled scaled;
   struct motion motion;
-  double unit;
-  return run(crawler, kind, v0, &scaled, &unit, &motion, visit, context);
+  double unit, c0;
+  enum scallop_status status = scale(crawler, kind, v0, &scaled, &unit, &c0);
+  if (status != SCALLOP_OK)
+    return status;
+  struct motion_input input = motion_input_of(&scaled, kind);
+  motion_solve(&input, c0, &motion, visit, context);
+  return SCALLOP_OK;
 }
 
 /* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts cancel least. */
-static double best_way(const struct motion *motion, const double beyond[3])
+static double best_way(const struct motion_ways *ways, const double beyond[3])
 {
   int best = 0;
   for (int i = 1; i < 3; i++)
-    if (motion->size[i] + fabs(beyond[i]) < motion->size[best] + fabs(beyond[best]))
+    if (ways->size[i] + fabs(beyond[i]) < ways->size[best] + fabs(beyond[best]))
       best = i;
-  return motion->way[best] + beyond[best];
+  return ways->way[best] + beyond[best];
 }
 
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
@@ -73,13 +75,16 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
 {
   struct scallop_scaled scaled;
   struct motion motion;
-  double unit, tau = scallop_phase_duration(crawler, kind), stroke = kind == SCALLOP_EXTENSION ? 1 : -1;
-  enum scallop_status status = run(crawler, kind, v0, &scaled, &unit, &motion, NULL, NULL);
+  struct motion_ways ways;
+  double unit, c0, tau = scallop_phase_duration(crawler, kind), stroke = kind == SCALLOP_EXTENSION ? 1 : -1;
+  enum scallop_status status = scale(crawler, kind, v0, &scaled, &unit, &c0);
   if (status != SCALLOP_OK)
     return status;
+  struct motion_input input = motion_input_of(&scaled, kind);
+  motion_solve_ways(&input, c0, &motion, &ways);
   const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
   const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
-  const double way[3] = { best_way(&motion, body_1), best_way(&motion, body_2), best_way(&motion, middle) };
+  const double way[3] = { best_way(&ways, body_1), best_way(&ways, body_2), best_way(&ways, middle) };
   struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,

@@ -15,9 +15,7 @@ struct side {
 /* All of it fits into registers once the functions below are one, which is why they are inline by force. */
 struct progress {
   struct side side;
-  double c, v[2];         /* velocity of the centre of mass, of the body of curve 0 and of that of curve 1 */
-  double way[3], size[3]; /* of those three, as in struct motion                                    */
-  double extra_impulse, slope, stretch, first_switch, last_switch;
+  double c, travel, size, extra_impulse, slope, stretch, first_switch, last_switch;
   unsigned trail, shift, events;
   bool held;
 };
@@ -32,42 +30,20 @@ INLINE void begin(struct progress *p, enum trail_state state, double t, double r
   p->shift += TRAIL_BITS;
 }
 
-INLINE void come(struct progress *p, int which, double way, double size)
-{
-  p->way[which] += way;
-  p->size[which] += size;
-}
-
-enum { NONE = -1 };
-struct leg {
-  double duration, c_slope, rate; /* of c and of |l'|                                                     */
-  double extra;                   /* of extra_impulse                                                     */
-  int met;                        /* the curve that it ends on, or NONE                                   */
-};
-
 /* On along a straight line to velocity c. */
-INLINE void slide(struct progress *p, double c, struct leg leg)
+INLINE void slide(struct progress *p, double c, double duration, double extra)
 {
-  const struct side *s = &p->side;
-  const double slope[2] = { leg.c_slope - s->q0 * leg.rate, leg.c_slope + s->q1 * leg.rate };
-  come(p, 0, 0.5 * (p->c + c) * leg.duration, 0.5 * (fabs(p->c) + fabs(c)) * leg.duration);
-  for (int j = 0; j < 2; j++) {
-    double v = j == leg.met ? 0 : p->v[j] + slope[j] * leg.duration, way = 0.5 * (p->v[j] + v) * leg.duration;
-    come(p, 1 + j, way, fabs(way));
-    p->v[j] = v;
-  }
-  p->extra_impulse += leg.extra * leg.duration;
+  p->travel += 0.5 * (p->c + c) * duration;
+  p->size += 0.5 * (fabs(p->c) + fabs(c)) * duration;
+  p->extra_impulse += extra * duration;
   p->c = c;
 }
 
-/* On along curve j to velocity c; way: what |l'| covers meanwhile, speed: |l'| at the end. */
-INLINE void hold(struct progress *p, int j, double c, double way, double speed)
+/* On along a curve to velocity c; way: what |l'| covers meanwhile, q that of the curve. */
+INLINE void hold(struct progress *p, double c, double q, double way)
 {
-  double forward = j == 0 ? 1 : -1, q = j == 0 ? p->side.q0 : p->side.q1;
-  come(p, 0, forward * q * way, q * way);
-  come(p, 2 - j, forward * way, way);
-  p->v[j] = 0;
-  p->v[1 - j] = forward * speed;
+  p->travel += q * way;
+  p->size += fabs(q) * way;
   p->held = true;
   p->c = c;
 }
@@ -91,19 +67,19 @@ INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum
   if (c > floor || s->between >= -steep) {
     begin(p, BETWEEN, t, 1 - t);
     *state = BETWEEN;
-    slide(p, c, (struct leg){ d, s->between, r->up, 0, NONE });
+    slide(p, c, d, 0);
     return c != floor;
   }
   double u = (p->c - s->between * t) / (-s->between - steep);
   if (u > t) {
     begin(p, BETWEEN, t, 1 - t);
-    slide(p, -steep * u, (struct leg){ u - t, s->between, r->up, 0, 1 });
+    slide(p, -steep * u, u - t, 0);
   } else if (t > 0) {
     return false;
   }
   begin(p, HELD_BELOW, u, 1 - u);
   *state = HELD_BELOW;
-  hold(p, 1, floor, 0.5 * r->up * (r->top - u) * (r->top + u), r->up * r->top);
+  hold(p, floor, -s->q1, 0.5 * r->up * (r->top - u) * (r->top + u));
   p->events++;
   return u < r->top;
 }
@@ -116,26 +92,26 @@ INLINE bool go_up(struct progress *p, const struct ramps *r, enum trail_state *s
   if (p->c > 0)
     begin(p, ABOVE, 0, 1);
   if (t >= r->top) {
-    slide(p, p->c - s->eps * r->top, (struct leg){ r->top, -s->eps, r->up, s->extra0, NONE });
+    slide(p, p->c - s->eps * r->top, r->top, s->extra0);
     return t > r->top;
   }
-  slide(p, steep * t, (struct leg){ t, -s->eps, r->up, s->extra0, 0 });
+  slide(p, steep * t, t, s->extra0);
   if (steep > s->between) {
     cross(p, -s->extra0, -s->eps, s->between, steep);
     return between_up(p, r, t, state);
   }
   begin(p, HELD_ABOVE, t, 1 - t);
   *state = HELD_ABOVE;
-  hold(p, 0, steep * r->top, 0.5 * r->up * (r->top - t) * (r->top + t), r->up * r->top);
+  hold(p, steep * r->top, s->q0, 0.5 * r->up * (r->top - t) * (r->top + t));
   p->events++;
   return true;
 }
 
 /* ---- the way down; times count back from the end ---- */
 
-INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, int j)
+INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, double q)
 {
-  hold(p, j, 0, 0.5 * r->down * (u * u), 0);
+  hold(p, 0, q, 0.5 * r->down * (u * u));
 }
 
 /* Between the curves from u on: c meets the one on whose side it would end. */
@@ -146,17 +122,17 @@ INLINE bool between_down(struct progress *p, const struct ramps *r, double u)
   double meets = end / (s->between + steep), sign = end > 0 ? 1 : -1;
   if (!(meets > 0 && meets < u))
     return false;
-  slide(p, steep * meets, (struct leg){ u - meets, s->between, -r->down, 0, end > 0 ? 0 : 1 });
+  slide(p, steep * meets, u - meets, 0);
   if (sign * steep > s->eps) {
     double extra = end > 0 ? s->extra0 : s->extra2;
     cross(p, extra, s->between, -sign * s->eps, -steep);
     begin(p, end > 0 ? ABOVE : BELOW, 1 - meets, meets);
-    slide(p, p->c - sign * s->eps * meets, (struct leg){ meets, -sign * s->eps, -r->down, extra, NONE });
+    slide(p, p->c - sign * s->eps * meets, meets, extra);
     return true;
   }
   p->events++;
   begin(p, end > 0 ? HELD_ABOVE : HELD_BELOW, 1 - meets, meets);
-  held_to_end(p, r, meets, end > 0 ? 0 : 1);
+  held_to_end(p, r, meets, q);
   return true;
 }
 
@@ -165,13 +141,13 @@ INLINE bool above_down(struct progress *p, const struct ramps *r)
   const struct side *s = &p->side;
   double u = r->rest, end = p->c - s->eps * u, steep = r->down * s->q0;
   if (end > 0) {
-    slide(p, end, (struct leg){ u, -s->eps, -r->down, s->extra0, NONE });
+    slide(p, end, u, s->extra0);
     return true;
   }
   double meets = end / (steep - s->eps);
   if (!(meets > 0 && meets < u))
     return false;
-  slide(p, steep * meets, (struct leg){ u - meets, -s->eps, -r->down, s->extra0, 0 });
+  slide(p, steep * meets, u - meets, s->extra0);
   if (-steep > s->between) {
     cross(p, -s->extra0, -s->eps, s->between, -steep);
     begin(p, BETWEEN, 1 - meets, meets);
@@ -179,7 +155,7 @@ INLINE bool above_down(struct progress *p, const struct ramps *r)
   }
   p->events++;
   begin(p, HELD_ABOVE, 1 - meets, meets);
-  held_to_end(p, r, meets, 0);
+  held_to_end(p, r, meets, s->q0);
   return true;
 }
 
@@ -196,11 +172,10 @@ INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
   if (steep > s->eps) {
     p->events++;
     begin(p, above ? ABOVE : BELOW, r->top, u);
-    double c_slope = above ? -s->eps : s->eps;
-    slide(p, p->c + c_slope * u, (struct leg){ u, c_slope, -r->down, above ? s->extra0 : s->extra2, NONE });
+    slide(p, p->c + (above ? -s->eps : s->eps) * u, u, above ? s->extra0 : s->extra2);
     return true;
   }
-  held_to_end(p, r, u, above ? 0 : 1);
+  held_to_end(p, r, u, above ? s->q0 : -s->q1);
   return true;
 }
 
@@ -253,7 +228,6 @@ bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion
                                   .extra0 = -2 * f_first,
                                   .extra2 = 2 * f_second },
                         .c = fabs(c0),
-                        .v = { fabs(c0), fabs(c0) },
                         .stretch = 1,
                         .first_switch = NAN,
                         .last_switch = NAN };
@@ -261,11 +235,8 @@ bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion
   if (!go_up(&p, &ramps, &state) || !go_down(&p, &ramps, state))
     return false;
   motion->c_end = sign * p.c + 0.0; /* no -0 */
-  for (int i = 0; i < 3; i++) {
-    int from = i > 0 && !plain ? 3 - i : i;
-    motion->way[i] = sign * p.way[from];
-    motion->size[i] = p.size[from];
-  }
+  motion->travel = sign * p.travel;
+  motion->size = p.size;
   motion->extra_impulse = sign * p.extra_impulse;
   motion->slope = p.slope;
   motion->stretch = p.stretch;

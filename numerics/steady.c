@@ -214,12 +214,14 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
   enum scallop_status status = find_root(s, c, solved, period, work);
   if (status != SCALLOP_OK)
     return status;
+  period_sum_up(s, period);
   *at = steady_states(s, period->c_start);
   if (!(at->lo < at->hi) && is_mirrored(s))
     period->travel = period->size = 0;
   if (!(at->lo < at->hi))
     return SCALLOP_OK;
   period_solve(s, fmin(fmax(0, at->lo), at->hi), NAN, period);
+  period_sum_up(s, period);
   return SCALLOP_INTERVAL;
 }
 
@@ -268,7 +270,8 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     result->v_low = at.lo * s.velocity;
     result->v_high = at.hi * s.velocity;
     bool delicate = period.phase[0].delicate || period.phase[1].delicate || result->period.multiplier < 0.0625;
-    mend(crawler, period_cancels(period.travel, period.size), delicate && !period.forgets, result);
+    bool ramps = s.gait->phase[0].ramps && s.gait->phase[1].ramps;
+    mend(crawler, period_cancels(period.travel, period.size, ramps), delicate && !period.forgets, result);
   }
   return status;
 }

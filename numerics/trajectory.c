@@ -96,10 +96,11 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
     r.next = 0;
     for (int kind = 0; kind < 2; kind++) {
       r.kind = (enum scallop_phase_kind)kind;
-      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].way[0]);
+      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].travel);
       period_phase(&scaled, r.kind, &p, record, &r);
     }
     period_conclude(&scaled, &p);
+    period_sum_up(&scaled, &p);
     add(&x, p.travel);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };

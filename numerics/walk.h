@@ -156,13 +156,16 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
   come(w, x, size);
   for (int j = 0; j < 2; j++) {
     real q = w->curve[j], v = c - q * there->speed, way = x - q * covered, parts = size + magnitude(q) * covered;
-    if (linear) { /* the body's velocity is linear as well, and nothing large need be subtracted */
+    if (met >= 0) /* where the other body moves with |l'| */
+      v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
+    else if (linear) /* as it is itself, and nothing large need be subtracted */
       v = w->v[j] + (w->slope[w->region] - q * there->rate) * duration;
-      way = (w->v[j] + (j == met ? 0 : v)) / 2 * duration;
+    if (linear) {
+      way = (w->v[j] + v) / 2 * duration;
       parts = magnitude(way);
     }
     body_comes(w, j, way, parts);
-    w->v[j] = j == met ? 0 : v;
+    w->v[j] = v;
   }
   advance(w, u, c, there);
 }

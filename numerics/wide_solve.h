@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/motion.h"
 #include "numerics/start.h"
 #include "numerics/wide.h"
 
@@ -21,13 +22,15 @@
 /* The circle's number in three doubles: 159 bits. */
 static real circle_number(void) { return (real)0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53 + -0x1.f1976b7ed8fbcp-109; }
 
-/* Of pi u, 0 <= u <= 1/2, both as accurate as u and 1/2 - u are. */
-static void half_turn(real u, real *sine, real *cosine)
+/* Of pi u, 0 <= u <= 1/2, as accurate as u and 1/2 - u are. */
+static real half_turn_sine(real u)
 {
-  real half = (real)1 / 2, angle = circle_number() * (4 * u > 1 ? half - u : u);
-  real s = real_sine(angle), c = real_cosine(angle);
-  *sine = 4 * u > 1 ? c : s;
-  *cosine = 4 * u > 1 ? s : c;
+  return 4 * u > 1 ? real_cosine(circle_number() * ((real)1 / 2 - u)) : real_sine(circle_number() * u);
+}
+
+static real half_turn_cosine(real u)
+{
+  return 4 * u > 1 ? real_sine(circle_number() * ((real)1 / 2 - u)) : real_cosine(circle_number() * u);
 }
 
 static real polynomial(const struct scallop_law *law, real u, int order)
@@ -46,9 +49,8 @@ static real speed_derivative(const struct scallop_piece *p, real u, int order)
 {
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
     return polynomial(p->law, u, order);
-  real pi = circle_number(), sine, cosine;
-  half_turn(u, &sine, &cosine);
-  return pi / 2 * (order == 0 ? sine : order == 1 ? pi * cosine : -pi * pi * sine);
+  real pi = circle_number();
+  return pi / 2 * (order == 0 ? half_turn_sine(u) : order == 1 ? pi * half_turn_cosine(u) : -pi * pi * half_turn_sine(u));
 }
 
 static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
@@ -59,7 +61,7 @@ static void walk_curve(const struct scallop_piece *p, real u, real *velocity, re
 
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
-  real way = 0, sum_sine, difference_sine, cosine, apart = from < to ? to - from : from - to;
+  real way = 0, apart = from < to ? to - from : from - to;
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
     for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
       real power = 1, terms = 0;
@@ -69,9 +71,7 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
     }
     return way / p->law->denominator * apart;
   }
-  half_turn((from + to) / 2, &sum_sine, &cosine);
-  half_turn(apart / 2, &difference_sine, &cosine);
-  return sum_sine * difference_sine;
+  return half_turn_sine((from + to) / 2) * half_turn_sine(apart / 2);
 }
 
 static real walk_rise(const struct scallop_piece *p, real from, real to)
@@ -86,31 +86,7 @@ struct root_end {
   real u, f, slope;
 };
 
-/* Newton's method in a bracket, which is halved where that leaves it or is slow. */
-static real root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
-{
-  if (a.f == 0 || b.f == 0)
-    return a.f == 0 ? a.u : b.u;
-  struct root_end p = (a.f < 0 ? -a.f : a.f) < (b.f < 0 ? -b.f : b.f) ? a : b;
-  real before = a.u - b.u;
-  for (int i = 0; i < 20000; i++) { /* of halvings towards 0, in a wide type's range of exponents */
-    real step = -p.f / p.slope, next = p.u + step;
-    bool inside = (next > a.u) != (next > b.u), slow = (step < 0 ? -step : step) > (before < 0 ? -before : before) / 2;
-    if (!inside || slow) {
-      next = (a.u + b.u) / 2;
-      step = next - p.u;
-    }
-    if ((step < 0 ? -step : step) <= 2 * ROUNDING * (next < 0 ? -next : next))
-      return next;
-    before = step;
-    p.u = next;
-    p.f = f(context, next, &p.slope);
-    if (p.f == 0)
-      return next;
-    *((p.f < 0) == (a.f < 0) ? &a : &b) = p;
-  }
-  return p.u;
-}
+static real root_between(root_function *f, const void *context, struct root_end a, struct root_end b);
 
 struct rate_search {
   const struct scallop_piece *piece;
@@ -136,6 +112,59 @@ static real walk_when(const struct scallop_piece *p, real a)
 }
 
 #include "numerics/walk.h"
+
+/* Where to begin: at the root in double of the gap to a curve, or of l'' = a; else at the end that is nearer to it. */
+static real near_root(root_function *f, const void *context, struct root_end a, struct root_end b)
+{
+  double lo = (double)(a.u < b.u ? a.u : b.u), hi = (double)(a.u < b.u ? b.u : a.u), u = NAN;
+  if (f == gap_value) {
+    const struct gap *g = context;
+    const struct scallop_piece *p = g->walk->piece;
+    double sense = (double)g->walk->sense, step = hi - lo, velocity, acceleration;
+    u = magnitude(a.f) < magnitude(b.f) ? (double)a.u : (double)b.u;
+    for (int i = 0; i < 12 && u >= lo && u <= hi && !(fabs(step) <= 4 * DBL_EPSILON * u); i++) {
+      piece_rates(p, u, &velocity, &acceleration);
+      double gap = (double)g->c_anchor + (double)g->c_slope * (sense * u) - (double)g->curve * p->direction * velocity;
+      double slope = sense * ((double)g->c_slope - (double)g->curve * p->direction * acceleration);
+      step = -gap / slope;
+      u += step;
+    }
+  } else if (f == rate_beyond) {
+    const struct rate_search *s = context;
+    double sense = s->piece->anchor == SCALLOP_FROM_START ? s->piece->direction : -s->piece->direction;
+    u = s->piece->curve->when(s->piece, sense * (double)s->wanted);
+  }
+  if (u > lo && u < hi)
+    return u;
+  return magnitude(a.f) < magnitude(b.f) ? a.u : b.u;
+}
+
+/* Newton's method in a bracket, which is halved where that leaves it or is slow. */
+static real root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
+{
+  if (a.f == 0 || b.f == 0)
+    return a.f == 0 ? a.u : b.u;
+  struct root_end p = { .u = near_root(f, context, a, b) };
+  real before = a.u - b.u;
+  for (int i = 0; i < 20000; i++) { /* of halvings towards 0, in a wide type's range of exponents */
+    p.f = f(context, p.u, &p.slope);
+    if (p.f == 0)
+      break;
+    *((p.f < 0) == (a.f < 0) ? &a : &b) = p;
+    real step = -p.f / p.slope, next = p.u + step;
+    bool slow = magnitude(step) > magnitude(before) / 2;
+    /* nothing but rounding is left of it */
+    if (magnitude(step) <= (slow ? 1024 : 2) * ROUNDING * magnitude(p.u))
+      break;
+    if (slow || (next > a.u) == (next > b.u)) {
+      next = (a.u + b.u) / 2;
+      step = next - p.u;
+    }
+    p.u = next;
+    before = step;
+  }
+  return p.u;
+}
 
 static void walk_show(const struct walk *w, real u, real c) { (void)w, (void)u, (void)c; }
 

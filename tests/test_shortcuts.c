@@ -105,7 +105,7 @@ static void check_phase(const struct motion_input *in, double c0, enum scallop_p
   CHECK_NEAR(m.last_switch, w.motion.last_switch, roundings);
   assert_true(m.forgets == w.motion.forgets && m.sticks == w.motion.sticks);
   assert_memory_equal(m.never_moved, w.motion.never_moved, sizeof m.never_moved);
-  CHECK_NEAR(m.way[0], w.motion.way[0], 4 * DBL_EPSILON * (2 + fabs(c0)));
+  CHECK_NEAR(m.travel, w.motion.travel, 4 * DBL_EPSILON * (2 + fabs(c0)));
   if (!m.forgets) {
     CHECK_NEAR(m.extra_impulse, w.motion.extra_impulse, roundings);
     CHECK_NEAR(m.slope, w.motion.slope, roundings * (fabs(m.slope) + in->eps * m.slope * m.slope));
@@ -160,7 +160,7 @@ static void concave_is_the_walk(void **state)
     assert_memory_equal(modes.kept, w.modes.kept, (size_t)modes.count * sizeof *modes.kept);
     double size = 2 + fabs(c0) + in.eps, roundings = 16 * DBL_EPSILON;
     CHECK_NEAR(m.c_end, w.motion.c_end, roundings * size);
-    CHECK_NEAR(m.way[0], w.motion.way[0], roundings * size);
+    CHECK_NEAR(m.travel, w.motion.travel, roundings * size);
     CHECK_NEAR(m.first_switch, w.motion.first_switch, roundings);
     CHECK_NEAR(m.last_switch, w.motion.last_switch, roundings);
     CHECK_NEAR(m.extra_impulse, w.motion.extra_impulse, 4 * roundings);
