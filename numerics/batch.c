@@ -114,6 +114,7 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
       out->grip[phase][i] = h.grip[phase];
     }
     valid &= keeps(&s, h.c_start, h.c_mid, h.travel, displacement, mean);
+    valid &= !period_cancels(h.travel, h.size, 0);
     out->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }

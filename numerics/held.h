@@ -15,11 +15,12 @@
 
 struct held_phase {
   double c_end;
-  double travel, size; /* of the centre of mass: how far it comes, and the magnitudes of the parts of that  */
-  double starts, ends; /* signs of c after the start and before the end: starts 0 from rest             */
-  double stuck;        /* 1: the body does not turn, but is held from where it stops, to the end        */
-  double margin;       /* > 0: the motion is of this kind                                               */
-  double grip;         /* of friction on the body at the end: held where >= 0                           */
+  double travel, size;             /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
+  double way1, way2, size1, size2; /* the same of the bodies: it is no work for those who do not look                 */
+  double starts, ends;             /* signs of c after the start and before the end: starts 0 from rest             */
+  double stuck;                    /* 1: the body does not turn, but is held from where it stops, to the end        */
+  double margin;                   /* > 0: the motion is of this kind                                               */
+  double grip;                     /* of friction on the body at the end: held where >= 0                           */
 };
 
 SCALLOP_INLINE double held_least(double a, double b) { return a < b ? a : b; }
@@ -50,11 +51,22 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
   double last_size = crosses ? crossed_size : fabs(held_way);
   double centre = turns ? turned_way + last_way : first_way + ridden;
   double centre_size = turns ? turned_size + last_size : first_way + ridden;
+  /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes to rest,
+   * another one or two until it does again, and a last one; the other body is |l| ahead or behind */
+  double v = above ? (between - steep) * d : r->up * t + (between + r->up * q1) * d, v_first = above ? 0 : r->up * t;
+  double one = 0.5 * (c0 + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
+  double last = crosses ? 0.5 * c_end * u : 0, near = one + two + last, near_size = one + fabs(two) + fabs(last);
+  double first = above ? near : near - 1, second = above ? near + 1 : near;
+  double first_size = above ? near_size : near_size + 1, second_size = above ? near_size + 1 : near_size;
   double turning = held_least(top + r->up * q1 * r->top, held_least(u, r->rest - u));
   double riding = held_least(grip, between + fall);
   return (struct held_phase){ .c_end = sign * c_end + 0.0,
                               .travel = sign * centre,
                               .size = centre_size,
+                              .way1 = sign * (plain ? first : second),
+                              .way2 = sign * (plain ? second : first),
+                              .size1 = plain ? first_size : second_size,
+                              .size2 = plain ? second_size : first_size,
                               .starts = c != 0 ? sign : 0,
                               .ends = sign * side,
                               .stuck = turns ? 0.0 : 1.0,
@@ -63,8 +75,9 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
 }
 
 struct held {
-  double c_start, c_mid, travel;                /* in L/T and L                                                            */
-  double margin;                                /* > 0: this is the steady state, and nothing cancels                      */
+  double c_start, c_mid, travel, size;          /* as in struct period                                                    */
+  double way1, way2, size1, size2;              /* as above, over the period                                              */
+  double margin;                                /* > 0: this is the steady state                                          */
   double starts[2], ends[2], stuck[2], grip[2]; /* of each phase, as above                                  */
 };
 
@@ -82,11 +95,14 @@ SCALLOP_INLINE void held_steady(const struct scaling *s, double alpha, double or
   struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
   out->c_start = plain ? 0 : between;
   out->c_mid = plain ? between : 0;
-  /* the same body rests in both phases: exactly nowhere; else what cancels is for the search, which looks at the bodies */
-  int rests = p1.stuck + p2.stuck > 1 && p1.ends == -p2.ends;
-  double travel = rests ? 0 : p1.travel + p2.travel, size = rests ? -1 : p1.size + p2.size;
-  out->travel = travel;
-  out->margin = held_least(held_least(p1.margin, p2.margin), held_least(p2.grip, fabs(travel) - 0.125 * size));
+  int rests = p1.stuck + p2.stuck > 1 && p1.ends == -p2.ends; /* the same body in both phases */
+  out->travel = rests ? 0 : p1.travel + p2.travel;
+  out->size = rests ? 0 : p1.size + p2.size;
+  out->way1 = p1.way1 + p2.way1;
+  out->way2 = p1.way2 + p2.way2;
+  out->size1 = p1.size1 + p2.size1;
+  out->size2 = p1.size2 + p2.size2;
+  out->margin = held_least(held_least(p1.margin, p2.margin), p2.grip);
   out->starts[0] = plain ? p1.starts : p2.starts;
   out->starts[1] = plain ? p2.starts : p1.starts;
   out->ends[0] = plain ? p1.ends : p2.ends;

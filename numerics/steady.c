@@ -187,6 +187,17 @@ static void mend(const struct scallop_crawler *crawler, bool cancels, bool delic
     result->period.multiplier = wider.period.multiplier.high;
 }
 
+/* As in period.c. */
+static void look_at_bodies(struct held *h)
+{
+  const double way[] = { h->way1, h->way2 }, size[] = { h->size1, h->size2 };
+  for (int body = 0; body < 2; body++)
+    if (size[body] < h->size) {
+      h->travel = way[body];
+      h->size = size[body];
+    }
+}
+
 /* order as in held.h. True: it is that simple. */
 static bool solve_held(const struct scallop_scaled *s, double order, struct held *h, struct scallop_work *work)
 {
@@ -196,6 +207,8 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct held
     return false;
   struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
   held_steady(&scaling, s->fraction[SCALLOP_EXTENSION], order, &e, &c, h);
+  if (period_cancels(h->travel, h->size, false))
+    look_at_bodies(h);
   *work = (struct scallop_work){ .periods = 1, .events = 4 - (h->stuck[0] > 0) - (h->stuck[1] > 0) };
   return h->margin > 0;
 }
@@ -265,6 +278,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     mend(crawler, false, regular.delicate, result);
   } else if (is_held) {
     held_result(&s, &held, crawler->L, result);
+    mend(crawler, period_cancels(held.travel, held.size, true), false, result);
   } else {
     period_result(crawler, &s, &period, &result->period);
     result->v_low = at.lo * s.velocity;
