@@ -2,11 +2,29 @@
 
 #include "compare/points.h"
 #include "compare/with_flint.h"
+#include "numerics/wide.h"
 
-static const char *const accepts[] = { "m1", "m2",        "F1",     "F2",     "L",      "T",      "alpha", "gait", "phase",
-                                       "v0", "certified", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1", "m2",        "F1",    "F2",     "L",      "T",      "alpha",  "gait",  "phase",
+                                       "v0", "certified", "error", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const extra[] = { "phase", "v0", NULL };
 static const char *const columns[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", "regime", "modes", "status", NULL };
+
+static const char *const error_columns[] = { "t1",       "dT",       "v_end",       "dx1",       "dx2",       "dxC",
+                                             "t1_error", "dT_error", "v_end_error", "dx1_error", "dx2_error", "dxC_error",
+                                             "regime",   "modes",    "status",      NULL };
+
+/* of an estimate, with three digits */
+static const double rounded_up = 1.005;
+
+/* Gaits of this command have exact laws: the only failure is that of the solve itself. */
+static void write_errors(struct table *table, const struct options *point, const struct scallop_phase_result *r)
+{
+  struct scallop_phase_error e = { NAN, NAN, NAN, NAN, NAN, NAN };
+  scallop_phase_error(&point->crawler, point->phase, point->v0, r, &e);
+  const double errors[] = { e.t1, e.dT, e.v_end, e.dx1, e.dx2, e.dxC };
+  for (int i = 0; i < 6; i++)
+    table_rounded(table, rounded_up * errors[i], "%.3g");
+}
 
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
@@ -20,7 +38,7 @@ static const char *row(struct table *table, const struct options *point, const c
   table_text(table, refused ? "-" : point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
   table_number(table, refused ? NAN : point->v0);
   if (why) {
-    point_blank(table, 6);
+    point_blank(table, point->error ? 12 : 6);
     table_text(table, "-");
     table_text(table, "-");
     table_text(table, why);
@@ -29,6 +47,8 @@ static const char *row(struct table *table, const struct options *point, const c
   const double numbers[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
   for (int i = 0; i < 6; i++)
     table_number(table, numbers[i]);
+  if (point->error)
+    write_errors(table, point, &r);
   table_text(table, scallop_regime_text(r.regime));
   scallop_modes_text(&r.modes, modes);
   table_text(table, modes);
@@ -38,9 +58,13 @@ static const char *row(struct table *table, const struct options *point, const c
 
 static enum exit_code run(const struct options *options)
 {
+  if (options->certified && options->error) {
+    complain("phase", "--error has nothing to do with --certified: every digit is proven");
+    return EXIT_USAGE;
+  }
   if (options->certified && !has_flint(options, "--certified"))
     return EXIT_UNSOLVED;
-  return for_each_point(options, extra, columns, row);
+  return for_each_point(options, extra, options->error ? error_columns : columns, row);
 }
 
 const struct command command_phase = {
@@ -54,6 +78,8 @@ const struct command command_phase = {
       "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
       "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
       "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n"
+      "--error: for each number an estimate of its error, of these very parameters: what it is off by in 113 bits "
+      "(numerics/wide.h).\n"
       "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
       "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
       "touches a boundary exactly cannot be decided, which status says.",

@@ -1,19 +1,43 @@
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "compare/points.h"
 #include "compare/with_flint.h"
+#include "numerics/wide.h"
 
-static const char *const accepts[] = { "m1",        "m2",     "F1",     "F2",     "L",      "T",     "alpha", "gait",
-                                       "certified", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",        "m2",    "F1",     "F2",     "L",      "T",      "alpha", "gait",
+                                       "certified", "error", "points", "format", "digits", "output", "quiet", NULL };
 static const char *const none[] = { NULL };
 static const char *const columns[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                        "multiplier", "regime",  "modes", "status",       NULL };
+
+static const char *const error_columns[] = { "froude",
+                                             "v_start",
+                                             "v_mid",
+                                             "displacement",
+                                             "mean_velocity",
+                                             "multiplier",
+                                             "froude_error",
+                                             "v_start_error",
+                                             "v_mid_error",
+                                             "displacement_error",
+                                             "mean_velocity_error",
+                                             "multiplier_error",
+                                             "regime",
+                                             "modes",
+                                             "status",
+                                             NULL };
+
+/* of an estimate, with three digits */
+static const double rounded_up = 1.005;
 
 /* A steady state as it is written */
 struct state {
   enum scallop_status status;
   double numbers[6]; /* froude to multiplier, in the order of the columns */
+  double errors[6];  /* estimates; of none, where they are not asked for */
+  int error_count;
   double v_low, v_high;
   enum scallop_regime regime;
   const struct scallop_modes *modes; /* of both phases */
@@ -43,7 +67,7 @@ static const char *write_none(struct table *table, const struct scallop_crawler 
                               const char *why)
 {
   point_crawler(table, crawler, refused);
-  point_blank(table, 6);
+  point_blank(table, table->options->error ? 12 : 6);
   table_text(table, "-");
   table_text(table, "-");
   table_text(table, why);
@@ -58,6 +82,8 @@ static const char *write_row(struct table *table, const struct scallop_crawler *
   point_crawler(table, crawler, NULL);
   for (int i = 0; i < 6; i++)
     table_number(table, s->numbers[i]);
+  for (int i = 0; i < s->error_count; i++)
+    table_rounded(table, rounded_up * s->errors[i], "%.3g");
   table_text(table, scallop_regime_text(s->regime));
   write_modes(table, s->modes);
   if (s->status == SCALLOP_INTERVAL)
@@ -65,6 +91,16 @@ static const char *write_row(struct table *table, const struct scallop_crawler *
   else
     table_text(table, "ok");
   return NULL;
+}
+
+/* Gaits of this command have exact laws: the only failure is that of the solve itself. */
+static void estimate(const struct scallop_crawler *crawler, const struct scallop_steady_result *r, struct state *s)
+{
+  struct scallop_steady_error e = { NAN, NAN, NAN, NAN, NAN, NAN };
+  scallop_steady_error(crawler, r, &e);
+  const double errors[] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
+  memcpy(s->errors, errors, sizeof errors);
+  s->error_count = 6;
 }
 
 static const char *row(struct table *table, const struct options *point, const char *refused)
@@ -83,6 +119,8 @@ static const char *row(struct table *table, const struct options *point, const c
                         .v_high = r.v_high,
                         .regime = r.period.regime,
                         .modes = r.period.modes };
+  if (point->error && s.status >= 0)
+    estimate(&point->crawler, &r, &s);
   return write_row(table, &point->crawler, &s);
 }
 
@@ -139,11 +177,15 @@ static long rows(struct table *table, const struct options *options, const struc
 
 static enum exit_code run(const struct options *options)
 {
+  if (options->certified && options->error) {
+    complain("steady", "--error has nothing to do with --certified: every digit is proven");
+    return EXIT_USAGE;
+  }
   if (options->certified && !has_flint(options, "--certified"))
     return EXIT_UNSOLVED;
-  if (options->points && !options->certified)
+  if (options->points && !options->certified && !options->error)
     return for_each_block(options, columns, rows);
-  return for_each_point(options, none, columns, row);
+  return for_each_point(options, none, options->error ? error_columns : columns, row);
 }
 
 const struct command command_steady = {
@@ -157,6 +199,8 @@ const struct command command_steady = {
       "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
       "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
       "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no answer.\n"
+      "--error: for each number an estimate of its error, of these very parameters: what it is off by in 113 bits "
+      "(numerics/wide.h).\n"
       "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
       "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
       "touches a boundary exactly cannot be decided, which status says.",

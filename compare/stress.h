@@ -17,16 +17,18 @@
 
 /* ---- cases ---- */
 
-struct stress_case { /* a steady state, or a phase                                                       */
+enum stress_kind { STRESS_STEADY, STRESS_PHASE, STRESS_TRAJECTORY };
+struct stress_case {
+  enum stress_kind kind;
   struct scallop_crawler crawler;
-  bool is_phase;
-  enum scallop_phase_kind phase;
-  double v0;
+  enum scallop_phase_kind phase; /* of a phase                                                             */
+  double v0;                     /* of a phase, or a trajectory                                            */
+  long periods;                  /* of a trajectory                                                        */
 };
 
 struct stress_family {
   const char *name, *about;
-  bool of_phases;
+  enum stress_kind kind;
   /* The case of quasi-random x[STRESS_DIMENSIONS] in [0, 1), in which the gait is set; false: these give none, try the next. */
   bool (*make)(struct stress_case *stressed, const double *x);
 };
@@ -37,15 +39,15 @@ extern const struct stress_family stress_families[]; /* the last has no name */
 int stress_make(const struct stress_family *family, const struct scallop_gait *gait, unsigned long seed, int count,
                 struct stress_case *cases);
 
-/* "--m1 1 --m2 ... --gait quadratic", after that of a phase "--phase extension --v0 0". text holds STRESS_ARGUMENTS bytes. */
+/* "--m1 1 --m2 ... --gait quadratic", then of a phase "--phase extension --v0 0", of a trajectory "--start 3.1 --periods 1000". text holds STRESS_ARGUMENTS bytes. */
 enum { STRESS_ARGUMENTS = 400 };
 void stress_arguments(const struct stress_case *stressed, char *text);
 
 /* ---- judgement ---- */
 
 enum { STRESS_QUANTITIES = 6 };
-/* froude v_start v_mid displacement mean_velocity multiplier, or of a phase t1 dT v_end dx1 dx2 dxC */
-extern const char *const stress_quantities[2][STRESS_QUANTITIES];
+/* froude v_start v_mid displacement mean_velocity multiplier; of a phase t1 dT v_end dx1 dx2 dxC; of a trajectory x and v at its end */
+extern const char *const stress_quantities[3][STRESS_QUANTITIES];
 
 enum stress_outcome {
   STRESS_SOLVED,
@@ -55,6 +57,7 @@ enum stress_outcome {
 };
 struct stress_judgement {
   enum stress_outcome outcome;
+  bool only_error;                 /* neither roundings nor estimates are looked at                              */
   const char *why;                 /* of another outcome than solved                                            */
   bool has[STRESS_QUANTITIES];     /* false: there is no such number (t1 of a phase without a change of mode)   */
   double exact[STRESS_QUANTITIES]; /* rounded to double                                                         */
@@ -66,6 +69,12 @@ struct stress_judgement {
   double perturbed[STRESS_QUANTITIES];     /* the largest change of the result where one parameter is an ulp off */
 };
 void stress_judge(const struct stress_case *stressed, struct stress_judgement *judgement);
+void stress_judge_trajectory(const struct stress_case *stressed, struct stress_judgement *judgement);
+
+/* What the two have in common. One of the parameters m1 m2 F1 F2 L T alpha v0 replaced by the double next to it; false: there is no such
+ * parameter here, or that one is not allowed. |a - b|. */
+bool stress_neighbour(const struct stress_case *stressed, int parameter, double towards, struct stress_case *next);
+double stress_difference(const struct scallop_wide *a, const struct scallop_wide *b);
 
 /* What is promised, in units. In a directed rounding each operation errs by up to an ulp instead of a half, so a result by twice as
  * much, and the spread is between two of them; a change of one parameter moves the result by a unit, and both ends err. An estimate may

@@ -199,7 +199,7 @@ static bool signature_of(const struct stress_case *s, struct signature *out)
   struct scallop_steady_result r;
   struct scallop_phase_result p;
   *out = (struct signature){ .forward = s->v0 > 0 };
-  if (s->is_phase) {
+  if (s->kind == STRESS_PHASE) {
     bool solved = scallop_phase(&s->crawler, s->phase, s->v0, &p) == SCALLOP_OK;
     if (solved)
       scallop_modes_text(&p.modes, out->modes);
@@ -335,31 +335,48 @@ static bool phase_boundaries(struct stress_case *s, const double *x)
   return approach(s, &s->v0, s->v0 + between(fmod(16 * x[8], 1), -1, 1) * phase_velocity(s), kind, x[9]);
 }
 
+/* ---- trajectories ---- */
+
+/* Sliding, from the steady state as a double or, where l' is made of ramps, from 1 % beside it. */
+static bool trajectory(struct stress_case *s, const double *x)
+{
+  struct scallop_steady_result r;
+  calm(&s->crawler, x);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 0));
+  if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
+    return false;
+  bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
+  s->v0 = r.period.v_start * (beside ? 1.01 : 1);
+  return true;
+}
+
 const struct stress_family stress_families[] = {
-  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", false, ordinary },
-  { "masses", "m1/m2 from 1e-12 to 1e12", false, masses },
-  { "forces", "F1/F2 from 1e-12 to 1e12", false, forces },
-  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", false, masses_and_forces },
-  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", false, equal_forces },
-  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", false, equal_phases },
-  { "equal-both", "both", false, equal_both },
-  { "short-phase", "alpha within 1e-9 of 0 or 1", false, short_phase },
-  { "small-period", "T from 1e-100 to the onset of sticking", false, small_period },
-  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", false, near_start_velocity },
-  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", false, near_sticking },
-  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", false, near_grazing },
-  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", false, deep_stick_slip },
-  { "at-rest", "one body never moves", false, at_rest },
-  { "units", "m, F and L each times 1e-150 to 1e150", false, units },
-  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", false, range },
-  { "wild", "every parameter anywhere in 16 decades or more", false, wild },
-  { "phase-ordinary", "a phase from rest or up to 3 L/tau", true, phase_ordinary },
-  { "phase-small-period", "the same, T from 1e-100 to 1", true, phase_small_period },
-  { "phase-velocities", "v0 from 1e-100 to 1e100", true, phase_velocities },
-  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", true, phase_range },
-  { "phase-wild", "every parameter anywhere in 16 decades or more", true, phase_wild },
-  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", true, phase_boundaries },
-  { NULL, NULL, false, NULL },
+  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", STRESS_STEADY, ordinary },
+  { "masses", "m1/m2 from 1e-12 to 1e12", STRESS_STEADY, masses },
+  { "forces", "F1/F2 from 1e-12 to 1e12", STRESS_STEADY, forces },
+  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", STRESS_STEADY, masses_and_forces },
+  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", STRESS_STEADY, equal_forces },
+  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", STRESS_STEADY, equal_phases },
+  { "equal-both", "both", STRESS_STEADY, equal_both },
+  { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, short_phase },
+  { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, small_period },
+  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY, near_start_velocity },
+  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY, near_sticking },
+  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY, near_grazing },
+  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, deep_stick_slip },
+  { "at-rest", "one body never moves", STRESS_STEADY, at_rest },
+  { "units", "m, F and L each times 1e-150 to 1e150", STRESS_STEADY, units },
+  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", STRESS_STEADY, range },
+  { "wild", "every parameter anywhere in 16 decades or more", STRESS_STEADY, wild },
+  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, phase_ordinary },
+  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, phase_small_period },
+  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, phase_velocities },
+  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, phase_range },
+  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, phase_wild },
+  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, phase_boundaries },
+  { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
+    trajectory },
+  { NULL, NULL, STRESS_STEADY, NULL },
 };
 
 /* ---- making them ---- */
@@ -396,7 +413,7 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
       gsl_qrng_get(sequence, x);
       for (int i = 0; i < STRESS_DIMENSIONS; i++)
         x[i] = fmod(x[i] + shift[i], 1);
-      *c = (struct stress_case){ .is_phase = family->of_phases };
+      *c = (struct stress_case){ .kind = family->kind };
       c->crawler.gait = gait;
       made += family->make(c, x);
     }
@@ -415,6 +432,8 @@ void stress_arguments(const struct stress_case *s, char *text)
   }
   text += snprintf(text, 64, "--gait %s", s->crawler.gait->name);
   number_text(number, s->v0, 0);
-  if (s->is_phase)
+  if (s->kind == STRESS_TRAJECTORY)
+    snprintf(text, 80, " --start %s --periods %ld", number, s->periods);
+  if (s->kind == STRESS_PHASE)
     snprintf(text, 80, " --phase %s --v0 %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
 }

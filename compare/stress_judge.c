@@ -8,9 +8,10 @@
 #include "compare/stress.h"
 #include "numerics/certified.h"
 
-const char *const stress_quantities[2][STRESS_QUANTITIES] = {
+const char *const stress_quantities[3][STRESS_QUANTITIES] = {
   { "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier" },
   { "t1", "dT", "v_end", "dx1", "dx2", "dxC" },
+  { "x", "v" },
 };
 
 enum { PARAMETERS = 8, CERTIFIED_DIGITS = 36 };
@@ -21,13 +22,15 @@ struct numbers {
   struct scallop_modes modes[2]; /* of a phase the first; of the double solver only */
 };
 
+static bool is_phase(const struct stress_case *s) { return s->kind == STRESS_PHASE; }
+
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
-static bool may_jump(const struct stress_case *s, int q) { return s->is_phase ? q < 2 : q == STRESS_QUANTITIES - 1; }
+static bool may_jump(const struct stress_case *s, int q) { return is_phase(s) ? q < 2 : q == STRESS_QUANTITIES - 1; }
 
 static bool same_modes(const struct stress_case *s, const struct numbers *a, const struct numbers *b)
 {
   bool same = true;
-  for (int i = 0; i < (s->is_phase ? 1 : 2); i++) {
+  for (int i = 0; i < (is_phase(s) ? 1 : 2); i++) {
     char text[2][SCALLOP_MODES_TEXT];
     scallop_modes_text(&a->modes[i], text[0]);
     scallop_modes_text(&b->modes[i], text[1]);
@@ -36,7 +39,7 @@ static bool same_modes(const struct stress_case *s, const struct numbers *a, con
   return same;
 }
 
-static double difference(const struct scallop_wide *a, const struct scallop_wide *b)
+double stress_difference(const struct scallop_wide *a, const struct scallop_wide *b)
 {
   return fabs((a->high - b->high) + (a->low - b->low));
 }
@@ -46,7 +49,7 @@ static double difference(const struct scallop_wide *a, const struct scallop_wide
 static enum scallop_status solve_double(const struct stress_case *s, struct numbers *out,
                                         struct scallop_steady_result *steady, struct scallop_phase_result *phase)
 {
-  enum scallop_status status = s->is_phase ? scallop_phase(&s->crawler, s->phase, s->v0, phase)
+  enum scallop_status status = is_phase(s) ? scallop_phase(&s->crawler, s->phase, s->v0, phase)
                                            : scallop_steady(&s->crawler, steady);
   if (status < 0)
     return status;
@@ -54,9 +57,9 @@ static enum scallop_status solve_double(const struct stress_case *s, struct numb
   const double of_phase[] = { phase->t1, phase->dT, phase->v_end, phase->dx1, phase->dx2, phase->dxC };
   const double of_steady[] = { steady->froude, p->v_start, p->v_mid, p->displacement, steady->mean_velocity, p->multiplier };
   for (int q = 0; q < STRESS_QUANTITIES; q++)
-    out->n[q] = (struct scallop_wide){ s->is_phase ? of_phase[q] : of_steady[q], 0 };
+    out->n[q] = (struct scallop_wide){ is_phase(s) ? of_phase[q] : of_steady[q], 0 };
   for (int i = 0; i < 2; i++)
-    out->modes[i] = s->is_phase ? phase->modes : p->modes[i];
+    out->modes[i] = is_phase(s) ? phase->modes : p->modes[i];
   return status;
 }
 
@@ -71,12 +74,12 @@ static enum scallop_status solve_wide(const struct stress_case *s, enum scallop_
 {
   struct scallop_wide_steady steady;
   struct scallop_wide_phase phase;
-  enum scallop_status status = s->is_phase ? scallop_wide_phase(width, &s->crawler, s->phase, s->v0, &phase)
+  enum scallop_status status = is_phase(s) ? scallop_wide_phase(width, &s->crawler, s->phase, s->v0, &phase)
                                            : scallop_wide_steady(width, &s->crawler, &steady);
   if (status < 0)
     return status;
   const struct scallop_wide_period *p = &steady.period;
-  *out = s->is_phase ? (struct numbers){ .n = { phase.t1, phase.dT, phase.v_end, phase.dx1, phase.dx2, phase.dxC } }
+  *out = is_phase(s) ? (struct numbers){ .n = { phase.t1, phase.dT, phase.v_end, phase.dx1, phase.dx2, phase.dxC } }
                      : (struct numbers){ .n = { steady.froude, p->v_start, p->v_mid, p->displacement, steady.mean_velocity,
                                                 p->multiplier } };
   return status;
@@ -131,20 +134,19 @@ static enum scallop_status certify(const struct stress_case *s, struct numbers *
   struct scallop_rational_crawler crawler;
   scallop_rational_init(&crawler);
   scallop_rational_of(&crawler, &s->crawler);
-  enum scallop_status status = s->is_phase ? certify_phase(&crawler, s, out, why) : certify_steady(&crawler, out, why);
+  enum scallop_status status = is_phase(s) ? certify_phase(&crawler, s, out, why) : certify_steady(&crawler, out, why);
   scallop_rational_clear(&crawler);
   return status;
 }
 
 /* ---- an ulp up or down ---- */
 
-/* One parameter replaced by the double next to it. False: there is no such parameter, or that one is not allowed. */
-static bool neighbour(const struct stress_case *s, int parameter, double towards, struct stress_case *out)
+bool stress_neighbour(const struct stress_case *s, int parameter, double towards, struct stress_case *out)
 {
   struct scallop_crawler *c = &out->crawler;
   *out = *s;
   double *const all[PARAMETERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha, &out->v0 };
-  if (parameter == PARAMETERS - 1 && (!s->is_phase || s->v0 == 0)) /* from rest is no rounded number */
+  if (parameter == PARAMETERS - 1 && (s->kind == STRESS_STEADY || s->v0 == 0)) /* from rest is no rounded number */
     return false;
   *all[parameter] = nextafter(*all[parameter], towards);
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
@@ -158,17 +160,17 @@ static void disturb(const struct stress_case *s, int parameter, const struct num
   for (int side = -1; side <= 1; side += 2) {
     struct stress_case next;
     struct numbers there;
-    if (!neighbour(s, parameter, side * INFINITY, &next))
+    if (!stress_neighbour(s, parameter, side * INFINITY, &next))
       continue;
     if (solve_wide(&next, SCALLOP_BINARY128, &there) >= 0)
       for (int q = 0; q < STRESS_QUANTITIES; q++)
-        most[q] = fmax(most[q], difference(&there.n[q], &wide->n[q]));
+        most[q] = fmax(most[q], stress_difference(&there.n[q], &wide->n[q]));
     if (solve_plainly(&next, &there) < 0)
       continue;
     bool same = same_modes(s, &there, got);
     for (int q = 0; q < STRESS_QUANTITIES; q++)
       if (same || !may_jump(s, q))
-        j->perturbed[q] = fmax(j->perturbed[q], difference(&there.n[q], &got->n[q]));
+        j->perturbed[q] = fmax(j->perturbed[q], stress_difference(&there.n[q], &got->n[q]));
   }
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->unit[q] += most[q];
@@ -207,14 +209,14 @@ static bool estimates(const struct stress_case *s, const struct scallop_steady_r
 {
   struct scallop_steady_error e;
   struct scallop_phase_error p;
-  enum scallop_status status = s->is_phase ? scallop_phase_error(&s->crawler, s->phase, s->v0, phase, &p)
+  enum scallop_status status = is_phase(s) ? scallop_phase_error(&s->crawler, s->phase, s->v0, phase, &p)
                                            : scallop_steady_error(&s->crawler, steady, &e);
   if (status < 0)
     return false;
   const double of_phase[] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
   const double of_steady[] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
   for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->estimate[q] = s->is_phase ? of_phase[q] : of_steady[q];
+    j->estimate[q] = is_phase(s) ? of_phase[q] : of_steady[q];
   return true;
 }
 
@@ -224,10 +226,10 @@ static bool estimates(const struct stress_case *s, const struct scallop_steady_r
 static double floor_of(const struct stress_case *s, int q)
 {
   const struct scallop_crawler *c = &s->crawler;
-  double tau = s->is_phase ? scallop_phase_duration(c, s->phase) : c->T, velocity = c->L / tau;
+  double tau = is_phase(s) ? scallop_phase_duration(c, s->phase) : c->T, velocity = c->L / tau;
   const double of_phase[] = { tau, tau, velocity, c->L, c->L, c->L };
   const double of_steady[] = { 0, velocity, velocity, c->L, velocity, 1 };
-  return 0x1p-960 * (s->is_phase ? of_phase : of_steady)[q];
+  return 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
 }
 
 static void measure(const struct stress_case *s, const struct numbers *exact, const struct numbers *got,
@@ -241,9 +243,9 @@ static void measure(const struct stress_case *s, const struct numbers *exact, co
     j->ulp[q] = y != 0 && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
     double floor = floor_of(s, q);
     j->unit[q] = fmax(fmax(j->unit[q], j->ulp[q]), fmax(floor, DBL_MIN));
-    j->error[q] = difference(&got->n[q], &exact->n[q]);
+    j->error[q] = stress_difference(&got->n[q], &exact->n[q]);
     for (int w = 0; w < 2; w++)
-      j->wide_error[w][q] = difference(&wide[w].n[q], &exact->n[q]);
+      j->wide_error[w][q] = stress_difference(&wide[w].n[q], &exact->n[q]);
     if (fabs(y) > floor && !isnormal(y) && j->has[q]) {
       j->outcome = STRESS_LIED;
       j->why = "a number beyond the range of doubles was not refused, or one is there that is not";
@@ -262,6 +264,10 @@ void stress_judge(const struct stress_case *s, struct stress_judgement *j)
   struct numbers got, exact, wide[2];
   struct scallop_steady_result steady = { 0 };
   struct scallop_phase_result phase = { 0 };
+  if (s->kind == STRESS_TRAJECTORY) {
+    stress_judge_trajectory(s, j);
+    return;
+  }
   *j = (struct stress_judgement){ .outcome = STRESS_SOLVED };
   enum scallop_status status = solve_double(s, &got, &steady, &phase);
   if (status < 0) {
@@ -294,6 +300,8 @@ const char *stress_broken(const struct stress_judgement *j, int q)
     return NULL;
   if (!(j->error[q] <= STRESS_PROMISE * j->unit[q]))
     return "error";
+  if (j->only_error)
+    return NULL;
   if (!(j->rounding[q] <= STRESS_ROUNDING * j->unit[q]))
     return "spread over the rounding modes";
   if (!(j->perturbed[q] <= STRESS_PERTURBED * j->unit[q]))

@@ -34,7 +34,9 @@ static const char *const point_columns[] = { "quantity",         "value",       
                                              "condition",        "digits",         "rounding",  "perturbed", "lost_double",
                                              "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
 
-enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 10000, NUMBER_DIGITS = 3 };
+enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 10000 };
+/* Of a trajectory: a case takes as long as so many periods do. */
+enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
 /* ---- one number of one case ---- */
 
@@ -111,6 +113,8 @@ static void add_number(struct row *r, const struct stress_judgement *j, int i, i
   }
   r->rounding = fmax(r->rounding, over(j->rounding[q], j->unit[q]));
   r->perturbed = fmax(r->perturbed, over(j->perturbed[q], j->unit[q]));
+  if (j->only_error)
+    return;
   all_lost(j, q, lost);
   for (int k = 0; k < 3; k++)
     r->lost[k] = fmax(r->lost[k], lost[k]);
@@ -164,18 +168,19 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
   table_number(t, r->cases);
   table_number(t, r->refused);
   table_number(t, r->undecided);
-  table_text(t, r->worst >= 0 ? stress_quantities[r->family->of_phases][q] : "-");
+  table_text(t, r->worst >= 0 ? stress_quantities[r->family->kind][q] : "-");
   table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
   table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
   table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
   table_rounded(t, has_ulp ? digits_kept(j->error[q], j->exact[q]) : NAN, "%.1f");
   table_rounded(t, r->median, "%.3g");
-  table_rounded(t, r->rounding, "%.3g");
-  table_rounded(t, r->perturbed, "%.3g");
+  bool more = !j->only_error;
+  table_rounded(t, more ? r->rounding : NAN, "%.3g");
+  table_rounded(t, more ? r->perturbed : NAN, "%.3g");
   for (int k = 0; k < 3; k++)
-    table_rounded(t, r->lost[k], "%.1f");
+    table_rounded(t, more ? r->lost[k] : NAN, "%.1f");
   table_rounded(t, isfinite(r->estimate_least) ? r->estimate_least : NAN, "%.4f");
-  table_rounded(t, r->estimate_most, "%.4f");
+  table_rounded(t, more ? r->estimate_most : NAN, "%.4f");
   write_verdict(t, r->what, r->broken);
   if (r->worst >= 0)
     stress_arguments(&cases[r->worst], arguments);
@@ -207,8 +212,9 @@ static void report(const struct row *r, const struct run *run)
       if (!what)
         continue;
       stress_arguments(&run->stressed[i], arguments);
-      complain("stress", "%s, %s gait: %s of %s; to see it: scallop stress %s", r->family->name, r->gait->name, what,
-               stress_quantities[r->family->of_phases][q], arguments);
+      complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
+               stress_quantities[r->family->kind][q], r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
+               arguments);
       said++;
     }
 }
@@ -230,7 +236,10 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   struct row r = { .family = family, .gait = gait };
   if (run->shown)
     fprintf(stderr, "\r%s, %s gait\033[K", family->name, gait->name);
-  r.cases = stress_make(family, gait, (unsigned long)o->seed, run->cases, run->stressed);
+  int cases = family->kind == STRESS_TRAJECTORY && run->cases > TRAJECTORIES ? TRAJECTORIES : run->cases;
+  r.cases = stress_make(family, gait, (unsigned long)o->seed, cases, run->stressed);
+  for (int i = 0; i < r.cases; i++)
+    run->stressed[i].periods = o->full ? FULL_PERIODS : o->against ? CHECK_PERIODS : PERIODS;
   judge_all(run, r.cases);
   sum_up(&r, run->judgements, run->errors);
   if (run->shown)
@@ -316,7 +325,7 @@ static void write_number(struct table *t, const struct stress_case *s, const str
   const char *broken = stress_broken(j, q);
   bool judged = is_judged(j, q), has_ulp = judged && j->ulp[q] > 0;
   all_lost(j, q, lost);
-  table_text(t, stress_quantities[s->is_phase][q]);
+  table_text(t, stress_quantities[s->kind][q]);
   table_number(t, judged ? j->got[q] : NAN);
   table_number(t, judged ? j->exact[q] : NAN);
   table_rounded(t, judged ? over(j->error[q], j->unit[q]) : NAN, "%.3g");
@@ -341,7 +350,9 @@ enum exit_code stress_point(const struct options *o)
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
-  const struct stress_case s = { o->crawler, o->has_phase || o->has_v0, o->phase, o->v0 };
+  const struct stress_case s = {
+    .kind = o->has_phase || o->has_v0 ? STRESS_PHASE : STRESS_STEADY, .crawler = o->crawler, .phase = o->phase, .v0 = o->v0
+  };
   bool broken = false;
   stress_judge(&s, &j);
   flint_cleanup();
