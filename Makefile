@@ -17,9 +17,9 @@ B       ?= build
 WITH_FLINT ?= 1
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table claims_read certified_rows series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c))
+               $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table claims_read certified_rows flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c))
 flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
-flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff
+flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits derived_gaits branch wide stress
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
@@ -56,7 +56,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs clean setup-build setup-check setup-plots
+.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs coverage clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -155,6 +155,11 @@ fuzz:
 	@$(MAKE) --no-print-directory fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
 	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 fuzz-programs: $(fuzz)
+
+## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
+coverage:
+	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests coverage
+	+@MAKE="$(MAKE)" sh scripts/coverage.sh $(B)/coverage
 
 sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format

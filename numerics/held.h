@@ -53,9 +53,12 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
   double centre_size = turns ? turned_size + last_size : first_way + ridden;
   /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes to rest,
    * another one or two until it does again, and a last one; the other body is |l| ahead or behind */
-  double v = above ? (between - steep) * d : r->up * t + (between + r->up * q1) * d, v_first = above ? 0 : r->up * t;
+  double push0 = eps * (plain ? s->f1 : s->f2), push1 = eps * (plain ? s->f2 : s->f1); /* as body_slope of walk.h */
+  double v = above ? -((steep - push0) + push1) * d : r->up * t + ((r->up * q1 - push1) + push0) * d,
+         v_first = above ? 0 : r->up * t;
   double one = 0.5 * (c0 + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
-  double last = crosses ? 0.5 * c_end * u : 0, near = one + two + last, near_size = one + fabs(two) + fabs(last);
+  double pulled = above ? (slope - push0) - push1 : (slope + push1) + push0;
+  double last = crosses ? 0.5 * pulled * (u * u) : 0, near = one + two + last, near_size = one + fabs(two) + fabs(last);
   double first = above ? near : near - 1, second = above ? near + 1 : near;
   double first_size = above ? near_size : near_size + 1, second_size = above ? near_size + 1 : near_size;
   double turning = held_least(top + r->up * q1 * r->top, held_least(u, r->rest - u));

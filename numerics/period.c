@@ -122,7 +122,8 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   struct scallop_wide_period wider;
   period_result(crawler, &scaled, &period, &answer);
   answer.v_start = v0;
-  if (period_cancels(period.travel, period.size, has_ramps(&scaled)) && wide_enough_period(crawler, v0, &wider))
+  if (period_cancels(period.travel, period.size, has_ramps(&scaled))
+      && wide_enough_period(crawler, v0, fabs(period.travel) / period.size, &wider))
     answer.displacement = wider.displacement.high;
   if (!scaling_keeps(period.c_mid, answer.v_mid) || !scaling_keeps(period.c_end, answer.v_end)
       || !scaling_keeps(period.travel, answer.displacement))

@@ -5,7 +5,9 @@
 
 #include "model/scaling.h"
 #include "numerics/motion.h"
+#include "numerics/period.h"
 #include "numerics/start.h"
+#include "numerics/wide_parts.h"
 
 const char *scallop_regime_text(enum scallop_regime regime)
 {
@@ -60,14 +62,18 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
   return SCALLOP_OK;
 }
 
-/* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts cancel least. */
-static double best_way(const struct motion_ways *ways, const double beyond[3])
+/* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts cancel least.
+ * left: of the sum, if that is less than it was and much has cancelled. */
+static double best_way(const struct motion_ways *ways, const double beyond[3], double *left)
 {
   int best = 0;
   for (int i = 1; i < 3; i++)
     if (ways->size[i] + fabs(beyond[i]) < ways->size[best] + fabs(beyond[best]))
       best = i;
-  return ways->way[best] + beyond[best];
+  double way = ways->way[best] + beyond[best], size = ways->size[best] + fabs(beyond[best]);
+  if (period_cancels(way, size, false) && fabs(way) / size < *left)
+    *left = fabs(way) / size;
+  return way;
 }
 
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
@@ -84,7 +90,8 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
   motion_solve_ways(&input, c0, &motion, &ways);
   const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
   const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
-  const double way[3] = { best_way(&ways, body_1), best_way(&ways, body_2), best_way(&ways, middle) };
+  double left = 1;
+  const double way[3] = { best_way(&ways, body_1, &left), best_way(&ways, body_2, &left), best_way(&ways, middle, &left) };
   struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,
@@ -102,6 +109,12 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
       || !scaling_keeps(way[2], answer.dxC)
       || (has_switch && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
     return SCALLOP_ERANGE;
+  struct scallop_wide_phase wider;
+  if (left < 1 && wide_enough_phase(crawler, kind, v0, left, &wider)) {
+    answer.dx1 = wider.dx1.high;
+    answer.dx2 = wider.dx2.high;
+    answer.dxC = wider.dxC.high;
+  }
   *result = answer;
   return SCALLOP_OK;
 }

@@ -174,10 +174,13 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
 }
 
 /* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
-static void mend(const struct scallop_crawler *crawler, bool cancels, bool delicate, struct scallop_steady_result *result)
+static void mend(const struct scallop_crawler *crawler, double travel, double size, bool delicate,
+                 struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  if ((!cancels && !delicate) || !wide_enough_steady(crawler, result->period.v_start, &wider))
+  bool ramps = crawler->gait->phase[0].ramps && crawler->gait->phase[1].ramps, cancels = period_cancels(travel, size, ramps);
+  double left = cancels ? fabs(travel) / size : 1;
+  if ((!cancels && !delicate) || !wide_enough_steady(crawler, result->period.v_start, left, &wider))
     return;
   if (cancels) {
     result->period.displacement = wider.period.displacement.high;
@@ -275,17 +278,16 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   result->work = work;
   if (is_regular) {
     regular_result(&s, &regular, crawler->L, result);
-    mend(crawler, false, regular.delicate, result);
+    mend(crawler, 1, 1, regular.delicate, result);
   } else if (is_held) {
     held_result(&s, &held, crawler->L, result);
-    mend(crawler, period_cancels(held.travel, held.size, true), false, result);
+    mend(crawler, held.travel, held.size, false, result);
   } else {
     period_result(crawler, &s, &period, &result->period);
     result->v_low = at.lo * s.velocity;
     result->v_high = at.hi * s.velocity;
     bool delicate = period.phase[0].delicate || period.phase[1].delicate || result->period.multiplier < 0.0625;
-    bool ramps = s.gait->phase[0].ramps && s.gait->phase[1].ramps;
-    mend(crawler, period_cancels(period.travel, period.size, ramps), delicate && !period.forgets, result);
+    mend(crawler, period.travel, period.size, delicate && !period.forgets, result);
   }
   return status;
 }

@@ -49,6 +49,7 @@ struct walk {
   real sense;             /* +1: u runs with time, -1: against it                                    */
   real curve[2];          /* c on a curve divided by |l'|                                            */
   real slope[3];          /* of c in each region                                                     */
+  real push[2];           /* of friction on c: f eps of the rear and of the front body               */
   real extra[3];          /* what a region adds to extra_impulse per unit of time                    */
   real u, c;              /* where we are                                                            */
   real v[2];              /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
@@ -146,6 +147,15 @@ static inline void body_comes(struct walk *w, int j, real x, real size)
   w->out->size[body] += size;
 }
 
+/* The acceleration of the body of curve j where l' is linear. Its own friction first: where that nearly balances l'' it does so in all modes of
+ * the phase by the same rounded amount, and the displacements that come of it, one way and the other, cancel as they should. */
+static inline real body_slope(const struct walk *w, int j, real rate)
+{
+  real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1,
+       other = w->region == 0 || (j == 0 && w->region == 1) ? 1 : -1;
+  return (-w->curve[j] * rate - own * w->push[j]) - other * w->push[1 - j];
+}
+
 /* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
 static inline void go_straight(struct walk *w, real u, real c, const struct rates *there, int met)
 {
@@ -159,7 +169,7 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
     if (met >= 0) /* where the other body moves with |l'| */
       v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
     else if (linear) /* as it is itself, and nothing large need be subtracted */
-      v = w->v[j] + (w->slope[w->region] - q * there->rate) * duration;
+      v = w->v[j] + body_slope(w, j, there->rate) * duration;
     if (linear) {
       way = (w->v[j] + v) / 2 * duration;
       parts = magnitude(way);
@@ -402,6 +412,8 @@ static void set_regions(struct walk *w)
   w->slope[2] = eps;
   w->extra[0] = -2 * (rear_is_1 ? s->f1 : s->f2);
   w->extra[1] = 0;
+  w->push[0] = eps * (rear_is_1 ? s->f1 : s->f2);
+  w->push[1] = eps * (rear_is_1 ? s->f2 : s->f1);
   w->extra[2] = 2 * (rear_is_1 ? s->f2 : s->f1);
 }
 

@@ -51,21 +51,40 @@ static bool period_is_finite(const struct scallop_wide_period *p)
   return are_finite(numbers, 4);
 }
 
-bool wide_enough_period(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out)
+/* In long double, unless it is no wider, or more digits cancel than it has beyond double's. */
+static bool choose_width(const struct scallop_gait *gait, double left, enum scallop_width *width)
 {
-  bool is_wider = LDBL_MANT_DIG > DBL_MANT_DIG;
-  if (!is_exact(crawler->gait) || (!is_wider && scallop_width_bits(SCALLOP_BINARY128) == 0))
+  bool long_enough = LDBL_MANT_DIG > DBL_MANT_DIG && left > ldexp(1, DBL_MANT_DIG + 1 - LDBL_MANT_DIG);
+  *width = long_enough || scallop_width_bits(SCALLOP_BINARY128) == 0 ? SCALLOP_LONG_DOUBLE : SCALLOP_BINARY128;
+  return is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
+}
+
+bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
+                       struct scallop_wide_phase *out)
+{
+  enum scallop_width width;
+  if (!choose_width(crawler->gait, left, &width))
     return false;
-  (is_wider ? wide_long_period : wide_quad_period)(crawler, v0, out);
+  (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, out);
+  return isfinite(out->dx1.high) && isfinite(out->dx2.high) && isfinite(out->dxC.high);
+}
+
+bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out)
+{
+  enum scallop_width width;
+  if (!choose_width(crawler->gait, left, &width))
+    return false;
+  (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, out);
   return isfinite(out->displacement.high);
 }
 
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out)
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out)
 {
-  bool is_wider = LDBL_MANT_DIG > DBL_MANT_DIG;
-  if (!is_exact(crawler->gait) || (!is_wider && scallop_width_bits(SCALLOP_BINARY128) == 0))
+  enum scallop_width width;
+  if (!choose_width(crawler->gait, left, &width))
     return false;
-  return (is_wider ? wide_long_steady : wide_quad_steady)(crawler, guess, out) && isfinite(out->mean_velocity.high);
+  return (width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, out)
+         && isfinite(out->mean_velocity.high);
 }
 
 /* ---- solves ---- */
@@ -123,9 +142,11 @@ static enum scallop_width widest(void)
   return scallop_width_bits(SCALLOP_BINARY128) > 0 ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
 }
 
-static double error_of(double value, const struct scallop_wide *exact)
+/* size: of the parts that the number is a sum of; 0 where it is none */
+static double error_of(double value, const struct scallop_wide *exact, double size)
 {
-  return fabs((exact->high - value) + exact->low) * (1 + 0x1p-20) + 0x1p-62 * fabs(value);
+  double rounding = 0x1p-62 * fabs(value) + 0x1p-109 * size;
+  return fabs((exact->high - value) + exact->low) * (1 + 0x1p-20) + rounding;
 }
 
 enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
@@ -135,8 +156,12 @@ enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, e
   enum scallop_status status = scallop_wide_phase(widest(), crawler, kind, v0, &w);
   if (status != SCALLOP_OK)
     return status;
-  *error = (struct scallop_phase_error){ error_of(r->t1, &w.t1),   error_of(r->dT, &w.dT),   error_of(r->v_end, &w.v_end),
-                                         error_of(r->dx1, &w.dx1), error_of(r->dx2, &w.dx2), error_of(r->dxC, &w.dxC) };
+  *error = (struct scallop_phase_error){ error_of(r->t1, &w.t1, 0),
+                                         error_of(r->dT, &w.dT, 0),
+                                         error_of(r->v_end, &w.v_end, 0),
+                                         error_of(r->dx1, &w.dx1, w.dx1_size),
+                                         error_of(r->dx2, &w.dx2, w.dx2_size),
+                                         error_of(r->dxC, &w.dxC, w.dxC_size) };
   return SCALLOP_OK;
 }
 
@@ -147,9 +172,9 @@ enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, 
   enum scallop_status status = scallop_wide_period(widest(), crawler, v0, &w);
   if (status != SCALLOP_OK)
     return status;
-  *error = (struct scallop_period_error){ error_of(r->v_mid, &w.v_mid), error_of(r->v_end, &w.v_end),
-                                          error_of(r->displacement, &w.displacement),
-                                          error_of(r->multiplier, &w.multiplier) };
+  *error = (struct scallop_period_error){ error_of(r->v_mid, &w.v_mid, 0), error_of(r->v_end, &w.v_end, 0),
+                                          error_of(r->displacement, &w.displacement, w.displacement_size),
+                                          error_of(r->multiplier, &w.multiplier, 0) };
   return SCALLOP_OK;
 }
 
@@ -161,11 +186,12 @@ enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler, 
   if (status != SCALLOP_OK)
     return status;
   const struct scallop_period_result *p = &r->period;
-  *error = (struct scallop_steady_error){ error_of(r->froude, &w.froude),
-                                          error_of(p->v_start, &w.period.v_start),
-                                          error_of(p->v_mid, &w.period.v_mid),
-                                          error_of(p->displacement, &w.period.displacement),
-                                          error_of(r->mean_velocity, &w.mean_velocity),
-                                          error_of(p->multiplier, &w.period.multiplier) };
+  *error = (struct scallop_steady_error){ error_of(r->froude, &w.froude, 0),
+                                          error_of(p->v_start, &w.period.v_start, 0),
+                                          error_of(p->v_mid, &w.period.v_mid, 0),
+                                          error_of(p->displacement, &w.period.displacement, w.period.displacement_size),
+                                          error_of(r->mean_velocity, &w.mean_velocity,
+                                                   w.period.displacement_size / crawler->T),
+                                          error_of(p->multiplier, &w.period.multiplier, 0) };
   return SCALLOP_OK;
 }

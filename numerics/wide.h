@@ -22,11 +22,13 @@ struct scallop_wide { /* high + low: high is the double nearest to it           
 /* As in struct scallop_phase_result and struct scallop_period_result. */
 struct scallop_wide_phase {
   struct scallop_wide t1, dT, v_end, dx1, dx2, dxC;
+  double dx1_size, dx2_size, dxC_size; /* the magnitudes of the parts that they were summed from */
   enum scallop_regime regime;
   struct scallop_modes modes;
 };
 struct scallop_wide_period {
   struct scallop_wide v_start, v_mid, v_end, displacement, multiplier;
+  double displacement_size; /* likewise */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };
@@ -47,8 +49,8 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
 /* ---- value and error ---- */
 
 /* Estimates of |computed - true| for each number of a result in double: bounds, but for a chance that nothing proves: the distance
- * to the result in the widest arithmetic there is, and 2^-10 ulp of the number for what that is off by itself. With 113 bits
- * they hold unless rounding is magnified more than 2^50 times; tests/test_wide.c measures them against certified values. nan where the
+ * to the result in the widest arithmetic there is, and for what that is off by itself 2^-62 of the number and, of a displacement, 2^-109 of
+ * the parts that it is the sum of. With 113 bits they hold unless rounding is magnified more than 2^50 times; tests/test_wide.c measures them against certified values. nan where the
  * number is. */
 struct scallop_phase_error {
   double t1, dT, v_end, dx1, dx2, dxC;

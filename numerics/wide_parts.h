@@ -21,8 +21,11 @@ void wide_quad_period(const struct scallop_crawler *crawler, double v0, struct s
 bool wide_long_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
 bool wide_quad_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
 
-/* The same in the cheapest type that is wider than double. False: there is none, or the gait has no exact law, or as above. */
-bool wide_enough_period(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
+/* The same in the cheapest type that tells a sum of which only a fraction `left` is left, the rest having cancelled; left > 0, or 0 where
+ * nothing is. False: there is none, or the gait has no exact law, or as above. */
+bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
+                       struct scallop_wide_phase *out);
+bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out);
 
 #endif

@@ -202,12 +202,13 @@ static struct scallop_wide split(real x)
 /* ---- a phase ---- */
 
 /* As in phase.c: how far something comes, from the way whose parts cancel least. */
-static real best_way(const struct walk_result *r, const real beyond[3])
+static real best_way(const struct walk_result *r, const real beyond[3], real *size)
 {
   int best = 0;
   for (int i = 1; i < 3; i++)
     if (r->size[i] + magnitude(beyond[i]) < r->size[best] + magnitude(beyond[best]))
       best = i;
+  *size = r->size[best] + magnitude(beyond[best]);
   return r->way[best] + beyond[best];
 }
 
@@ -222,9 +223,16 @@ void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, 
   out->t1 = split(r.first_switch * tau);
   out->dT = split(r.last_switch * tau);
   out->v_end = split(r.c_end * unit);
-  out->dx1 = split(best_way(&r, (const real[3]){ -stroke * in->mu2, 0, -stroke }) * c->L);
-  out->dx2 = split(best_way(&r, (const real[3]){ stroke * in->mu1, stroke, 0 }) * c->L);
-  out->dxC = split(best_way(&r, (const real[3]){ stroke * (in->mu1 - in->mu2) / 2, stroke / 2, -stroke / 2 }) * c->L);
+  const real beyond[3][3] = { { -stroke * in->mu2, 0, -stroke },
+                              { stroke * in->mu1, stroke, 0 },
+                              { stroke * (in->mu1 - in->mu2) / 2, stroke / 2, -stroke / 2 } };
+  struct scallop_wide *const way[3] = { &out->dx1, &out->dx2, &out->dxC };
+  double *const sizes[3] = { &out->dx1_size, &out->dx2_size, &out->dxC_size };
+  for (int i = 0; i < 3; i++) {
+    real size;
+    *way[i] = split(best_way(&r, beyond[i], &size) * c->L);
+    *sizes[i] = (double)(size * c->L);
+  }
   out->regime = r.never_moved[0] || r.never_moved[1] ? SCALLOP_AT_REST : r.sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
 
@@ -256,12 +264,13 @@ static void run_period(const struct wide_scaled *s, real c_start, struct scallop
 }
 
 /* As in period.c: over a whole period all come equally far. */
-static real travel_of(const struct walk_result phase[2])
+static real travel_of(const struct walk_result phase[2], real *size)
 {
   int best = 0;
   for (int i = 1; i < 3; i++)
     if (phase[0].size[i] + phase[1].size[i] < phase[0].size[best] + phase[1].size[best])
       best = i;
+  *size = phase[0].size[best] + phase[1].size[best];
   return phase[0].way[best] + phase[1].way[best];
 }
 
@@ -275,7 +284,9 @@ static void period_out(const struct scallop_crawler *c, const struct wide_scaled
   out->v_start = split(p->c_start * s->velocity);
   out->v_mid = split(p->c_mid * s->velocity);
   out->v_end = split(p->c_end * s->velocity);
-  out->displacement = split(travel_of(p->phase) * c->L);
+  real size;
+  out->displacement = split(travel_of(p->phase, &size) * c->L);
+  out->displacement_size = (double)(size * c->L);
   out->multiplier = split(p->forgets ? 0 : 2 * near_1 > 1 ? near_1 : p->phase[0].stretch * p->phase[1].stretch);
   out->regime = never ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
@@ -336,6 +347,7 @@ bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_
     return false;
   out->froude = split(1 / s.eps);
   period_out(c, &s, &p, &out->period);
-  out->mean_velocity = split(travel_of(p.phase) * s.velocity);
+  real size;
+  out->mean_velocity = split(travel_of(p.phase, &size) * s.velocity);
   return true;
 }

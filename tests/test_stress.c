@@ -1,0 +1,256 @@
+/* The judge of `stress`: cases that once broke a promise hold it now, and it sees what is wrong. */
+#include <float.h>
+
+#include "compare/stress.h"
+#include "tests/check.h"
+
+#define QUADRATIC &scallop_gait_quadratic
+#define SINUSOIDAL &scallop_gait_sinusoidal
+
+/* Every one broke a promise of accuracy at the time; the comment says which. */
+static const struct stress_case past[] = {
+  /* displacements by cancellation: off by 3e9 units, wrong sign, 1e-8 of it */
+  { .crawler = { 0.00052487381692070179, 147.97618149855299, 98372.915619602267, 1.787794455676155e-06, 0.27149485564844894,
+                 16686420.713431345, 2.4221762714553326e-09, QUADRATIC } },
+  { .crawler = { 0.33196971906351996, 0.44297072310576879, 817077.70466290112, 1.6646741623536634, 0.77906597518635945,
+                 0.002599579705946136, 0.49999926488119784, QUADRATIC } },
+  { .crawler = { 0.071729754868401149, 4330.9711771055063, 993965.36657233128, 36.688541597422223, 2.9310419353539467,
+                 0.9294187699687888, 0.72988877663336404, SINUSOIDAL } },
+  { .crawler = { 977.73893400245606, 977.73893400245606, 12137.090935140261, 5.8565067475741297e-06, 12.093461985590215,
+                 68.92507819911674, 0.03181171484790106, SINUSOIDAL } },
+  /* nearly equal phases in stick-slip: 40, 23 and 108 units */
+  { .crawler = { 5.148124108194392, 7.0132926744239334, 5.729352761734194, 0.4991015302432081, 0.536232152736577,
+                 2.272541868390904, 0.5000699782488248, QUADRATIC } },
+  { .crawler = { 0.9926708252741789, 1.0140939995693419, 3.4935085702507123, 0.38451001095873316, 0.1194013125549291,
+                 0.521289558824811, 0.4999999999999987, QUADRATIC } },
+  { .crawler = { 0.2657906095207949, 1.8443521145828936, 0.6766610650811689, 3.1406318191960025, 0.3792819943479877,
+                 0.47798244891682434, 0.5000000000000576, QUADRATIC } },
+  /* a small displacement of a body that hardly moves, on curves: 9.7 units */
+  { .crawler = { 0.10411340053309306, 3.3508146153665646, 26624.106549212145, 2.988670220854292e-05, 0.39458824015341476,
+                 0.0719487798413758, 0.1433798059821129, SINUSOIDAL } },
+  /* equal forces: the certified multiplier was that of a start from rest, not that from the right */
+  { .crawler = { 0.14791490392001166, 4.153161001266711, 4.98309005623809, 4.98309005623809, 1.5125159656102465,
+                 0.6962170114413387, 0.13448032945394514, QUADRATIC } },
+  { .crawler = { 0.22972877563251805, 0.19509842673532038, 0.11399183267423342, 0.11399183267423342, 2.996228754741229,
+                 0.00490124870869504, 0.48698032945394515, QUADRATIC } },
+  { .crawler = { 4, 4, 8, 8, 0.078125, 4, 0.125, QUADRATIC } },
+  /* small and delicate multipliers: 7, 10 and 14.7 units */
+  { .crawler = { 12989.265806967274, 6.838947557049164e-05, 0.21610965186188144, 0.233506094676906, 0.5726882487269702,
+                 270.81904921014456, 0.23311388686299322, QUADRATIC } },
+  { .crawler = { 0.6916941098270002, 8.090818874469255, 7.79998703893075, 1.0182711942697604, 1.169576489829463,
+                 0.32620065650653446, 0.1439625764602608, SINUSOIDAL } },
+  { .crawler = { 0.1431428755741435, 1.9360748204155929, 0.7311225433065942, 0.10130658690765737, 0.9944699446935663,
+                 0.09540978464105478, 0.6157183640450239, SINUSOIDAL } },
+  /* v_start as the root of a balance where the map knows it better: 14.5 units; 151 over the rounding modes */
+  { .crawler = { 0.23409219040837323, 9.546211733531907, 0.3651937318430305, 0.260345706882307, 3.655638238351494,
+                 6.494242351737075, 0.6492413465678691, QUADRATIC } },
+  { .crawler = { 5.883036967984184, 0.3008188030817918, 1.4639673163467202, 4.532115385323999, 7.459610125069946,
+                 3.867844052921239, 0.6486735723966093, SINUSOIDAL } },
+  /* roots near a graze: 168 and 5450 units; a curve met again within rounding of where it was left: 2e5 and 2e5 */
+  { .kind = STRESS_PHASE,
+    .crawler = { 0.7379235621757413, 0.17279133088169912, 2.8769847370370223, 8.152861036147794, 0.2558007940367523,
+                 0.02295220814304512, 0.4108286141604185, SINUSOIDAL },
+    .phase = SCALLOP_CONTRACTION,
+    .v0 = -5.719741168548959 },
+  { .kind = STRESS_PHASE,
+    .crawler = { 5.3141431951569045, 7.587523945718456, 0.1084200074732264, 5.270561859541146, 2.616179349263198,
+                 0.3771565982911961, 0.0742661141604185, SINUSOIDAL },
+    .phase = SCALLOP_CONTRACTION,
+    .v0 = -6.994972966935122 },
+  { .kind = STRESS_PHASE,
+    .crawler = { 0.13122342767996978, 9.716770598941878, 0.5116082720869182, 0.4584690679160113, 0.14384735750337083,
+                 0.6485428601002985, 0.050828614160418506, SINUSOIDAL },
+    .phase = SCALLOP_CONTRACTION,
+    .v0 = 0.03929984063160954 },
+  { .kind = STRESS_PHASE,
+    .crawler = { 0.15532936444050557, 2.8274122624093954, 0.15225458167597986, 0.16041883291720638, 2.586930139922762,
+                 12.125750668505942, 0.5041098641604185, SINUSOIDAL },
+    .phase = SCALLOP_CONTRACTION,
+    .v0 = 0.31998615309617356 },
+  /* the wider solver stepped past a root at 1e-126 and at 1e-129 */
+  { .kind = STRESS_PHASE,
+    .crawler = { 0.11380195406436137, 3.615307102030025, 0.45641522623489855, 0.11049130657499823, 0.832118811492328,
+                 1.1792070193682409e-63, 0.4781556418538094, SINUSOIDAL } },
+  { .kind = STRESS_PHASE,
+    .crawler = { 2.4172607583507512e+83, 3.307182283592683e+82, 4.5035833165008955e+207, 7.459466995459556e+207,
+                 6.159513514177499e-140, 3.736632605264595e-132, 0.7662163624167442, SINUSOIDAL },
+    .v0 = 2.471788425754976e-136 },
+};
+
+static void check_promises(const struct stress_case *c)
+{
+  struct stress_judgement j;
+  char arguments[STRESS_ARGUMENTS];
+  stress_judge(c, &j);
+  stress_arguments(c, arguments);
+  for (int q = 0; q < STRESS_QUANTITIES; q++) {
+    const char *broken = stress_broken(&j, q);
+    if (broken)
+      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantities[c->kind][q], j.error[q] / j.unit[q],
+               arguments);
+  }
+  assert_true(j.outcome == STRESS_SOLVED || j.outcome == STRESS_UNDECIDED);
+}
+
+static void past_failures(void **state)
+{
+  (void)state;
+  for (size_t i = 0; i < sizeof past / sizeof *past; i++)
+    check_promises(&past[i]);
+}
+
+/* What over- or underflows is refused, and nothing else is. */
+static void refusals(void **state)
+{
+  (void)state;
+  static const struct stress_case refused[] = {
+    { .crawler = { 1, 1, 4, 1, 1e-300, 1e10, 0.75, QUADRATIC } },                       /* L/T underflows */
+    { .crawler = { 1, 1, 4e300, 1e300, 1e-5, 1e3, 0.75, QUADRATIC } },                  /* eps overflows */
+    { .kind = STRESS_PHASE, .crawler = { 1, 1, 4, 1, 1e300, 1e-10, 0.75, QUADRATIC } }, /* L/tau overflows */
+  };
+  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+    struct stress_judgement j;
+    stress_judge(&refused[i], &j);
+    assert_int_equal(j.outcome, STRESS_REFUSED);
+    assert_null(stress_broken(&j, 0));
+  }
+}
+
+/* The condition number of something simple: froude = M L / (T^2 (F1 + F2)) has sum |x_i d ln y/d x_i| = 1 + 1 + 2 + 1 = 5, and
+ * v_end = v0 - eps L/tau of a phase that is all braking is known. */
+static void condition_numbers(void **state)
+{
+  (void)state;
+  struct stress_case c = { .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, SINUSOIDAL } };
+  struct stress_judgement j;
+  stress_judge(&c, &j);
+  assert_int_equal(j.outcome, STRESS_SOLVED);
+  double condition = j.unit[0] / j.ulp[0]; /* ulps of parameters and of the result are 1 to 2 roundings each */
+  assert_true(condition > 2.5 && condition < 10);
+  CHECK_AT_MOST(j.error[0], 2 * j.ulp[0]);
+}
+
+/* A judge who never says no is none. */
+static void sees_what_is_wrong(void **state)
+{
+  (void)state;
+  struct stress_case c = { .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, QUADRATIC } };
+  struct stress_judgement right, j;
+  stress_judge(&c, &right);
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    assert_null(stress_broken(&right, q));
+  j = right;
+  j.error[1] = 8.01 * j.unit[1];
+  j.estimate[1] = j.error[1];
+  assert_string_equal(stress_broken(&j, 1), "error");
+  j = right;
+  j.error[2] = NAN;
+  assert_string_equal(stress_broken(&j, 2), "error");
+  j = right;
+  j.rounding[3] = 32.1 * j.unit[3];
+  assert_string_equal(stress_broken(&j, 3), "spread over the rounding modes");
+  j = right;
+  j.perturbed[3] = 17.1 * j.unit[3];
+  assert_string_equal(stress_broken(&j, 3), "spread over parameters an ulp apart");
+  j = right;
+  j.estimate[4] = 0.99 * j.error[4];
+  assert_string_equal(stress_broken(&j, 4), "estimate of the error too small");
+  j = right;
+  j.estimate[4] = 200 * j.ulp[4];
+  assert_string_equal(stress_broken(&j, 4), "estimate of the error too large");
+  j = right;
+  j.outcome = STRESS_LIED;
+  j.why = "reason";
+  assert_string_equal(stress_broken(&j, 5), "reason");
+}
+
+/* Same seed, same cases; another one, others. Families make what they say. */
+static void families(void **state)
+{
+  (void)state;
+  enum { COUNT = 40 };
+  struct stress_case a[COUNT], b[COUNT], other[COUNT];
+  int n = 0;
+  for (const struct stress_family *f = stress_families; f->name; f++, n++) {
+    int made = stress_make(f, SINUSOIDAL, 1, COUNT, a);
+    assert_int_equal(made, COUNT);
+    assert_int_equal(stress_make(f, SINUSOIDAL, 1, COUNT, b), COUNT);
+    assert_int_equal(stress_make(f, SINUSOIDAL, 2, COUNT, other), COUNT);
+    assert_memory_equal(a, b, sizeof a);
+    assert_true(memcmp(a, other, sizeof a) != 0);
+    for (int i = 0; i < COUNT; i++) {
+      assert_int_equal(a[i].kind, f->kind);
+      assert_int_equal(scallop_crawler_check(&a[i].crawler, NULL), SCALLOP_OK);
+    }
+  }
+  assert_int_equal(n, 24);
+}
+
+/* "near-" families: within 2e-3 of where the modes change. */
+static void boundaries_are_near(void **state)
+{
+  (void)state;
+  enum { COUNT = 30 };
+  static const char *const names[] = { "near-start-velocity-zero", "near-sticking", "near-grazing" };
+  for (int k = 0; k < 3; k++) {
+    struct stress_case cases[COUNT];
+    const struct stress_family *f = stress_families;
+    while (strcmp(f->name, names[k]) != 0)
+      f++;
+    assert_int_equal(stress_make(f, QUADRATIC, 5, COUNT, cases), COUNT);
+    int near = 0;
+    for (int i = 0; i < COUNT; i++) {
+      struct scallop_steady_result here, there;
+      char text[2][2][SCALLOP_MODES_TEXT];
+      bool differs = false;
+      assert_true(scallop_steady(&cases[i].crawler, &here) >= 0);
+      for (int p = 0; p < 8 && !differs; p++) {
+        struct scallop_crawler c = cases[i].crawler;
+        double *const moved[] = { &c.T, &c.F1, &c.m2, &c.alpha };
+        *moved[p / 2] *= p % 2 ? 1.002 : 0.998;
+        if (scallop_steady(&c, &there) < 0)
+          continue;
+        for (int phase = 0; phase < 2; phase++) {
+          scallop_modes_text(&here.period.modes[phase], text[0][phase]);
+          scallop_modes_text(&there.period.modes[phase], text[1][phase]);
+          differs = differs || strcmp(text[0][phase], text[1][phase]) != 0;
+        }
+      }
+      near += differs;
+    }
+    assert_int_equal(near, COUNT);
+  }
+}
+
+/* A trajectory against its closed form, and one whose start is a little off against the wrong one. */
+static void trajectories(void **state)
+{
+  (void)state;
+  struct scallop_steady_result s;
+  struct stress_case c = { .kind = STRESS_TRAJECTORY,
+                           .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.31, 0.63, QUADRATIC },
+                           .periods = 500 };
+  struct stress_judgement j;
+  assert_int_equal(scallop_steady(&c.crawler, &s), SCALLOP_OK);
+  for (int k = 0; k < 3; k++) {
+    c.v0 = s.period.v_start * (1 + 0.02 * k);
+    stress_judge(&c, &j);
+    assert_int_equal(j.outcome, STRESS_SOLVED);
+    for (int q = 0; q < 2; q++)
+      CHECK_AT_MOST(j.error[q], 8 * j.unit[q]);
+    CHECK_RELATIVE(j.exact[0], 500 * s.period.displacement, 0.01);
+  }
+  c.v0 = 0; /* starts from rest: other modes at first */
+  stress_judge(&c, &j);
+  assert_int_equal(j.outcome, STRESS_REFUSED);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(past_failures),      cmocka_unit_test(refusals), cmocka_unit_test(condition_numbers),
+    cmocka_unit_test(sees_what_is_wrong), cmocka_unit_test(families), cmocka_unit_test(boundaries_are_near),
+    cmocka_unit_test(trajectories),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

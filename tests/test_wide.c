@@ -1,0 +1,268 @@
+/* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
+#include <float.h>
+
+#include "model/ball.h"
+#include "numerics/certified.h"
+#include "numerics/wide.h"
+#include "tests/check.h"
+#include "tests/random_crawler.h"
+
+enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
+
+/* ---- certified values, as a double and the rest ---- */
+
+static struct scallop_wide two_doubles(const arb_t x)
+{
+  arb_t rest;
+  struct scallop_wide w = { arf_get_d(arb_midref(x), ARF_RND_NEAR), 0 };
+  if (arb_contains_zero(x))
+    return (struct scallop_wide){ 0, 0 };
+  arb_init(rest);
+  arb_set_d(rest, w.high);
+  arb_sub(rest, x, rest, 400);
+  w.low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  arb_clear(rest);
+  return w;
+}
+
+static bool certified(const struct scallop_crawler *crawler, struct scallop_wide out[NUMBERS])
+{
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady c;
+  scallop_rational_init(&exact);
+  scallop_certified_steady_init(&c);
+  scallop_rational_of(&exact, crawler);
+  bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
+  const arb_struct *const numbers[NUMBERS] = { c.froude, c.v_start, c.v_mid, c.displacement, c.mean_velocity, c.multiplier };
+  for (int i = 0; solved && i < NUMBERS; i++)
+    out[i] = two_doubles(numbers[i]);
+  scallop_certified_steady_clear(&c);
+  scallop_rational_clear(&exact);
+  return solved;
+}
+
+static double apart(const struct scallop_wide *a, const struct scallop_wide *b)
+{
+  return fabs((a->high - b->high) + (a->low - b->low));
+}
+
+static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NUMBERS])
+{
+  const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,   w->period.v_mid, w->period.displacement,
+                                             w->mean_velocity, w->period.multiplier };
+  memcpy(out, all, sizeof all);
+}
+
+/* ---- tests ---- */
+
+/* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared with. */
+static void near_certified(void **state)
+{
+  (void)state;
+  struct random r = { 20261201 };
+  int solved = 0;
+  double worst[2] = { 0, 0 };
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
+                                              n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_wide exact[NUMBERS], got[NUMBERS];
+    struct scallop_wide_steady w;
+    if (!certified(&c, exact))
+      continue;
+    solved++;
+    const double unit = c.L / c.T, peak = 10 * unit * (1 / c.alpha + 1 / (1 - c.alpha));
+    const double size[NUMBERS] = { exact[0].high, peak, peak, 10 * c.L, peak, 1 };
+    for (int width = 0; width < 2; width++) {
+      int bits = scallop_width_bits((enum scallop_width)width);
+      assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &w), SCALLOP_OK);
+      list(&w, got);
+      double ulp = ldexp(1, 1 - (bits < 100 ? bits : 100)); /* two doubles hold no more */
+      for (int i = 0; i < NUMBERS; i++)
+        worst[width] = fmax(worst[width], apart(&got[i], &exact[i]) / (ulp * size[i]));
+    }
+  }
+  print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0], worst[1]);
+  assert_true(solved > CRAWLERS * 3 / 4);
+  CHECK_AT_MOST(worst[0], 1e4);
+  CHECK_AT_MOST(worst[1], 1e4);
+}
+
+static double generosity(double estimate, double got, const struct scallop_wide *exact)
+{
+  const struct scallop_wide value = { got, 0 };
+  double error = apart(&value, exact), least = 0x1p-60 * fabs(exact->high);
+  if (!(estimate >= error))
+    check_fail("estimate >= error", estimate, error, 0, "at least", __FILE__, __LINE__);
+  return estimate == 0 ? 1 : estimate / fmax(error, least);
+}
+
+/* They bound the error, and are not more than a hundred times that. */
+static void estimates_of_steady_states(void **state)
+{
+  (void)state;
+  struct random r = { 20261202 };
+  double most = 0;
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
+                                              n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_wide exact[NUMBERS];
+    struct scallop_steady_result s;
+    struct scallop_steady_error e;
+    if (!certified(&c, exact))
+      continue;
+    assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+    assert_int_equal(scallop_steady_error(&c, &s, &e), SCALLOP_OK);
+    const double got[NUMBERS] = { s.froude,        s.period.v_start,   s.period.v_mid, s.period.displacement,
+                                  s.mean_velocity, s.period.multiplier };
+    const double estimate[NUMBERS] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
+    for (int i = 0; i < NUMBERS; i++)
+      if (exact[i].high != 0)
+        most = fmax(most, generosity(estimate[i], got[i], &exact[i]));
+  }
+  CHECK_AT_MOST(most, 100);
+}
+
+/* A wrong number is told so: by how much it is wrong. */
+static void estimate_of_a_wrong_number(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_phase_result p;
+  struct scallop_phase_error e;
+  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 2.5, &p), SCALLOP_OK);
+  p.v_end += 1e-9;
+  p.dx1 -= 1e-3;
+  p.t1 = NAN;
+  assert_int_equal(scallop_phase_error(&c, SCALLOP_EXTENSION, 2.5, &p, &e), SCALLOP_OK);
+  CHECK_NEAR(e.v_end, 1e-9, 1e-14);
+  CHECK_NEAR(e.dx1, 1e-3, 1e-8);
+  CHECK_EQUAL(e.t1, NAN);
+  CHECK_AT_MOST(e.dT, 1e-16);
+}
+
+/* A period from the steady start velocity ends where it began, to what the rounding of that to a double changes. */
+static void period_and_steady_state_agree(void **state)
+{
+  (void)state;
+  for (int g = 0; g < 2; g++)
+    for (int width = 0; width < 2; width++) {
+      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_wide_steady s;
+      struct scallop_wide_period p;
+      struct scallop_period_result d;
+      struct scallop_period_error e;
+      c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
+      assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &s), SCALLOP_OK);
+      assert_int_equal(scallop_wide_period((enum scallop_width)width, &c, s.period.v_start.high, &p), SCALLOP_OK);
+      double rounded = -s.period.v_start.low; /* v_end - v_start = multiplier times the distance */
+      double change = (p.v_end.high - s.period.v_start.high) + (p.v_end.low - s.period.v_start.low);
+      CHECK_NEAR(change, s.period.multiplier.high * rounded,
+                 ldexp(100, width == SCALLOP_LONG_DOUBLE ? 1 - LDBL_MANT_DIG : -104));
+      CHECK_EQUAL(p.multiplier.high, s.period.multiplier.high);
+      assert_int_equal(scallop_period(&c, 1, &d), SCALLOP_OK);
+      assert_int_equal(scallop_period_error(&c, 1, &d, &e), SCALLOP_OK);
+      CHECK_AT_MOST(e.v_mid, 1e-14);
+      CHECK_AT_MOST(e.v_end, 1e-14);
+      CHECK_AT_MOST(e.displacement, 1e-14);
+      CHECK_AT_MOST(e.multiplier, 1e-14);
+    }
+}
+
+/* Modes and regime are those of the double solver where nothing is close to call. */
+static void modes(void **state)
+{
+  (void)state;
+  static const double T[] = { 0.5, 3, 5, 50 };
+  for (int g = 0; g < 2; g++)
+    for (int i = 0; i < 4; i++) {
+      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_wide_steady w;
+      struct scallop_steady_result s;
+      char wide[SCALLOP_MODES_TEXT], plain[SCALLOP_MODES_TEXT];
+      c.T = T[i];
+      c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
+      assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &w), SCALLOP_OK);
+      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      assert_int_equal(w.period.regime, s.period.regime);
+      for (int kind = 0; kind < 2; kind++) {
+        scallop_modes_text(&w.period.modes[kind], wide);
+        scallop_modes_text(&s.period.modes[kind], plain);
+        assert_string_equal(wide, plain);
+      }
+    }
+}
+
+/* Gaits of polynomial pieces, against the same in double. */
+static void polynomial_gaits(void **state)
+{
+  (void)state;
+  const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
+  for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
+    for (double T = 0.1; T < 40; T *= 3) {
+      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_steady_result s;
+      struct scallop_wide_steady w;
+      c.gait = gaits[i];
+      c.T = T;
+      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
+      CHECK_NEAR(s.period.v_start, w.period.v_start.high, 64 * DBL_EPSILON * c.L / c.T);
+      CHECK_NEAR(s.period.displacement, w.period.displacement.high, 64 * DBL_EPSILON * c.L);
+      assert_int_equal(s.period.regime, w.period.regime);
+    }
+}
+
+static void refusals(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default(), small = c, jumping = c;
+  struct scallop_wide_steady s, s_before;
+  struct scallop_wide_phase p, p_before;
+  struct scallop_wide_period q, q_before;
+  memset(&s, 7, sizeof s);
+  memset(&p, 7, sizeof p);
+  memset(&q, 7, sizeof q);
+  s_before = s;
+  p_before = p;
+  q_before = q;
+  c.m1 = -1;
+  small.T = 1e-200;
+  jumping.gait = &sawtooth_gait;
+  assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &s), SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, &c, SCALLOP_EXTENSION, 0, &p), SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_wide_period(SCALLOP_LONG_DOUBLE, &c, 0, &q), SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &small, &s), SCALLOP_ERANGE);
+  assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &jumping, &s), SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_wide_phase(SCALLOP_LONG_DOUBLE, &small, SCALLOP_EXTENSION, NAN, &p), SCALLOP_ERANGE);
+  small.T = 1;
+  assert_int_equal(scallop_wide_phase(SCALLOP_LONG_DOUBLE, &small, SCALLOP_EXTENSION, NAN, &p), SCALLOP_EDOMAIN);
+  assert_memory_equal(&s, &s_before, sizeof s);
+  assert_memory_equal(&p, &p_before, sizeof p);
+  assert_memory_equal(&q, &q_before, sizeof q);
+  struct scallop_steady_error e = { 7, 7, 7, 7, 7, 7 };
+  struct scallop_steady_result r = { 0 };
+  assert_int_equal(scallop_steady_error(&c, &r, &e), SCALLOP_EDOMAIN);
+  CHECK_EQUAL(e.v_start, 7);
+  struct scallop_phase_error f = { 7, 7, 7, 7, 7, 7 };
+  struct scallop_phase_result g = { 0 };
+  assert_int_equal(scallop_phase_error(&c, SCALLOP_EXTENSION, 0, &g, &f), SCALLOP_EDOMAIN);
+  CHECK_EQUAL(f.t1, 7);
+  struct scallop_period_error h = { 7, 7, 7, 7 };
+  struct scallop_period_result k = { 0 };
+  assert_int_equal(scallop_period_error(&c, 0, &k, &h), SCALLOP_EDOMAIN);
+  CHECK_EQUAL(h.v_mid, 7);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(near_certified),
+    cmocka_unit_test(estimates_of_steady_states),
+    cmocka_unit_test(estimate_of_a_wrong_number),
+    cmocka_unit_test(period_and_steady_state_agree),
+    cmocka_unit_test(modes),
+    cmocka_unit_test(polynomial_gaits),
+    cmocka_unit_test(refusals),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
