@@ -18,25 +18,12 @@ struct reading {
   int at[WANTED]; /* their places                                      */
 };
 
-static int split(char *line, char **cells)
-{
-  int n = 0;
-  for (char *cell = line; cell && n < MOST_CELLS;) {
-    char *tab = strchr(cell, '\t');
-    if (tab)
-      *tab = '\0';
-    cells[n++] = cell;
-    cell = tab ? tab + 1 : NULL;
-  }
-  return n;
-}
-
 /* False if a column is missing. */
 static bool read_header(struct reading *r)
 {
   char *cells[MOST_CELLS];
   r->started = true;
-  r->columns = split(r->lines.line, cells);
+  r->columns = lines_cells(r->lines.line, cells, MOST_CELLS);
   for (int i = 0; i < WANTED; i++) {
     int k = 0;
     while (k < r->columns && strcmp(cells[k], wanted[i]) != 0)
@@ -78,7 +65,7 @@ static const char *read_line(struct reading *r, struct committed_ledger *ledger)
   struct committed *row = append(ledger, r->lines.line);
   if (!row)
     return "out of memory";
-  if (split(row->line, cells) != r->columns)
+  if (lines_cells(row->line, cells, MOST_CELLS) != r->columns)
     return "this is no row of a ledger";
   for (int i = 0; i < COMMITTED_KEYS; i++)
     row->key[i] = cells[r->at[i]];

@@ -72,6 +72,7 @@ const struct command command_stress = {
       "estimate_least, _most: estimate of the error (steady --error) over the error. Promised: from 1 to 100, errors below "
       "the\n"
       "128th part of an ulp counting as that.\n"
+      "Which families there are, and what each is, stands in the '#' lines of a table (--cases 1 is fast).\n"
       "With parameters: the same for one point, a row for each number; with --phase or --v0 of a phase. A broken promise "
       "is\n"
       "reported with that command.\n"

@@ -24,3 +24,16 @@ bool next_line(struct lines *l)
 }
 
 bool is_binary(const struct lines *l) { return memchr(l->line, '\0', (size_t)l->length) != NULL; }
+
+int lines_cells(char *line, char **cells, int most)
+{
+  int n = 0;
+  for (char *cell = line; cell && n < most;) {
+    char *tab = strchr(cell, '\t');
+    if (tab)
+      *tab = '\0';
+    cells[n++] = cell;
+    cell = tab ? tab + 1 : NULL;
+  }
+  return n;
+}

@@ -22,4 +22,7 @@ bool next_line(struct lines *lines);
 /* Does the current line hold a NUL byte? */
 bool is_binary(const struct lines *lines);
 
+/* The cells of a line between tabs, which become NULs: at most `most` of them. Returns how many. */
+int lines_cells(char *line, char **cells, int most);
+
 #endif

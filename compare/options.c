@@ -298,7 +298,7 @@ static const struct description descriptions[] = {
   { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", set_flag },
   { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", set_flag },
   { "family", "NAME", "of this family only", set_family },
-  { "cases", "N", "of each family and gait (1000; 60 with --check, 10000 with --full)", set_count },
+  { "cases", "N", "of each family and gait (1000; 60 with --check, 5000 with --full)", set_count },
   { "seed", "N", "of their parameters (1)", set_count },
   { "full", NULL, "many cases: takes minutes", set_flag },
   { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", set_flag },

@@ -62,7 +62,7 @@ struct stress_judgement {
   bool has[STRESS_QUANTITIES];     /* false: there is no such number (t1 of a phase without a change of mode)   */
   double exact[STRESS_QUANTITIES]; /* rounded to double                                                         */
   double got[STRESS_QUANTITIES];
-  double error[STRESS_QUANTITIES], unit[STRESS_QUANTITIES], ulp[STRESS_QUANTITIES]; /* ulp: 0 where exact is 0 */
+  double error[STRESS_QUANTITIES], unit[STRESS_QUANTITIES], ulp[STRESS_QUANTITIES]; /* ulp: 0 where exact is 0, or so small that digits may be lost */
   double wide_error[2][STRESS_QUANTITIES]; /* of long double and binary128                                      */
   double estimate[STRESS_QUANTITIES];      /* of the error, as a solve returns it                              */
   double rounding[STRESS_QUANTITIES];      /* largest minus smallest result of the four rounding modes        */

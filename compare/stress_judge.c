@@ -240,7 +240,7 @@ static void measure(const struct stress_case *s, const struct numbers *exact, co
     j->exact[q] = y;
     j->got[q] = got->n[q].high;
     j->has[q] = !isnan(y) || !isnan(got->n[q].high);
-    j->ulp[q] = y != 0 && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
+    j->ulp[q] = fabs(y) > 0x1p53 * floor_of(s, q) && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
     double floor = floor_of(s, q);
     j->unit[q] = fmax(fmax(j->unit[q], j->ulp[q]), fmax(floor, DBL_MIN));
     j->error[q] = stress_difference(&got->n[q], &exact->n[q]);

@@ -34,7 +34,7 @@ static const char *const point_columns[] = { "quantity",         "value",       
                                              "condition",        "digits",         "rounding",  "perturbed", "lost_double",
                                              "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
 
-enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 10000 };
+enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 5000 };
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
@@ -118,7 +118,7 @@ static void add_number(struct row *r, const struct stress_judgement *j, int i, i
   all_lost(j, q, lost);
   for (int k = 0; k < 3; k++)
     r->lost[k] = fmax(r->lost[k], lost[k]);
-  if (j->ulp[q] > 0 && j->error[q] >= 0x1p-7 * j->ulp[q])
+  if (j->ulp[q] > 0 && j->error[q] > 0 && j->error[q] >= 0x1p-7 * j->ulp[q])
     r->estimate_least = fmin(r->estimate_least, generous);
   if (j->ulp[q] > 0)
     r->estimate_most = fmax(r->estimate_most, generous);
@@ -336,7 +336,7 @@ static void write_number(struct table *t, const struct stress_case *s, const str
   table_rounded(t, judged ? over(j->perturbed[q], j->unit[q]) : NAN, "%.3g");
   for (int k = 0; k < 3; k++)
     table_rounded(t, judged ? lost[k] : NAN, "%.1f");
-  table_rounded(t, judged ? j->estimate[q] : NAN, "%.4g");
+  table_rounded(t, judged ? 1.0005 * j->estimate[q] : NAN, "%.4g"); /* up */
   if (j->outcome == STRESS_REFUSED)
     table_text(t, j->why);
   else if (!judged && !broken)

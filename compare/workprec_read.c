@@ -23,19 +23,6 @@ struct reading {
   long rows;
 };
 
-static int split(char *line, char **cells)
-{
-  int n = 0;
-  for (char *cell = line; cell && n < MOST_CELLS;) {
-    char *tab = strchr(cell, '\t');
-    if (tab)
-      *tab = '\0';
-    cells[n++] = cell;
-    cell = tab ? tab + 1 : NULL;
-  }
-  return n;
-}
-
 static bool refuse(const struct reading *r, const char *what, const char *cell)
 {
   complain("workprec", "%s:%ld: %s '%.60s': `scallop workprec` writes such a table, as TSV", r->name, r->lines.number, what,
@@ -160,7 +147,7 @@ static bool read_line(struct reading *r)
     pass_on(r->table, line + 2);
   if (line[0] == '#' || line[0] == '\0')
     return true;
-  int count = split(line, cells);
+  int count = lines_cells(line, cells, MOST_CELLS);
   if (r->cells == 0)
     return read_header(r, cells, count);
   if (count != r->cells)

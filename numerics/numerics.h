@@ -67,9 +67,13 @@ struct scallop_phase_result {
   struct scallop_modes modes;
 };
 
-/* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
- * Relative accuracy: a few ulp of each result, times its condition number; of dx1 and dx2, whose parts cancel where a body hardly
- * moves, a few ulp of L. A mode that lasts less than rounding may be missing from the list.
+/* Each solve can also be asked how wrong it is: wide.h.
+ *
+ * One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
+ * Accuracy: at most 8 units in round-to-nearest, a unit being the sum of what one ulp of each argument changes the result by, or an ulp of the
+ * result if that is more; measured by `scallop stress` (docs/stability.md), the largest seen being 5. For gaits with exact laws only: other
+ * displacements that are small by cancellation are good to a few ulp of L. A result below 1e-289 of its natural unit (tau, L/tau, L) may
+ * have no digit. A mode that lasts less than rounding may be missing from the list.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
@@ -91,8 +95,7 @@ struct scallop_period_result {
   struct scallop_modes modes[2];
 };
 
-/* The period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase; a displacement that is small because what
- * the phases do cancels is good to a few ulp of L. */
+/* The period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase. */
 enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result);
 
 struct scallop_steady_result {

@@ -83,7 +83,9 @@ double root_between(root_function *f, const void *context, struct root_end a, st
 {
   if (a.f == 0 || b.f == 0)
     return a.f == 0 ? a.u : b.u;
-  bool from_a = (a.f > 0) == ((b.slope - a.slope > 0) == (b.u > a.u)); /* f f'' > 0 there */
+  bool straight = fabs(b.slope - a.slope) <= 0x1p-40 * fabs(a.slope);
+  bool from_a = straight ? fabs(a.f) < fabs(b.f)                                  /* the step that rounding does least to */
+                         : (a.f > 0) == ((b.slope - a.slope > 0) == (b.u > a.u)); /* f f'' > 0 there */
   struct root_end before = from_a ? a : b, p = before;
   p.u = clamp(before.u - before.f / before.slope, a.u, b.u);
   double last_step = p.u - before.u;

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/start.h"
 #include "numerics/wide_parts.h"
 
 int scallop_width_bits(enum scallop_width width)
@@ -27,12 +26,10 @@ static bool is_exact(const struct scallop_gait *gait)
   return true;
 }
 
-static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler, double v0)
+/* status: of the same solve in double */
+static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_status status)
 {
-  struct scallop_scaled scaled;
-  double c0;
-  enum scallop_status status = start_scaled(crawler, v0, &scaled, &c0);
-  if (status != SCALLOP_OK)
+  if (status < 0)
     return status;
   return scallop_width_bits(width) > 0 && is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
@@ -93,7 +90,8 @@ enum scallop_status scallop_wide_phase(enum scallop_width width, const struct sc
                                        enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result)
 {
   struct scallop_wide_phase answer;
-  enum scallop_status status = check(width, crawler, v0);
+  struct scallop_phase_result plain;
+  enum scallop_status status = check(width, crawler, scallop_phase(crawler, kind, v0, &plain));
   if (status != SCALLOP_OK)
     return status;
   (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, &answer);
@@ -108,7 +106,8 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
                                         struct scallop_wide_period *result)
 {
   struct scallop_wide_period answer;
-  enum scallop_status status = check(width, crawler, v0);
+  struct scallop_period_result plain;
+  enum scallop_status status = check(width, crawler, scallop_period(crawler, v0, &plain));
   if (status != SCALLOP_OK)
     return status;
   (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, &answer);
@@ -122,11 +121,11 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
                                         struct scallop_wide_steady *result)
 {
   struct scallop_wide_steady answer;
-  struct scallop_steady_result near;
-  enum scallop_status status = check(width, crawler, 0);
+  struct scallop_steady_result plain;
+  enum scallop_status status = check(width, crawler, scallop_steady(crawler, &plain));
   if (status != SCALLOP_OK)
     return status;
-  double guess = scallop_steady(crawler, &near) >= 0 ? near.period.v_start : 0;
+  double guess = plain.period.v_start;
   if (!(width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, &answer))
     return SCALLOP_ECONVERGE;
   if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
