@@ -19,7 +19,7 @@ flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expressi
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_table claims_read certified_rows flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c))
 flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
-flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits derived_gaits branch wide stress
+flint_tests := certified certified_edges certified_laws claims series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits derived_gaits branch out_of_memory range wide stress
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
@@ -56,7 +56,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs coverage clean setup-build setup-check setup-plots
+.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -92,6 +92,9 @@ $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	@echo "  CC $<"
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+# Who judges rounds the same way whatever CFLAGS allow the judged
+$(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
 
 $(patsubst %,$(B)/test_%,$(flint_tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(full)
 	@echo "  LD $@"
@@ -141,9 +144,9 @@ $(B)/scallop-bench: $(call objects,$(basename $(call rooms,bench))) $(alone)
 
 # With the sanitizers gcc 12 warns of regions and texts that cannot be too small
 no_false_alarms = -Wno-stringop-overflow -Wno-stringop-overread -Wno-format-truncation
-## asan:       the tests under the address and undefined-behaviour sanitizers
+## asan:       the tests under the address, leak and undefined-behaviour sanitizers
 asan:
-	@$(MAKE) --no-print-directory check B=$(B)/asan \
+	@ASAN_OPTIONS=detect_leaks=1 $(MAKE) --no-print-directory check B=$(B)/asan \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all $(no_false_alarms)"
 
 FUZZ_SECONDS ?= 60
@@ -155,6 +158,17 @@ fuzz:
 	@$(MAKE) --no-print-directory fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
 	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 fuzz-programs: $(fuzz)
+
+## valgrind:   memory errors and leaks in tests, fuzz replays and commands: some 15 minutes
+valgrind:
+	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests valgrind
+	@$(MAKE) --no-print-directory $(programs) $(tests) $(fuzz)
+	@sh scripts/valgrind.sh $(B) $(tests) $(fuzz)
+
+## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
+matrix:
+	@scripts/setup.sh build tests matrix
+	@MAKE="$(MAKE)" sh scripts/matrix.sh $(B)/matrix
 
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
 coverage:

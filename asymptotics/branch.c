@@ -93,12 +93,12 @@ int branch_region(const struct branch *b, int segment)
 
 typedef void piece_function(arb_t value, const struct scallop_piece *piece, const arb_t u, slong precision);
 
-/* Whether it is 0 at the anchor */
-static bool is_zero_at_anchor(piece_function *f, const struct scallop_piece *piece)
+static bool is_zero_at(piece_function *f, const struct scallop_piece *piece, double offset)
 {
   arb_t u, value;
   arb_init(u);
   arb_init(value);
+  arb_set_d(u, offset);
   f(value, piece, u, 64);
   bool zero = arb_contains_zero(value);
   arb_clear(u);
@@ -106,12 +106,34 @@ static bool is_zero_at_anchor(piece_function *f, const struct scallop_piece *pie
   return zero;
 }
 
-/* A crossing at offset 0 of a piece that has its anchor at that end of the phase. Where l' jumps there is none: c is small. */
-static bool add_end(struct branch *b, const struct scallop_piece *piece, int curve, int to)
+const char *const branch_impossible =
+    "l' is 0 or changes its sign within a phase: bodies turn there, too, and there is no series for that";
+
+bool branch_is_possible(const struct scallop_gait *gait)
 {
-  if (!is_zero_at_anchor(scallop_ball_speed, piece))
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &gait->phase[kind];
+    for (int i = 0; i < shape->count; i++) {
+      const struct scallop_piece *piece = &shape->pieces[i];
+      if (piece->direction != (kind == SCALLOP_EXTENSION ? 1 : -1))
+        return false;
+      if ((i > 0 && is_zero_at(scallop_ball_speed, piece, piece->begin))
+          || (i + 1 < shape->count && is_zero_at(scallop_ball_speed, piece, piece->end)))
+        return false;
+    }
+  }
+  return true;
+}
+
+const char *const branch_without_ends = "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
+                                        "the piece there is anchored elsewhere";
+
+/* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c is small. */
+static bool add_end(struct branch *b, const struct scallop_piece *piece, double offset, int curve, int to)
+{
+  if (!is_zero_at(scallop_ball_speed, piece, offset))
     return true;
-  if (is_zero_at_anchor(scallop_ball_rate, piece))
+  if (offset != 0 || is_zero_at(scallop_ball_rate, piece, offset))
     return false;
   struct crossing *at = &b->crossing[b->count++];
   at->piece = piece;
@@ -127,12 +149,12 @@ bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sig
   b->count = 0;
   b->first_region = 1;
   if (sign_at_start != 0) {
-    if (!add_end(b, first, sign_at_start > 0 ? 0 : 1, 1))
+    if (!add_end(b, first, first->begin, sign_at_start > 0 ? 0 : 1, 1))
       return false;
     if (b->count > 0)
       b->first_region = sign_at_start > 0 ? 0 : 2;
   }
-  return sign_at_end == 0 || add_end(b, last, sign_at_end > 0 ? 0 : 1, sign_at_end > 0 ? 0 : 2);
+  return sign_at_end == 0 || add_end(b, last, last->end, sign_at_end > 0 ? 0 : 1, sign_at_end > 0 ? 0 : 2);
 }
 
 /* ---- where |l'| takes a value ---- */

@@ -46,8 +46,14 @@ void branch_init(struct branch *b);
 void branch_clear(struct branch *b);
 int branch_region(const struct branch *b, int segment); /* 0 <= segment <= count */
 
-/* Adds the crossings of the ends of a phase, at offset 0, where |l'| = 0: sign +1 or -1 is that of c there, 0 for none.
- * False: l'' = 0 at such an end, where the crossing moves as a fractional power of T. */
+/* Whether l' has one sign in each phase, that of its net gain, and is 0 at its ends at most: else the motion for T -> 0 has modes
+ * that no branch has. */
+bool branch_is_possible(const struct scallop_gait *gait);
+extern const char *const branch_impossible;
+
+/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 for none.
+ * False: l'' = 0 at such an end, where the crossing moves as a fractional power of T, or the piece there has its anchor elsewhere. */
+extern const char *const branch_without_ends;
 bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sign_at_start, int sign_at_end);
 
 /* The crossings of the level c (a ball that is not 0) through one phase at eps = 0, with their offsets as balls.

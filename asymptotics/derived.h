@@ -29,8 +29,8 @@ void scallop_phase_expansion_clear(struct scallop_phase_expansion *e);
 /* All coefficients below T^order, 1 <= order <= SCALLOP_MOST_TERMS; balls have `precision` bits, less what is lost. T and alpha
  * of the crawler are not used. pi_squared: NULL, or a rational number that takes the place of pi^2 in a sinusoidal
  * gait, which makes its coefficients exact: for proving identities (see model/ball.h).
- * SCALLOP_EDOMAIN: an argument outside its domain, or l'' = 0 where a phase begins or ends, so that the switching
- * times go as fractional powers of T. *why (may be NULL) says which. */
+ * SCALLOP_EDOMAIN: an argument outside its domain, l' that is 0 or changes its sign within a phase, or l'' = 0 where a
+ * phase begins or ends, so that the switching times go as fractional powers of T. *why (may be NULL) says which. */
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why);
@@ -43,7 +43,8 @@ slong scallop_zero_tests(slong power);
 /* The steady state, in powers of the period T. */
 struct scallop_steady_expansion {
   struct series v_start, v_mid;        /* odd powers from T^-1 on: the first coefficient is the limit U of v_start T */
-  struct series displacement;          /* of the geometric centre; even powers, and only those of T^4 for reversible gaits */
+  struct series displacement;          /* of the geometric centre; even powers, and for reversible gaits only those of T^4
+                                          unless alpha = 1/2                                               */
   struct series mean_velocity;         /* displacement / T                                                    */
   char modes[2 * SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++ | ++ +- ++"                   */
 };

@@ -120,10 +120,7 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
       (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, from->offset, g->precision);
     if (i == to->piece)
       (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, to->offset, g->precision);
-    if (forward ? arf_cmp(early, late) > 0 : arf_cmp(early, late) < 0) {
-      clear = false;
-      break;
-    }
+    clear = forward ? arf_cmp(early, late) <= 0 : arf_cmp(early, late) >= 0;
     for (int j = g->region == 2 ? 1 : 0; clear && j <= (g->region == 0 ? 0 : 1); j++) {
       bool at_early = i <= touches_until && from->curve == j, at_late = i >= touches_from && to->curve == j;
       clear = keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,

@@ -12,8 +12,10 @@ void limit_init(struct limit *l, const struct scallop_rational_crawler *crawler)
   }
   series_init(&l->w);
   l->at_rest = fmpq_is_zero(l->phase[0].beta[1]);
-  l->even = scallop_gait_is_reversible(crawler->gait);
-  l->returns = l->at_rest || (fmpq_equal(l->phase[0].fraction, l->phase[1].fraction) && scallop_gait_mirrors(crawler->gait));
+  bool halves = fmpq_equal(l->phase[0].fraction,
+                           l->phase[1].fraction); /* then w is of the order of eps, and the branches for -eps others */
+  l->even = !halves && scallop_gait_is_reversible(crawler->gait);
+  l->returns = l->at_rest || (halves && scallop_gait_mirrors(crawler->gait));
 }
 
 void limit_clear(struct limit *l)
@@ -319,7 +321,7 @@ static enum scallop_status from_ends(struct limit *l, int sign, const char **why
   if (branch_from_ends(&l->branch[0], &l->phase[0], -sign, sign)
       && branch_from_ends(&l->branch[1], &l->phase[1], sign, -sign))
     return SCALLOP_OK;
-  *why = "l'' = 0 at an end of a phase: the switching times go as fractional powers of T";
+  *why = branch_without_ends;
   return SCALLOP_EDOMAIN;
 }
 
@@ -333,6 +335,10 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
   fmpq_clear(driven);
   if (!scallop_gait_is_exact(crawler->gait)) {
     *why = "the gait has no exact law";
+    return SCALLOP_EDOMAIN;
+  }
+  if (!branch_is_possible(crawler->gait)) {
+    *why = branch_impossible;
     return SCALLOP_EDOMAIN;
   }
   if (sign == 0) /* w = 0: from there c is of the order of eps, and at 0 throughout if F1 = F2 */

@@ -57,12 +57,13 @@ enum stress_outcome {
 };
 struct stress_judgement {
   enum stress_outcome outcome;
+  bool other_modes;                /* than binary128 finds: what jumps there is not judged                          */
   bool only_error;                 /* neither roundings nor estimates are looked at                              */
   const char *why;                 /* of another outcome than solved                                            */
   bool has[STRESS_QUANTITIES];     /* false: there is no such number (t1 of a phase without a change of mode)   */
   double exact[STRESS_QUANTITIES]; /* rounded to double                                                         */
   double got[STRESS_QUANTITIES];
-  double error[STRESS_QUANTITIES], unit[STRESS_QUANTITIES], ulp[STRESS_QUANTITIES]; /* ulp: 0 where exact is 0, or so small that digits may be lost */
+  double error[STRESS_QUANTITIES], unit[STRESS_QUANTITIES], ulp[STRESS_QUANTITIES]; /* ulp: 0 where exact is 0 or tiny */
   double wide_error[2][STRESS_QUANTITIES]; /* of long double and binary128                                      */
   double estimate[STRESS_QUANTITIES];      /* of the error, as a solve returns it                              */
   double rounding[STRESS_QUANTITIES];      /* largest minus smallest result of the four rounding modes        */
@@ -71,9 +72,10 @@ struct stress_judgement {
 void stress_judge(const struct stress_case *stressed, struct stress_judgement *judgement);
 void stress_judge_trajectory(const struct stress_case *stressed, struct stress_judgement *judgement);
 
-/* What the two have in common. One of the parameters m1 m2 F1 F2 L T alpha v0 replaced by the double next to it; false: there is no such
+/* What the two have in common. One of the parameters m1 m2 F1 F2 L T alpha v0 replaced by the double so many places on; false: there is no such
  * parameter here, or that one is not allowed. |a - b|. */
-bool stress_neighbour(const struct stress_case *stressed, int parameter, double towards, struct stress_case *next);
+bool stress_neighbour(const struct stress_case *stressed, int parameter, double towards, int places,
+                      struct stress_case *next);
 double stress_difference(const struct scallop_wide *a, const struct scallop_wide *b);
 
 /* What is promised, in units. In a directed rounding each operation errs by up to an ulp instead of a half, so a result by twice as

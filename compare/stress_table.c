@@ -14,6 +14,7 @@ static const char *const family_columns[] = { "family",
                                               "cases",
                                               "refused",
                                               "undecided",
+                                              "other_modes",
                                               "quantity",
                                               "units",
                                               "ulp",
@@ -82,7 +83,7 @@ static double generosity(const struct stress_judgement *j, int q)
 struct row {
   const struct stress_family *family;
   const struct scallop_gait *gait;
-  int cases, refused, undecided, broken;
+  int cases, refused, undecided, other_modes, broken;
   int worst, quantity;  /* where error/unit is largest: the case, or -1, and which of its numbers        */
   double units, median; /* there; of errors in ulp over all numbers                                       */
   double rounding, perturbed, lost[3], estimate_least, estimate_most;
@@ -134,6 +135,7 @@ static void sum_up(struct row *r, const struct stress_judgement *judgements, dou
     const struct stress_judgement *j = &judgements[i];
     r->refused += j->outcome == STRESS_REFUSED;
     r->undecided += j->outcome == STRESS_UNDECIDED;
+    r->other_modes += j->other_modes;
     for (int q = 0; q < STRESS_QUANTITIES; q++) {
       const char *what = stress_broken(j, q);
       r->broken += what != NULL;
@@ -151,7 +153,7 @@ static void sum_up(struct row *r, const struct stress_judgement *judgements, dou
 static void write_verdict(struct table *t, const char *what, int broken)
 {
   char text[200];
-  snprintf(text, sizeof text, "broken: %s%s", what, broken > 1 ? ", and more" : "");
+  snprintf(text, sizeof text, "broken: %s%s", what ? what : "", broken > 1 ? ", and more" : "");
   table_text(t, what ? text : "holds");
 }
 
@@ -168,6 +170,7 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
   table_number(t, r->cases);
   table_number(t, r->refused);
   table_number(t, r->undecided);
+  table_number(t, r->other_modes);
   table_text(t, r->worst >= 0 ? stress_quantities[r->family->kind][q] : "-");
   table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
   table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
@@ -292,7 +295,7 @@ enum exit_code stress_table(const struct options *o)
   run.cases = o->cases > 0 ? (int)o->cases : o->full ? FULL_CASES : o->against ? CHECK_CASES : CASES;
   if (o->family && !family_named(o->family)) {
     const char *names[64] = { NULL };
-    for (int i = 0; stress_families[i].name && i < 63; i++)
+    for (int i = 0; i < 63 && stress_families[i].name; i++)
       names[i] = stress_families[i].name;
     const char *near = nearest(o->family, names);
     complain("stress", "--family: there is no family '%s'%s%s%s", o->family, near ? ": did you mean '" : "",

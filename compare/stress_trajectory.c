@@ -156,7 +156,7 @@ static void disturb(const struct stress_case *s, int parameter, const struct end
   for (int side = -1; side <= 1; side += 2) {
     struct stress_case next;
     struct ending there;
-    if (!stress_neighbour(s, parameter, side * INFINITY, &next) || !closed_form(&next, &there))
+    if (!stress_neighbour(s, parameter, side * INFINITY, 1, &next) || !closed_form(&next, &there))
       continue;
     most[0] = fmax(most[0], stress_difference(&there.x, &exact->x));
     most[1] = fmax(most[1], stress_difference(&there.v, &exact->v));

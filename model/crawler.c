@@ -59,9 +59,7 @@ enum scallop_status scallop_crawler_check(const struct scallop_crawler *crawler,
       return complain(complaint, positive[i].name, positive[i].value, "a finite number > 0");
   if (!(crawler->alpha > 0 && crawler->alpha < 1))
     return complain(complaint, "alpha", crawler->alpha, "a number between 0 and 1, both excluded");
-  if (!crawler->gait)
-    return complain(complaint, "gait", NAN, "a gait");
-  return SCALLOP_OK;
+  return complain(complaint, "gait", NAN, "a gait");
 }
 
 double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallop_phase_kind kind)

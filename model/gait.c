@@ -157,13 +157,12 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait)
 /* The piece that holds time s, and the offset of s from its anchor. */
 static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)
 {
-  for (int i = 0; i < shape->count; i++) {
+  for (int i = 0;; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
     *u = p->anchor == SCALLOP_FROM_START ? s : 1 - s;
     if (i == shape->count - 1 || time_offset(p, *u) <= time_offset(p, p->end))
       return p;
   }
-  return NULL;
 }
 
 void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,

@@ -48,13 +48,17 @@ static void collect(struct row *row, const struct scallop_crawlers *c, long i, d
 }
 
 /* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the extension
- * only, 0 none. Roughly, as nothing depends on it but speed. */
+ * only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left to the call for one. */
 static double holds(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
 {
+  static const double close = 1e-12;
   double a = c->alpha[i], b = 1 - a, strength = c->T[i] * c->T[i] * (c->F1[i] + c->F2[i]) / c->L[i];
   bool forward = (c->F1[i] > c->F2[i]) == (a > 0.5);
-  double front = forward ? c->m2[i] : c->m1[i], back = forward ? c->m1[i] : c->m2[i];
-  return slope_c * back <= strength * (b * b) ? 1 : slope_e * front <= strength * (a * a) ? -1 : 0;
+  double pull_e = slope_e * (forward ? c->m2[i] : c->m1[i]) - strength * (a * a);
+  double pull_c = slope_c * (forward ? c->m1[i] : c->m2[i]) - strength * (b * b);
+  if (fabs(pull_e) <= close * (strength * (a * a)) || fabs(pull_c) <= close * (strength * (b * b)))
+    return NAN;
+  return pull_c < 0 ? 1 : pull_e < 0 ? -1 : 0;
 }
 
 /* No result over- or underflows. */
@@ -85,6 +89,7 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     out->displacement[i] = displacement;
     out->mean_velocity[i] = mean;
     out->multiplier[i] = r.multiplier;
+    valid &= r.multiplier >= 0.0625; /* smaller ones are mended */
     valid &= keeps(&s, r.c_start, r.c_mid, r.travel, displacement, mean);
     out->valid[i] = valid ? 1 : 0;
   }
@@ -213,7 +218,10 @@ static long solve_block(const struct scallop_crawlers *c, const struct scallop_s
   for (long i = first; i < first + count; i++)
     if (ramps && c->gait[i] == gait) {
       double order = holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT));
-      collect(order == 0 ? &regular : &held, c, i, order);
+      if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
+        failed += !solve_one(c, states, i);
+      else
+        collect(order == 0 ? &regular : &held, c, i, order);
     } else {
       failed += !solve_one(c, states, i);
     }

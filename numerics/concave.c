@@ -44,7 +44,7 @@ static bool meet(const struct scallop_piece *p, double a, double b, double q, do
     step = (a + b * m->x - q * m->height) / (q * m->slope - b);
     margin = fabs(q * m->slope - b) / (fabs(q * m->slope) + fabs(b));
   }
-  return false;
+  return false; /* GCOVR_EXCL_LINE: convex, so Newton's method is there before that; the walk takes over if not */
 }
 
 struct line { /* seen so that c starts at or above 0, in a mirror where it starts below            */

@@ -73,7 +73,8 @@ struct scallop_phase_result {
  * Accuracy: at most 8 units in round-to-nearest, a unit being the sum of what one ulp of each argument changes the result by, or an ulp of the
  * result if that is more; measured by `scallop stress` (docs/stability.md), the largest seen being 5. For gaits with exact laws only: other
  * displacements that are small by cancellation are good to a few ulp of L. A result below 1e-289 of its natural unit (tau, L/tau, L) may
- * have no digit. A mode that lasts less than rounding may be missing from the list.
+ * have no digit. Within rounding of a boundary between sequences of modes the list may be
+ * that of the other side: t1, dT and multiplier, which jump there, are then those of that side, and the rest is as above.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
@@ -129,7 +130,8 @@ struct scallop_steady_states {
 };
 
 /* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads (>= 1; 1 where
- * the library is built without OpenMP). Returns how many have a negative status. Allocates nothing. */
+ * the library is built without OpenMP). Where the compiler may fuse multiplications and additions (-ffp-contract=fast; the Makefile
+ * forbids it) the last bits may differ. Returns how many have a negative status. Allocates nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
 
 /* ---- trajectories ---------------------------------------------------------------------------- */

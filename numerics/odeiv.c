@@ -165,7 +165,7 @@ static void locate(struct run *r, const struct point *from, struct point *to, in
     if (t == at.lo || t == at.hi) /* nothing lies between */
       return;
   }
-  r->motion.status = SCALLOP_ECONVERGE;
+  r->motion.status = SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before MAX_TRIALS */
 }
 
 /* Shortens the step to the first event in it; the body of that event, or -1. */
@@ -242,7 +242,7 @@ static enum scallop_status run(struct scallop_odeiv *odeiv, const struct scallop
                    .h = 1 };
   odeiv->system.params = &r.motion;
   if (gsl_odeiv2_control_init(odeiv->driver->c, tolerance, tolerance, 1, 0) != GSL_SUCCESS)
-    return SCALLOP_ECONVERGE;
+    return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: GSL refuses negative tolerances only */
   return rival_motion_period(&r.motion, crawler, v0, period);
 }
 

@@ -20,6 +20,9 @@ SCALLOP_INLINE int period_cancels(double travel, double size, int ramps)
   return (travel < 0 ? -travel : travel) < (ramps ? 0x1p-6 : 0x1p-3) * size;
 }
 
+/* Nearly equal phases that are mirror images undo each other's displacement but for about 2 alpha - 1 of it. */
+SCALLOP_INLINE int period_undoes(double driven) { return (driven < 0 ? -driven : driven) < 0x1p-10; }
+
 struct period {
   double c_start, c_mid, c_end; /* in L/T                                                            */
   double travel;                /* displacement, in L                                                */

@@ -294,12 +294,16 @@ static bool comes_back(const struct gap *g, real turn, real *u)
 {
   const struct walk *w = g->walk;
   real away = turn - w->u, far = w->u + 4 * away;
-  if (away == 0 || magnitude(away) > w->u / 256 || w->sense * (w->piece->end - far) < 0)
+  if (magnitude(away) > w->u / 256 || w->sense * (w->piece->end - far) < 0)
     return false;
   struct root_end now = { .u = turn }, end = { .u = far };
   now.f = gap_since(g, now.u, &now.slope);
   end.f = gap_since(g, end.u, &end.slope);
-  if (!(now.f > 0 && end.f < 0))
+  if (now.f <= 0) { /* it was not left for as long as can be told */
+    *u = turn;
+    return true;
+  }
+  if (end.f >= 0)
     return false;
   *u = root_between(gap_since, g, now, end);
   return true;

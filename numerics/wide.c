@@ -48,6 +48,8 @@ static bool period_is_finite(const struct scallop_wide_period *p)
   return are_finite(numbers, 4);
 }
 
+static bool is_kept(double x) { return x == 0 || isnormal(x); }
+
 /* In long double, unless it is no wider, or more digits cancel than it has beyond double's. */
 static bool choose_width(const struct scallop_gait *gait, double left, enum scallop_width *width)
 {
@@ -63,7 +65,7 @@ bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase
   if (!choose_width(crawler->gait, left, &width))
     return false;
   (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, out);
-  return isfinite(out->dx1.high) && isfinite(out->dx2.high) && isfinite(out->dxC.high);
+  return is_kept(out->dx1.high) && is_kept(out->dx2.high) && is_kept(out->dxC.high);
 }
 
 bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out)
@@ -72,7 +74,7 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   if (!choose_width(crawler->gait, left, &width))
     return false;
   (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, out);
-  return isfinite(out->displacement.high);
+  return is_kept(out->displacement.high);
 }
 
 bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out)
@@ -81,7 +83,7 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   if (!choose_width(crawler->gait, left, &width))
     return false;
   return (width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, out)
-         && isfinite(out->mean_velocity.high);
+         && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
 }
 
 /* ---- solves ---- */
@@ -144,8 +146,8 @@ static enum scallop_width widest(void)
 /* size: of the parts that the number is a sum of; 0 where it is none */
 static double error_of(double value, const struct scallop_wide *exact, double size)
 {
-  double rounding = 0x1p-62 * fabs(value) + 0x1p-109 * size;
-  return fabs((exact->high - value) + exact->low) * (1 + 0x1p-20) + rounding;
+  double rounding = 0x1p-62 * fabs(value) + 0x1p-111 * size;
+  return fabs((exact->high - value) + exact->low) * (1 + 0x1p-9) + rounding;
 }
 
 enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,

@@ -223,9 +223,10 @@ void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, 
   out->t1 = split(r.first_switch * tau);
   out->dT = split(r.last_switch * tau);
   out->v_end = split(r.c_end * unit);
+  real middle = ((real)c->m1 - c->m2) / ((real)c->m1 + c->m2) / 2;
   const real beyond[3][3] = { { -stroke * in->mu2, 0, -stroke },
                               { stroke * in->mu1, stroke, 0 },
-                              { stroke * (in->mu1 - in->mu2) / 2, stroke / 2, -stroke / 2 } };
+                              { stroke * middle, stroke / 2, -stroke / 2 } };
   struct scallop_wide *const way[3] = { &out->dx1, &out->dx2, &out->dxC };
   double *const sizes[3] = { &out->dx1_size, &out->dx2_size, &out->dxC_size };
   for (int i = 0; i < 3; i++) {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|lint|fuzz ...
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|lint|fuzz|coverage|valgrind|matrix ...
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
@@ -28,6 +28,9 @@ look() { # PURPOSE...: what is missing
                 command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;
       fuzz)     command -v clang >/dev/null 2>&1 || need clang
                 ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-dev ;;
+      valgrind) command -v valgrind >/dev/null 2>&1 || need valgrind ;;
+      matrix)   command -v clang >/dev/null 2>&1 || need clang ;;
+      coverage) command -v gcovr >/dev/null 2>&1 || need gcovr ;;
       *)        echo "setup.sh: unknown purpose '$purpose'" >&2; exit 2 ;;
     esac
   done

@@ -52,7 +52,10 @@ static void put(long i, const struct scallop_crawler *c)
   in.gait[i] = c->gait;
 }
 
-static bool same(double a, double b) { return (a == b && !signbit(a) == !signbit(b)) || (isnan(a) && isnan(b)); }
+static bool same(double a, double b)
+{
+  return (check_relative(a, b, SAME_BITS) && !signbit(a) == !signbit(b)) || (isnan(a) && isnan(b));
+}
 
 static void check_modes(const struct scallop_modes *got, const struct scallop_modes *wanted)
 {

@@ -240,16 +240,21 @@ static void other_modes_beyond_the_end(void **state)
 /* ---- refusals ---- */
 
 /* Refused, with a reason, and the bounds as they were */
-static void refuses(struct subject *s, slong order, enum scallop_status wanted, const char *fragment)
+static void refuses_at(struct subject *s, slong order, slong precision, enum scallop_status wanted, const char *fragment)
 {
   const char *why = NULL;
   arb_one(s->bounds[0].C);
   s->bounds[0].power = 77;
-  assert_int_equal(scallop_steady_bounds(&s->crawler, order, PRECISION, s->bounds, &why), wanted);
+  assert_int_equal(scallop_steady_bounds(&s->crawler, order, precision, s->bounds, &why), wanted);
   assert_non_null(why);
   assert_non_null(strstr(why, fragment));
-  assert_int_equal(scallop_steady_bounds(&s->crawler, order, PRECISION, s->bounds, NULL), wanted);
+  assert_int_equal(scallop_steady_bounds(&s->crawler, order, precision, s->bounds, NULL), wanted);
   assert_true(arb_is_one(s->bounds[0].C) && s->bounds[0].power == 77);
+}
+
+static void refuses(struct subject *s, slong order, enum scallop_status wanted, const char *fragment)
+{
+  refuses_at(s, order, PRECISION, wanted, fragment);
 }
 
 static void refusals(void **state)
@@ -263,6 +268,10 @@ static void refusals(void **state)
     refuses(&s, 0, SCALLOP_EDOMAIN, "order");
     refuses(&s, -3, SCALLOP_EDOMAIN, "order");
     refuses(&s, SCALLOP_MOST_TERMS + 1, SCALLOP_EDOMAIN, "order");
+    refuses_at(&s, 4, 31, SCALLOP_EDOMAIN, "bits");
+    fmpq_neg(s.crawler.m2, s.crawler.m2);
+    refuses(&s, 4, SCALLOP_EDOMAIN, "domain");
+    fmpq_neg(s.crawler.m2, s.crawler.m2);
     fmpq_set_si(s.crawler.alpha, 1, 2);
     refuses(&s, 4, SCALLOP_EDOMAIN, "alpha = 1/2");
     fmpq_set_si(s.crawler.alpha, 1, 3);

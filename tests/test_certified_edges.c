@@ -2,6 +2,7 @@
 #include "tests/check.h"
 
 #include "numerics/certified.h"
+#include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 
 /* ---- what is refused ---- */
@@ -56,6 +57,109 @@ static void exact_coincidences_are_said(void **state)
   check_undecided(&c, "0", "force that holds body 2");
 }
 
+/* With l' to its digits the limit can be met within a phase as well: minimum jerk at t = 1/4, where l' = 135/128 and l'' = 45/8. Body 1
+ * comes to rest there, v0 - l'/2 - (F1 + F2) t/2 = 0, and F1 - F2 = 45/8 is what it takes to hold it. */
+static void a_limit_met_where_a_body_comes_to_rest(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 6, 0.375, 1, 2, 0.5, &minimum_jerk_gait };
+  check_undecided(&c, "1.32421875", "force that holds body 1");
+}
+
+/* l' jumps from 0 to 1, and v1 with it from 1/2 to 0. */
+static void at_rest_after_a_jump(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &sawtooth_gait };
+  check_undecided(&c, "0.5", "cannot be told from 0");
+}
+
+/* ---- a law that is not that of a gait ---- */
+
+/* l grows by 3/2, while the amplitude is 1: nothing is decided of any motion, and it is said why. */
+static void a_law_against_its_amplitude(void **state)
+{
+  (void)state;
+  const struct scallop_law law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 9, -9 }, 1 };
+  struct scallop_piece pieces[2] = { parabola_extension[0], parabola_contraction[0] };
+  struct scallop_gait gait = parabola_gait;
+  struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &gait };
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady s;
+  const char *why = NULL;
+  for (int kind = 0; kind < 2; kind++) {
+    pieces[kind].law = &law;
+    gait.phase[kind].pieces = &pieces[kind];
+  }
+  check_undecided(&c, "3", "contradicts its amplitude");
+  scallop_rational_init(&exact);
+  scallop_certified_steady_init(&s);
+  arb_set_ui(s.v_start, 7);
+  scallop_rational_of(&exact, &c);
+  assert_int_equal(scallop_certified_steady(&exact, 20, &s, &why), SCALLOP_EUNDECIDED);
+  assert_non_null(strstr(why, "contradicts its amplitude"));
+  assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EUNDECIDED);
+  assert_true(arb_equal_si(s.v_start, 7));
+  scallop_certified_steady_clear(&s);
+  scallop_rational_clear(&exact);
+}
+
+/* ---- a search that begins where nothing can be decided ---- */
+
+/* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the contraction, with l' at its
+ * peak: there v = 2 m1/M + eps/2 in L/tau. M = 100, and eps = 1 in the extension: it ends with v = 2 m1/M a + 1/(2 a), a = alpha/(1 - alpha),
+ * for that F1/F2. Velocities nearby are decided; unless, at alpha = 5/6, from rest is the steady state. */
+static const struct from_rest {
+  int alpha[2], F1, F2, over;
+  int v0[2]; /* at the start of the contraction */
+  bool steady;
+} from_rest[] = { { { 6, 7 }, 13357 * 49, 7318 * 49, 7443, { 427, 1800 }, false },
+                  { { 5, 6 }, 74 * 144, 41 * 144, 115, { 6, 25 }, true } };
+
+static void a_search_from_an_undecided_velocity(void **state)
+{
+  (void)state;
+  struct scallop_rational_crawler c;
+  struct scallop_certified_phase p;
+  struct scallop_certified_steady s;
+  fmpq_t v0;
+  fmpq_init(v0);
+  scallop_rational_init(&c);
+  scallop_certified_phase_init(&p);
+  scallop_certified_steady_init(&s);
+  for (int i = 0; i < 2; i++) {
+    const struct from_rest *a = &from_rest[i];
+    const struct scallop_crawler doubles = { 1, 99, (double)a->F1 / a->over,           (double)a->F2 / a->over,
+                                             1, 1,  (double)a->alpha[0] / a->alpha[1], &scallop_gait_quadratic };
+    struct scallop_steady_result d;
+    const char *why = NULL;
+    scallop_rational_of(&c, &doubles);
+    fmpq_set_si(c.F1, a->F1, (ulong)a->over);
+    fmpq_set_si(c.F2, a->F2, (ulong)a->over);
+    fmpq_set_si(c.alpha, a->alpha[0], (ulong)a->alpha[1]);
+    fmpq_zero(v0);
+    assert_int_equal(scallop_certified_phase(&c, SCALLOP_EXTENSION, v0, 20, &p, NULL), SCALLOP_OK);
+    fmpq_set_si(v0, a->v0[0], (ulong)a->v0[1]);
+    CHECK_RELATIVE(nearest(p.v_end), fmpq_get_d(v0), 1e-15);
+    assert_int_equal(scallop_certified_phase(&c, SCALLOP_CONTRACTION, v0, 20, &p, &why), SCALLOP_EUNDECIDED);
+    assert_non_null(strstr(why, "body 2 comes to rest just as"));
+    why = NULL;
+    assert_int_equal(scallop_certified_steady(&c, 20, &s, &why), a->steady ? SCALLOP_EUNDECIDED : SCALLOP_OK);
+    assert_int_equal(scallop_steady(&doubles, &d), SCALLOP_OK);
+    if (a->steady) {
+      assert_non_null(strstr(why, "body 2 comes to rest just as"));
+      CHECK_NEAR(d.period.v_start, 0, 1e-15);
+    } else {
+      CHECK_RELATIVE(d.period.v_start, nearest(s.v_start), 1e-13);
+      CHECK_RELATIVE(d.period.displacement, nearest(s.displacement), 1e-13);
+    }
+  }
+  scallop_certified_steady_clear(&s);
+  scallop_certified_phase_clear(&p);
+  scallop_rational_clear(&c);
+  fmpq_clear(v0);
+}
+
 static void check_domain(const struct scallop_rational_crawler *c, long digits)
 {
   struct scallop_certified_phase p;
@@ -105,6 +209,17 @@ static void domain(void **state)
   scallop_certified_steady_init(&s);
   exact.gait = &sawtooth_gait;
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
+  struct scallop_gait unmarked =
+      sawtooth_gait; /* as if l' did not jump; and then so that it is 0 where the first phase begins */
+  struct scallop_piece no_jump = sawtooth_gait.phase[0].pieces[0], half = no_jump;
+  no_jump.jump = half.jump = false;
+  half.velocity = 0;
+  half.acceleration = 2;
+  for (int i = 0; i < 2; i++) {
+    unmarked.phase[0].pieces = i == 0 ? &no_jump : &half;
+    exact.gait = &unmarked;
+    assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
+  }
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&exact);
 }
@@ -206,6 +321,10 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(exact_coincidences_are_said),
+    cmocka_unit_test(a_limit_met_where_a_body_comes_to_rest),
+    cmocka_unit_test(at_rest_after_a_jump),
+    cmocka_unit_test(a_law_against_its_amplitude),
+    cmocka_unit_test(a_search_from_an_undecided_velocity),
     cmocka_unit_test(domain),
     cmocka_unit_test(zeros_are_exact),
     cmocka_unit_test(barely_held),

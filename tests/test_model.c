@@ -353,10 +353,71 @@ static void range(void **state)
 static void status_texts(void **state)
 {
   (void)state;
-  for (int status = SCALLOP_ECONVERGE; status <= SCALLOP_INTERVAL; status++)
-    for (int other = status + 1; other <= SCALLOP_INTERVAL + 1; other++)
+  for (int status = SCALLOP_EUNDECIDED; status <= SCALLOP_INTERVAL; status++)
+    for (int other = status + 1; other <= SCALLOP_STOPPED; other++)
       assert_string_not_equal(scallop_status_text((enum scallop_status)status),
                               scallop_status_text((enum scallop_status)other));
+  assert_string_equal(scallop_status_text(SCALLOP_ESTOPPED), scallop_status_text(SCALLOP_STOPPED));
+  assert_string_equal(scallop_status_text((enum scallop_status)99), "unknown status");
+}
+
+/* ---- symmetries of gaits ---- */
+
+/* The quadratic gait, pieces of which can be changed */
+struct copied_gait {
+  struct scallop_piece pieces[2][2];
+  struct scallop_gait gait;
+};
+static void copy_gait(struct copied_gait *to, const struct scallop_gait *from)
+{
+  to->gait = *from;
+  for (int kind = 0; kind < 2; kind++) {
+    memcpy(to->pieces[kind], from->phase[kind].pieces, sizeof to->pieces[kind]);
+    to->gait.phase[kind].pieces = to->pieces[kind];
+  }
+}
+
+static void symmetric_gaits(void **state)
+{
+  (void)state;
+  for (int g = 0; g < ALL_GAITS; g++)
+    assert_true(scallop_gait_mirrors(every_gait[g]));
+  assert_true(scallop_gait_is_reversible(&scallop_gait_quadratic));
+  assert_true(scallop_gait_is_reversible(&scallop_gait_sinusoidal));
+  assert_true(scallop_gait_is_reversible(&minimum_jerk_gait));
+  assert_false(scallop_gait_is_reversible(&trapezoid_gait));
+  assert_false(scallop_gait_is_reversible(&sawtooth_gait)); /* one piece, anchored at one end: it is, but that is not seen */
+}
+
+/* Every number that |l'| depends on: changed in one piece of one phase it ends both symmetries. */
+static void gaits_that_are_not_symmetric(void **state)
+{
+  (void)state;
+  struct copied_gait c;
+  for (int kind = 0; kind < 2; kind++)
+    for (int piece = 0; piece < 2; piece++)
+      for (int change = 0; change < 6; change++) {
+        copy_gait(&c, &scallop_gait_quadratic);
+        assert_true(scallop_gait_mirrors(&c.gait) && scallop_gait_is_reversible(&c.gait));
+        struct scallop_piece *p = &c.pieces[kind][piece];
+        switch (change) {
+        case 0: p->begin += 0.125; break;
+        case 1: p->end += 0.125; break;
+        case 2: p->velocity = 0.5; break;
+        case 3: p->acceleration *= 0.5; break;
+        case 4: p->linear = false; break;
+        default: p->anchor = p->anchor == SCALLOP_FROM_START ? SCALLOP_FROM_END : SCALLOP_FROM_START;
+        }
+        assert_false(scallop_gait_mirrors(&c.gait));
+        assert_false(scallop_gait_is_reversible(&c.gait));
+      }
+  copy_gait(&c, &scallop_gait_sinusoidal);
+  c.pieces[1][0].law = scallop_gait_quadratic.phase[0].pieces[0].law;
+  assert_false(scallop_gait_mirrors(&c.gait));
+  assert_false(scallop_gait_is_reversible(&c.gait));
+  copy_gait(&c, &scallop_gait_quadratic);
+  c.gait.phase[1].count = 1;
+  assert_false(scallop_gait_mirrors(&c.gait));
 }
 
 int main(void)
@@ -375,6 +436,8 @@ int main(void)
     cmocka_unit_test(scaled_values),
     cmocka_unit_test(range),
     cmocka_unit_test(status_texts),
+    cmocka_unit_test(symmetric_gaits),
+    cmocka_unit_test(gaits_that_are_not_symmetric),
   };
   return cmocka_run_group_tests_name("model", tests, NULL, NULL);
 }

@@ -174,6 +174,12 @@ static void integral_and_derivative(void **state)
   fmpq_init(c);
   for (int i = 0; i < 200; i++) {
     random_series(&w[0], &r, random_below(&r, 4));
+    as_balls(&w[1], &w[0]);
+    series_derivative(&w[2], &w[1], &ring); /* of balls it holds that of the fractions in them */
+    series_derivative(&w[1], &w[0], &ring);
+    assert_true(w[2].known == w[1].known);
+    for (slong k = 0; k < least(w[1].known, FAR); k++)
+      assert_true(same_coefficient(&w[1], &w[2], k, PRECISION));
     series_integral(&w[1], &w[0], &ring);
     series_derivative(&w[2], &w[0], &ring);
     check_known(&w[1], least(w[0].known, LENGTH) + 1, "integral");

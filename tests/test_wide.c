@@ -134,8 +134,8 @@ static void estimate_of_a_wrong_number(void **state)
   p.dx1 -= 1e-3;
   p.t1 = NAN;
   assert_int_equal(scallop_phase_error(&c, SCALLOP_EXTENSION, 2.5, &p, &e), SCALLOP_OK);
-  CHECK_NEAR(e.v_end, 1e-9, 1e-14);
-  CHECK_NEAR(e.dx1, 1e-3, 1e-8);
+  CHECK_RELATIVE(e.v_end, 1e-9, 0.01);
+  CHECK_RELATIVE(e.dx1, 1e-3, 0.01);
   CHECK_EQUAL(e.t1, NAN);
   CHECK_AT_MOST(e.dT, 1e-16);
 }

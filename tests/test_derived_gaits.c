@@ -1,0 +1,290 @@
+/* Derived expansions for gaits of other kinds: right, as the certified solver
+ * has it, or refused. */
+#include "tests/check.h"
+
+#include "asymptotics/evaluate.h"
+#include "numerics/certified.h"
+#include "tests/expansions.h"
+#include "tests/odd_gaits.h"
+
+enum { DIGITS = 40 };
+
+/* l' = 6 s (1 - s) in one piece, which has its anchor at one end only */
+static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
+static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
+static const struct scallop_piece parabola_contraction[] = {
+  { .begin = 1, .anchor = SCALLOP_FROM_END, .direction = -1, .law = &parabola_law }
+};
+static const struct scallop_gait parabola_gait = { "parabola",
+                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
+                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
+
+struct subject {
+  struct scallop_crawler doubles;
+  struct scallop_rational_crawler exact;
+  struct scallop_phase_expansion phase;
+  struct scallop_steady_expansion steady;
+  struct scallop_bound bounds[2];
+  fmpq_t v0;
+};
+
+/* The default crawler at T = 1/1024 */
+static void subject_init(struct subject *s, const struct scallop_gait *gait, double alpha)
+{
+  s->doubles = scallop_crawler_default();
+  s->doubles.gait = gait;
+  s->doubles.alpha = alpha;
+  s->doubles.T = 0x1p-10;
+  scallop_rational_init(&s->exact);
+  scallop_rational_of(&s->exact, &s->doubles);
+  scallop_phase_expansion_init(&s->phase);
+  scallop_steady_expansion_init(&s->steady);
+  scallop_bound_init(&s->bounds[0]);
+  scallop_bound_init(&s->bounds[1]);
+  fmpq_init(s->v0);
+}
+
+static void subject_clear(struct subject *s)
+{
+  scallop_rational_clear(&s->exact);
+  scallop_phase_expansion_clear(&s->phase);
+  scallop_steady_expansion_clear(&s->steady);
+  scallop_bound_clear(&s->bounds[0]);
+  scallop_bound_clear(&s->bounds[1]);
+  fmpq_clear(s->v0);
+}
+
+/* The terms below x^ORDER are what they are of, up to about the next one. */
+static void check_sum(const struct series *series, const fmpq_t x, const arb_t wanted, double size, const char *what)
+{
+  arb_t at, value;
+  arb_init(at);
+  arb_init(value);
+  arb_set_fmpq(at, x, PRECISION);
+  series_value(value, series, at, ORDER, PRECISION);
+  arb_sub(value, value, wanted, PRECISION);
+  if (!(at_most(value) <= 1e-34 * size)) {
+    print_error("%s: off by %g\n", what, at_most(value));
+    fail();
+  }
+  arb_clear(at);
+  arb_clear(value);
+}
+
+/* ---- right ---- */
+
+/* Crossings are found wherever they are, but those at an end that is not an
+ * anchor are refused. */
+static void one_piece(void **state)
+{
+  (void)state;
+  struct scallop_certified_steady c;
+  struct subject s;
+  const char *why = NULL;
+  scallop_certified_steady_init(&c);
+  for (int forward = 0; forward < 2; forward++) {
+    subject_init(&s, &parabola_gait, forward ? 0.75 : 0.25);
+    assert_true(expand_steady(&s.steady, &s.exact, ORDER));
+    assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
+    check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
+    check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
+    subject_clear(&s);
+  }
+  subject_init(&s, &parabola_gait, 0.5);
+  assert_int_equal(scallop_expand_steady(&s.exact, 4, PRECISION, &s.steady, &why), SCALLOP_EDOMAIN);
+  assert_non_null(strstr(why, "anchored elsewhere"));
+  fmpq_set_si(s.v0, 1, 1);
+  for (int kind = 0; kind < 2; kind++) {
+    why = NULL;
+    assert_int_equal(scallop_expand_phase(&s.exact, (enum scallop_phase_kind)kind, s.v0, 4, PRECISION, NULL, &s.phase, &why),
+                     SCALLOP_EDOMAIN);
+    assert_non_null(strstr(why, "anchored elsewhere"));
+  }
+  subject_clear(&s);
+  scallop_certified_steady_clear(&c);
+}
+
+/* Each phase of a mixed gait is symmetric about its middle, but they are not
+ * mirror images of each other: the displacement has no T^2 but at alpha = 1/2.
+ */
+static void phases_of_two_kinds(void **state)
+{
+  (void)state;
+  const struct scallop_gait mixed[] = { mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal),
+                                        mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic) };
+  struct scallop_certified_steady c;
+  scallop_certified_steady_init(&c);
+  for (int i = 0; i < 2; i++)
+    for (int quarters = 1; quarters <= 3; quarters++) {
+      struct subject s;
+      arb_t second;
+      arb_init(second);
+      subject_init(&s, &mixed[i], 0.25 * quarters);
+      assert_true(expand_steady(&s.steady, &s.exact, ORDER));
+      assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
+      check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
+      check_sum(&s.steady.v_mid, s.exact.T, c.v_mid, 1e4, "v_mid");
+      check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
+      series_coefficient(second, &s.steady.displacement, 2, PRECISION);
+      assert_int_equal(arb_is_zero(second), quarters != 2);
+      arb_clear(second);
+      subject_clear(&s);
+    }
+  scallop_certified_steady_clear(&c);
+}
+
+/* ---- refused ---- */
+
+/* By all three, with a reason, and the outputs as they were */
+static void refuses(const struct scallop_gait *gait, double alpha, const char *fragment)
+{
+  struct subject s;
+  const char *why[3] = { NULL, NULL, NULL };
+  subject_init(&s, gait, alpha);
+  series_set_si(&s.phase.dxC, 7);
+  series_set_si(&s.steady.displacement, 7);
+  s.bounds[1].power = 7;
+  for (int pass = 0; pass < 2; pass++) {
+    assert_int_equal(
+        scallop_expand_phase(&s.exact, SCALLOP_EXTENSION, s.v0, 4, PRECISION, NULL, &s.phase, pass ? NULL : &why[0]),
+        SCALLOP_EDOMAIN);
+    assert_int_equal(scallop_expand_steady(&s.exact, 4, PRECISION, &s.steady, pass ? NULL : &why[1]), SCALLOP_EDOMAIN);
+    assert_int_equal(scallop_steady_bounds(&s.exact, 4, PRECISION, s.bounds, pass ? NULL : &why[2]), SCALLOP_EDOMAIN);
+  }
+  for (int i = 0; i < 3; i++) {
+    assert_non_null(why[i]);
+    if (!strstr(why[i], fragment))
+      fail_msg("%s: %s", gait->name, why[i]);
+  }
+  const struct series *const kept[] = { &s.phase.dxC, &s.steady.displacement };
+  fmpq_t seven;
+  fmpq_init(seven);
+  for (int i = 0; i < 2; i++)
+    assert_true(series_rational_coefficient(seven, kept[i], 0) && fmpq_equal_si(seven, 7));
+  fmpq_clear(seven);
+  assert_int_equal(s.bounds[1].power, 7);
+  subject_clear(&s);
+}
+
+static void gaits_without_a_branch(void **state)
+{
+  (void)state;
+  struct teeth teeth;
+  grow_teeth(&teeth);
+  const struct scallop_gait backward = { "backward", { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
+  for (int halves = 0; halves < 2; halves++) {
+    double alpha = halves ? 0.5 : 0.75;
+    refuses(&there_and_back_gait, alpha, "within a phase");
+    refuses(&detour_gait, alpha, "within a phase");
+    refuses(&teeth.gait, alpha, "within a phase");
+    refuses(&backward, alpha, "within a phase");
+  }
+}
+
+/* One phase, or one piece of it, without a law is enough. */
+static void gaits_without_a_law(void **state)
+{
+  (void)state;
+  struct scallop_piece lawless[2][2];
+  for (int kind = 0; kind < 2; kind++)
+    for (int piece = 0; piece < 2; piece++) {
+      struct scallop_gait gait = scallop_gait_sinusoidal;
+      memcpy(lawless[kind], gait.phase[kind].pieces, sizeof lawless[kind]);
+      gait.phase[kind].pieces = lawless[kind];
+      assert_true(scallop_gait_is_exact(&gait) && !scallop_gait_is_rational(&gait));
+      lawless[kind][piece].law = NULL;
+      assert_true(!scallop_gait_is_exact(&gait) && !scallop_gait_is_rational(&gait));
+      refuses(&gait, 0.75, "no exact law");
+    }
+}
+
+/* ---- laws ---- */
+
+/* A sine has exact coefficients at its zero only, and does not go on as a polynomial nor the other way round. */
+static void sines_and_polynomials(void **state)
+{
+  (void)state;
+  const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces, *ramp = scallop_gait_quadratic.phase[0].pieces;
+  bool turned;
+  fmpq_poly_t series;
+  fmpq_t u, ten;
+  fmpq_poly_init(series);
+  fmpq_init(u);
+  fmpq_init(ten);
+  fmpq_set_si(ten, 10, 1);
+  assert_true(scallop_piece_goes_on(&sine[0], &sine[1], &turned) && turned);
+  assert_false(scallop_piece_goes_on(&sine[0], &ramp[1], &turned));
+  assert_false(scallop_piece_goes_on(&ramp[0], &sine[1], &turned));
+  assert_true(scallop_rational_speed_series(series, &sine[0], u, 4, ten));
+  assert_int_equal(fmpq_poly_degree(series), 3);
+  assert_false(scallop_rational_speed_series(series, &sine[0], u, 4, NULL));
+  fmpq_set_si(u, 1, 4);
+  assert_false(scallop_rational_speed_series(series, &sine[0], u, 4, ten));
+  assert_true(scallop_rational_speed_series(series, &ramp[0], u, 4, NULL));
+  fmpq_poly_clear(series);
+  fmpq_clear(u);
+  fmpq_clear(ten);
+}
+
+/* ---- by the names of the formulas ---- */
+
+static void quantities(void **state)
+{
+  (void)state;
+  struct subject s;
+  subject_init(&s, &scallop_gait_quadratic, 0.75);
+  for (int kind = 0; kind < 2; kind++) {
+    enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
+    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_REAR_AT_END), kind == 0 ? &s.phase.dx1 : &s.phase.dx2);
+    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_FRONT_AT_END), kind == 0 ? &s.phase.dx2 : &s.phase.dx1);
+    assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_VELOCITY));
+    assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_DISPLACEMENT));
+  }
+  assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_VELOCITY), &s.steady.v_start);
+  assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_DISPLACEMENT), &s.steady.displacement);
+  assert_null(scallop_steady_quantity(&s.steady, SCALLOP_LAG));
+  subject_clear(&s);
+}
+
+/* Where l'' = 0 at both ends of a phase the kinematic length is 0/0: 0 stands
+ * for it. A name that the paper does not have has no value. */
+static void symbols(void **state)
+{
+  (void)state;
+  const struct ring ring = { 3, PRECISION };
+  struct subject s;
+  struct scallop_symbols symbols;
+  struct series value;
+  struct scallop_formula formula = { .name = "made up", .setting = SCALLOP_STEADY, .text = "L_kin + 1" };
+  fmpq_t x;
+  fmpq_init(x);
+  series_init(&value);
+  scallop_symbols_init(&symbols);
+  for (int curved = 0; curved < 2; curved++) {
+    subject_init(&s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
+    scallop_symbols_set(&symbols, &s.exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
+    assert_true(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
+    assert_true(series_rational_coefficient(x, &value, 0));
+    CHECK_EQUAL(fmpq_get_d(x), curved ? 1 : s.doubles.L + 1);
+    subject_clear(&s);
+  }
+  formula.text = "L_kinematic + 1";
+  assert_false(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
+  scallop_symbols_clear(&symbols);
+  series_clear(&value);
+  fmpq_clear(x);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(one_piece),
+    cmocka_unit_test(phases_of_two_kinds),
+    cmocka_unit_test(gaits_without_a_branch),
+    cmocka_unit_test(gaits_without_a_law),
+    cmocka_unit_test(sines_and_polynomials),
+    cmocka_unit_test(quantities),
+    cmocka_unit_test(symbols),
+  };
+  return cmocka_run_group_tests_name("derived, other gaits", tests, NULL, NULL);
+}

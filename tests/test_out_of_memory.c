@@ -1,0 +1,120 @@
+/* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the first and last
+ * of the libraries': in between they fall themselves. Not where a sanitizer has its own allocator, nor with a C library that does not
+ * let itself be asked. */
+#include "tests/check.h"
+
+#include <stdlib.h>
+
+#include "numerics/cvode.h"
+#include "numerics/odeiv.h"
+#include "numerics/smoothed.h"
+
+#if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
+static volatile long fails_in = -1; /* allocations until one fails; below 0: none does */
+static volatile long in_use;
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void __libc_free(void *block);
+
+static bool refused(void) { return fails_in >= 0 && fails_in-- == 0; }
+
+static void *counted(void *block)
+{
+  in_use += block != NULL;
+  return block;
+}
+
+void *malloc(size_t size) { return refused() ? NULL : counted(__libc_malloc(size)); }
+
+void *calloc(size_t count, size_t size) { return refused() ? NULL : counted(__libc_calloc(count, size)); }
+
+void free(void *block)
+{
+  in_use -= block != NULL;
+  __libc_free(block);
+}
+
+typedef struct scallop_rival *maker(int kind);
+
+/* How many allocations it takes */
+static long allocations(maker *make, int kind)
+{
+  enum { MANY = 1000000 };
+  fails_in = MANY;
+  struct scallop_rival *rival = make(kind);
+  long left = fails_in;
+  fails_in = -1;
+  assert_non_null(rival);
+  scallop_rival_destroy(rival);
+  return MANY - left;
+}
+
+static void check_failures(maker *make, int kind, long from, long to)
+{
+  for (long n = from; n < to; n++) {
+    long before = in_use;
+    fails_in = n;
+    struct scallop_rival *rival = make(kind);
+    bool failed = fails_in < 0;
+    fails_in = -1;
+    assert_true(failed);
+    assert_null(rival);
+    assert_int_equal(in_use, before);
+  }
+}
+
+static struct scallop_rival *make_odeiv(int kind) { return scallop_odeiv_rival((enum scallop_odeiv_stepper)kind, 1e-6); }
+static struct scallop_rival *make_smoothed(int kind)
+{
+  return scallop_smoothed_rival((enum scallop_smoothed_stepper)kind, 1e-3, 1e-6);
+}
+static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_cvode_rival(1e-6); }
+
+static void making_rivals(void **state)
+{
+  (void)state;
+  for (int kind = 0; kind < 3; kind++) {
+    check_failures(make_odeiv, kind, 0, 3);
+    check_failures(make_smoothed, kind, 0, 3);
+  }
+  long all = allocations(make_odeiv, SCALLOP_ODEIV_MSADAMS);
+  check_failures(make_odeiv, SCALLOP_ODEIV_MSADAMS, all - 10, all);
+  if (scallop_has_cvode())
+    check_failures(make_cvode, 0, 0, 2);
+}
+
+/* In one call: a status instead, and the result as it was */
+static void a_period_in_one_call(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_rival_period period = { .v_end = 7 };
+  fails_in = 0;
+  enum scallop_status status = scallop_odeiv_period(&c, 0, SCALLOP_ODEIV_RKF45, 1e-6, &period);
+  fails_in = -1;
+  assert_int_equal(status, SCALLOP_ECONVERGE);
+  CHECK_EQUAL(period.v_end, 7);
+  assert_int_equal(scallop_odeiv_period(&c, 0, SCALLOP_ODEIV_RKF45, 1e-6, &period), SCALLOP_OK);
+}
+#else
+static void making_rivals(void **state)
+{
+  (void)state;
+  skip();
+}
+static void a_period_in_one_call(void **state)
+{
+  (void)state;
+  skip();
+}
+#endif
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(making_rivals),
+    cmocka_unit_test(a_period_in_one_call),
+  };
+  return cmocka_run_group_tests_name("out of memory", tests, NULL, NULL);
+}
