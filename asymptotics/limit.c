@@ -139,8 +139,6 @@ bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
   arb_get_mag(arb_radref(wide), next);
   for (int i = 0; sound && !inside && i < TRIES; i++) {
     mag_mul_2exp_si(arb_radref(wide), arb_radref(wide), 1);
-    if (mag_is_zero(arb_radref(wide)))
-      mag_set_ui_2exp_si(arb_radref(wide), 1, -precision);
     put_offsets(l, &middle); /* the crossings for all of wide must be those of its middle */
     sound = follow(l, next, slope, wide, eps, true, precision) && !arb_contains_zero(slope);
     arb_div(next, balance, slope, precision);

@@ -54,8 +54,10 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
   /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes to rest,
    * another one or two until it does again, and a last one; the other body is |l| ahead or behind */
   double push0 = eps * (plain ? s->f1 : s->f2), push1 = eps * (plain ? s->f2 : s->f1); /* as body_slope of walk.h */
-  double v = above ? -((steep - push0) + push1) * d : r->up * t + ((r->up * q1 - push1) + push0) * d,
-         v_first = above ? 0 : r->up * t;
+  double own_up = steep - push0, own_below = r->up * q1 - push1;                       /* see there */
+  double slope_up = fabs(own_up) < fabs(between) ? own_up + push1 : steep - between;
+  double slope_below = fabs(own_below) < fabs(between) ? own_below + push0 : r->up * q1 + between;
+  double v = above ? -slope_up * d : r->up * t + slope_below * d, v_first = above ? 0 : r->up * t;
   double one = 0.5 * (c0 + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
   double pulled = above ? (slope - push0) - push1 : (slope + push1) + push0;
   double last = crosses ? 0.5 * pulled * (u * u) : 0, near = one + two + last, near_size = one + fabs(two) + fabs(last);

@@ -101,6 +101,7 @@ SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double 
   out->multiplier = near_1 > 0.5 ? near_1 : e.stretch * c.stretch;
   /* where the map shrinks the error of its argument, its value is better */
   double better = out->multiplier < 0.5 ? c.c_end * (alpha / b) : start;
+  valid &= better > 0;
   out->c_start = sign * (better / alpha);
   out->c_mid = sign * ((e.c_end + e.stretch * (better - start)) / alpha);
   out->c_end = sign * (c.c_end / b);

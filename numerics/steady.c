@@ -104,11 +104,15 @@ static bool settled(const struct period *p)
 }
 
 /* Where the map shrinks the error of its argument, its value is better, as in regular.h. */
-static void improve(struct period *p)
+static void improve(const struct scallop_scaled *s, struct period *p)
 {
   const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
   if (p->forgets || !(e->stretch * c->stretch < 0.5))
     return;
+  if ((p->c_end > 0) != (p->c_start > 0)) { /* other bodies turn there */
+    period_solve(s, p->c_end, NAN, p);
+    return;
+  }
   p->c_mid += e->stretch * (p->c_end - p->c_start);
   p->c_start = p->c_end;
 }
@@ -126,7 +130,7 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
     solved = p->c_mid;
     add_work(work, p);
     if (settled(p)) {
-      improve(p);
+      improve(s, p);
       return SCALLOP_OK;
     }
     double balance = p->forgets ? p->c_end - c : p->balance, next = next_guess(p);

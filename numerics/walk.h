@@ -147,13 +147,15 @@ static inline void body_comes(struct walk *w, int j, real x, real size)
   w->out->size[body] += size;
 }
 
-/* The acceleration of the body of curve j where l' is linear. Its own friction first: where that nearly balances l'' it does so in all modes of
- * the phase by the same rounded amount, and the displacements that come of it, one way and the other, cancel as they should. */
+/* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that difference comes first: it is
+ * then the same rounded amount in all modes of the phase, and the displacements that come of it, one way and the other, cancel as they
+ * should. Where the two frictions nearly balance each other theirs does, which is known exactly. */
 static inline real body_slope(const struct walk *w, int j, real rate)
 {
-  real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1,
-       other = w->region == 0 || (j == 0 && w->region == 1) ? 1 : -1;
-  return (-w->curve[j] * rate - own * w->push[j]) - other * w->push[1 - j];
+  real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1, pulled = -w->curve[j] * rate - own * w->push[j];
+  if (w->region != 1 || magnitude(pulled) < magnitude(w->slope[1]))
+    return pulled - (w->region == 1 ? -own : own) * w->push[1 - j];
+  return w->slope[1] - w->curve[j] * rate;
 }
 
 /* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */

@@ -87,7 +87,8 @@ static void more_crossings_than_there_is_room_for(void **state)
     arb_t u;
     arb_init(u);
     series_coefficient(u, &s.branch.crossing[i].offset, 0, PRECISION);
-    CHECK_NEAR(nearest(u), (i / 2 + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
+    int tooth = i / 2;
+    CHECK_NEAR(nearest(u), (tooth + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
     arb_clear(u);
   }
   subject_clear(&s);

@@ -172,8 +172,17 @@ static void gaits_without_a_branch(void **state)
   struct teeth teeth;
   grow_teeth(&teeth);
   const struct scallop_gait backward = { "backward", { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
+  /* l' falls to 0 and jumps away from there, or jumps to 0 */
+  static const struct scallop_piece to_0[] = { RUN(0, 0.5, 1, 2, -4), STRIDE(0.5, 1, 1) };
+  static const struct scallop_piece from_0[] = { STRIDE(0, 0.5, 1), RUN(0.5, 1, 1, -2, 4) };
+  struct scallop_gait falls = trapezoid_gait, rises = trapezoid_gait;
+  falls.phase[0].pieces = to_0;
+  rises.phase[0].pieces = from_0;
+  falls.phase[0].count = rises.phase[0].count = 2;
   for (int halves = 0; halves < 2; halves++) {
     double alpha = halves ? 0.5 : 0.75;
+    refuses(&falls, alpha, "within a phase");
+    refuses(&rises, alpha, "within a phase");
     refuses(&there_and_back_gait, alpha, "within a phase");
     refuses(&detour_gait, alpha, "within a phase");
     refuses(&teeth.gait, alpha, "within a phase");

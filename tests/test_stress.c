@@ -126,6 +126,9 @@ static const struct stress_case past[] = {
     .crawler = { 7, 4.048747544066337, 7, 1.000000000128914, 8, 1, 0.375, QUADRATIC },
     .phase = SCALLOP_EXTENSION,
     .v0 = -2.954694849287062 },
+  /* v_start improved across 0, with the modes and the multiplier of the other side */
+  { .crawler = { 1, 1, 4, 1, 10, 2.9447531087543193, 0.75, SINUSOIDAL } },
+  { .crawler = { 1, 1, 4, 1, 10, 2.9447531087543197, 0.75, SINUSOIDAL } },
 };
 
 static void check_promises(const struct stress_case *c)
