@@ -78,8 +78,9 @@ const struct command command_phase = {
       "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
       "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
       "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n"
-      "--error: for each number an estimate of its error, of these very parameters: what it is off by in 113 bits "
-      "(numerics/wide.h).\n"
+      "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the "
+      "doubles\n"
+      "nearest to the parameters as written; --certified takes the decimals themselves.\n"
       "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
       "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
       "touches a boundary exactly cannot be decided, which status says.",

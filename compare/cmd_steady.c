@@ -199,8 +199,9 @@ const struct command command_steady = {
       "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
       "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
       "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no answer.\n"
-      "--error: for each number an estimate of its error, of these very parameters: what it is off by in 113 bits "
-      "(numerics/wide.h).\n"
+      "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the "
+      "doubles\n"
+      "nearest to the parameters as written; --certified takes the decimals themselves.\n"
       "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
       "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
       "touches a boundary exactly cannot be decided, which status says.",

@@ -372,6 +372,8 @@ enum exit_code stress_point(const struct options *o)
     write_number(&t, &s, &j, q);
     broken |= stress_broken(&j, q) != NULL;
   }
+  if (broken)
+    complain("stress", "a promise is broken here: see the column 'verdict'");
   if (!table_close(&t))
     return EXIT_FILE;
   return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->against ? EXIT_CHECK_FAILED : EXIT_DONE;

@@ -1,5 +1,6 @@
 #!/bin/sh
 # scallop stress: the gate for CI, families, single points, friction smoothed for stiff solvers, and estimates of errors.
+committed=$(cd "$(dirname "$0")/.." && pwd)/data/stress.tsv
 . tests/common.sh
 
 # ---- the gate: every promise of accuracy, on few cases of every family ----
@@ -50,6 +51,16 @@ run 0 stress --family trajectory --check --gait quadratic
 run 0 trajectory $(cells out worst_at) --samples 1
 [ "$(rows out | wc -l)" = 10001 ] || note "not 10000 periods"
 finish "so can that of a phase and of a trajectory"
+
+# ---- the committed table, from more cases ----
+python "$committed" <<'END'
+rows = read(sys.argv[1])
+if len(rows) != 48 or any(r["verdict"] != "holds" for r in rows):
+    bad("data/stress.tsv does not hold")
+if min(number(r, "cases") for r in rows if r["family"] != "trajectory") < 500:
+    bad("data/stress.tsv is of few cases")
+END
+finish "data/stress.tsv holds"
 
 # ---- a point ----
 run 0 stress --T 5 --gait sinusoidal --format json
