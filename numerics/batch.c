@@ -89,7 +89,6 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     out->displacement[i] = displacement;
     out->mean_velocity[i] = mean;
     out->multiplier[i] = r.multiplier;
-    valid &= r.multiplier >= 0.0625; /* smaller ones are mended */
     valid &= keeps(&s, r.c_start, r.c_mid, r.travel, displacement, mean);
     out->valid[i] = valid ? 1 : 0;
   }

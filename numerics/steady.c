@@ -286,7 +286,7 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   result->work = work;
   if (is_regular) {
     regular_result(&s, &regular, crawler->L, result);
-    mend(crawler, NAN, NAN, regular.delicate || regular.multiplier < 0.0625, result);
+    mend(crawler, NAN, NAN, regular.delicate, result);
   } else if (is_held) {
     held_result(&s, &held, crawler->L, result);
     mend(crawler, held.travel, held.size, false, result);
@@ -294,7 +294,8 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
     period_result(crawler, &s, &period, &result->period);
     result->v_low = at.lo * s.velocity;
     result->v_high = at.hi * s.velocity;
-    bool delicate = period.phase[0].delicate || period.phase[1].delicate || result->period.multiplier < 0.0625;
+    bool ramps = s.gait->phase[0].ramps && s.gait->phase[1].ramps; /* there it does not depend on the velocity */
+    bool delicate = period.phase[0].delicate || period.phase[1].delicate || (!ramps && result->period.multiplier < 0.0625);
     mend(crawler, period.travel, period.size, delicate && !period.forgets, result);
   }
   return status;
