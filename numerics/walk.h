@@ -251,6 +251,7 @@ static inline void meet(struct walk *w, int j, bool moved)
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
   real side, curve, c_anchor, c_slope;
+  bool closed; /* now: c is on the curve */
 };
 
 /* at u, and its derivative with respect to u */
@@ -316,7 +317,7 @@ static bool comes_back(const struct gap *g, real turn, real *u)
 static bool curved_contact(const struct gap *g, real *u)
 {
   const struct walk *w = g->walk;
-  struct root_end now = { .u = w->u, .f = g->side * (w->c - g->curve * w->here.speed) };
+  struct root_end now = { .u = w->u, .f = g->closed ? 0 : g->side * (w->c - g->curve * w->here.speed) };
   struct root_end end = { .u = w->piece->end };
   now.slope = g->side * w->sense * (g->c_slope - g->curve * w->here.rate);
   end.slope = g->side * w->sense * (g->c_slope - g->curve * w->end.rate);
@@ -331,7 +332,7 @@ static bool curved_contact(const struct gap *g, real *u)
   if (falls_now != falls_at_end) {
     struct root_end turn = { .u = walk_when(w->piece, g->c_slope / g->curve * w->piece->direction) };
     if (w->sense * (turn.u - now.u) >= 0 && w->sense * (end.u - turn.u) >= 0) {
-      if (!falls_now && g->side * (w->c - g->curve * w->here.speed) == 0 && comes_back(g, turn.u, u))
+      if (!falls_now && g->closed && comes_back(g, turn.u, u))
         return true;
       turn.f = gap_value(g, turn.u, &turn.slope);
       *(falls_now ? &end : &now) = turn;
@@ -346,7 +347,7 @@ static bool curved_contact(const struct gap *g, real *u)
 static inline bool contact(const struct walk *w, int j, real *u)
 {
   real c_slope = w->slope[w->region];
-  struct gap g = { w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope };
+  struct gap g = { w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope, w->v[j] == 0 };
   return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
 }
 
