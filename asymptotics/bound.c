@@ -409,25 +409,56 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
   return found ? SCALLOP_OK : SCALLOP_EUNDECIDED;
 }
 
+/* NULL, or which of the arguments is outside its domain. */
+static const char *outside(const struct scallop_rational_crawler *crawler, slong order, slong precision)
+{
+  return !scallop_rational_is_valid(crawler)       ? "a parameter is outside its domain"
+         : order < 1 || order > SCALLOP_MOST_TERMS ? "the order is outside of 1 to 1000"
+         : precision < LEAST_PRECISION             ? "fewer than 32 bits"
+                                                   : NULL;
+}
+
+enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_crawler *crawler, slong precision, arb_t T,
+                                              const char **ends, const char **why)
+{
+  struct limit l;
+  const char *reason = outside(crawler, 1, precision);
+  if (reason) {
+    if (why)
+      *why = reason;
+    return SCALLOP_EDOMAIN;
+  }
+  limit_init(&l, crawler);
+  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
+  if (status == SCALLOP_OK) {
+    arf_t end;
+    arb_t kappa;
+    arf_init(end);
+    arb_init(kappa);
+    *ends = not_smooth;
+    eps_over_T2(kappa, crawler, precision);
+    find_end(end, ends, &l, crawler, precision);
+    time_of(T, end, kappa, precision);
+    arf_clear(end);
+    arb_clear(kappa);
+  } else if (why)
+    *why = reason;
+  limit_clear(&l);
+  return status;
+}
+
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_bound bounds[2], const char **why)
 {
   struct limit l;
-  const char *reason = NULL;
-  enum scallop_status status = SCALLOP_EDOMAIN;
-  if (!scallop_rational_is_valid(crawler))
-    reason = "a parameter is outside its domain";
-  else if (order < 1 || order > SCALLOP_MOST_TERMS)
-    reason = "the order is outside of 1 to 1000";
-  else if (precision < LEAST_PRECISION)
-    reason = "fewer than 32 bits";
+  const char *reason = outside(crawler, order, precision);
   if (reason) {
     if (why)
       *why = reason;
-    return status;
+    return SCALLOP_EDOMAIN;
   }
   limit_init(&l, crawler);
-  status = limit_find(&l, crawler, precision, &reason);
+  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
   if (status == SCALLOP_OK && series_coefficient_is_zero(&l.w, 0)) {
     reason = "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not";
     status = SCALLOP_EDOMAIN;

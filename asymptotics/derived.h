@@ -77,4 +77,9 @@ void scallop_bound_clear(struct scallop_bound *b);
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_bound bounds[2], const char **why);
 
+/* That bound's T_end alone: for every T from 0 to there the steady state is proven to have the modes of T -> 0; T is the lower end. Some
+ * thousandths below where they end. Statuses as scallop_expand_steady. */
+enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_crawler *crawler, slong precision, arb_t T,
+                                              const char **ends, const char **why);
+
 #endif

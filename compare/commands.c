@@ -6,7 +6,7 @@
 
 const struct command *const commands[] = {
   &command_phase, &command_steady, &command_trajectory, &command_series, &command_claims,
-  &command_order, &command_figure, &command_workprec,   &command_stress, NULL
+  &command_order, &command_figure, &command_workprec,   &command_stress, &command_breakdown, NULL
 };
 
 void complain(const char *command, const char *format, ...)

@@ -104,3 +104,21 @@ enum exit_code stress_stiff(const struct options *options)
   (void)options;
   return EXIT_UNSOLVED;
 }
+
+enum exit_code breakdown_table(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code breakdown_map(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}
+
+enum exit_code breakdown_boundaries(const struct options *options)
+{
+  (void)options;
+  return EXIT_UNSOLVED;
+}

@@ -150,6 +150,7 @@ static const char *set_number(struct options *o, const char *name, const char *t
     return no_number(text, positive ? "a finite number > 0" : "a finite number");
   *field = value;
   o->has_expect |= field == &o->expect;
+  o->has_tolerance |= field == &o->tolerance;
   o->has_v0 |= field == &o->v0;
   if (field == &o->v0)
     o->written_v0 = text;
@@ -228,6 +229,27 @@ static const char *set_family(struct options *o, const char *name, const char *t
   return *text == '\0' ? not_allowed(text, "the name of a family") : NULL;
 }
 
+/* One of the things that a command can be asked for by name: it knows which there are. */
+static const char *set_word(struct options *o, const char *name, const char *text)
+{
+  *(strcmp(name, "quantity") == 0 ? &o->quantity : &o->only) = text;
+  return *text == '\0' ? not_allowed(text, "a name") : NULL;
+}
+
+/* Called for each of the two values. */
+static const char *set_map(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  o->map[o->map[0] ? 1 : 0] = text;
+  return *text == '\0' ? not_allowed(text, "the name of what varies") : NULL;
+}
+
+static const char *set_range(struct options *o, const char *name, const char *text)
+{
+  o->range[*name == 'x' ? 0 : 1] = text;
+  return *text == '\0' ? not_allowed(text, "FROM:TO:COUNT") : NULL;
+}
+
 static const char *set_against(struct options *o, const char *name, const char *text)
 {
   if (text && *text == '\0')
@@ -263,7 +285,8 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
     const char *name;
     bool *flag;
   } flags[] = { { "bound", &o->bound }, { "certified", &o->certified }, { "quick", &o->quick }, { "summary", &o->summary },
-                { "full", &o->full },   { "stiff", &o->stiff },         { "error", &o->error } };
+                { "full", &o->full },   { "stiff", &o->stiff },         { "error", &o->error },
+                { "boundaries", &o->boundaries } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
       *flags[i].flag = true;
@@ -292,6 +315,7 @@ static const struct description descriptions[] = {
   { "periods", "N", "number of periods (10)", set_count },
   { "samples", "N", "samples in a period (40)", set_count },
   { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
+  { "tol.breakdown", "D", "for this relative error only (reach: 1e-1 to 1e-12; maps: 1e-2 and 1e-6)", set_number },
   { "tol", "D", "how far from it the order may be (0.1)", set_number },
   { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
   { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", set_against },
@@ -305,8 +329,15 @@ static const struct description descriptions[] = {
   { "error", NULL, "after each number an estimate of its error", set_flag },
   { "check", NULL, "compare the verdicts with those in data/claims.tsv: exit code 1 if any differs", set_against },
   { "against", "FILE", "the same with another ledger", set_against },
+  { "source.breakdown", "SOURCE", "of this series only: published, derived or limit", set_source },
   { "source", "SOURCE", "published, derived or limit (published)", set_source },
   { "order", "N", "derive all terms below T^N, N from 1 to 1000 (8)", set_count },
+  { "quantity", "NAME", "of this quantity only", set_word },
+  { "only", "WHAT", "rows of this kind only: event, reach, radius or best", set_word },
+  { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", set_map },
+  { "x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", set_range },
+  { "y", "FROM:TO:N", "the same of Y", set_range },
+  { "boundaries", NULL, "with --map: the curves between its regions instead", set_flag },
   { "bound", NULL, "bounds for the error of the derived terms below T^N", set_flag },
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
   { "quick", NULL, "few settings, T = 0.5 and 0.01 unless --T is given, a short limit: a look, in seconds", set_flag },
@@ -411,6 +442,13 @@ static bool take_option(struct options *o, int count, char **arguments, int *i, 
     return refuse(code);
   }
   const char *wrong = d->set(o, name, text);
+  if (!wrong && d->placeholder && strchr(d->placeholder, ' ')) { /* it takes two */
+    if (*i + 1 == count) {
+      complain(o->command->name, "--%s needs two values: --%s %s", name, name, d->placeholder);
+      return refuse(code);
+    }
+    wrong = d->set(o, name, arguments[++*i]);
+  }
   if (wrong)
     complain(o->command->name, "--%s: %s", name, wrong);
   return wrong ? refuse(code) : true;

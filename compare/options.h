@@ -37,9 +37,14 @@ struct options {
   const char *family;      /* stress: the only family, or NULL                                    */
   long cases, seed;        /* stress: of each family, 0: as many as is usual; of their parameters   */
   bool full, stiff, error; /* stress; steady and phase                                          */
+  const char *quantity;    /* breakdown: the only one, or NULL                                     */
+  const char *only;        /* breakdown: the only kind of rows, or NULL                            */
+  const char *map[2];      /* breakdown: what varies along x and along y, or NULL                  */
+  const char *range[2];    /* breakdown: FROM:TO:COUNT of x and of y, or NULL                      */
+  bool boundaries;         /* breakdown: the curves between the regions of a map                    */
   double limit;            /* workprec: seconds for each setting; 0: not given                   */
   bool quick, summary;     /* workprec                                                       */
-  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, quiet;
+  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, has_tolerance, quiet;
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it

@@ -30,4 +30,9 @@ enum exit_code stress_table(const struct options *options);
 enum exit_code stress_point(const struct options *options);
 enum exit_code stress_stiff(const struct options *options);
 
+/* Where the expansion breaks down: for one crawler; with --map; with --boundaries */
+enum exit_code breakdown_table(const struct options *options);
+enum exit_code breakdown_map(const struct options *options);
+enum exit_code breakdown_boundaries(const struct options *options);
+
 #endif

@@ -1,0 +1,139 @@
+/* What the files breakdown_*.c share: a motion as a function of T, and the series beside it. Not public. */
+#ifndef SCALLOP_BREAKDOWN_PARTS_H
+#define SCALLOP_BREAKDOWN_PARTS_H
+
+#include "asymptotics/derived.h"
+#include "asymptotics/evaluate.h"
+#include "compare/breakdown.h"
+#include "compare/mode_change.h"
+#include "numerics/wide.h"
+
+enum { BREAKDOWN_BITS = 256 }; /* of the balls that errors are formed in                            */
+
+/* ---- the exact motion as a function of T ---- */
+
+/* The steady state, T being the period; or one phase from velocity v0, T being its duration. Parameters are the doubles they are. */
+struct subject {
+  struct scallop_crawler crawler; /* T is not used                                                  */
+  bool steady;
+  enum scallop_phase_kind kind;
+  double v0;
+};
+
+/* The crawler at T. A phase is the half of a period: its duration is then exactly T. */
+struct scallop_crawler subject_crawler(const struct subject *subject, double T);
+
+struct exact { /* at one T                                                                         */
+  enum scallop_status status;
+  struct scallop_wide value[BREAKDOWN_QUANTITIES]; /* high + low; nan where the subject has no such quantity      */
+  enum scallop_regime regime;
+  struct scallop_modes modes[2]; /* of a phase: the first                                            */
+};
+/* In double (low = 0), or in binary128: 25 us to 0.4 ms. */
+void exact_in_double(const struct subject *subject, double T, struct exact *exact);
+void exact_in_wide(const struct subject *subject, double T, struct exact *exact);
+/* value of the quantity as a ball with so many digits. False: it cannot be certified. */
+bool exact_certified(const struct subject *subject, enum breakdown_quantity quantity, double T, long digits, arb_t value);
+
+bool subject_has(const struct subject *subject, enum breakdown_quantity quantity);
+/* "++ -+ ++ | ++ +- ++"; text must hold 2 * SCALLOP_MODES_TEXT + 4 bytes. */
+void subject_modes_text(const struct subject *subject, const struct scallop_modes modes[2], char *text);
+/* The duration at which the Froude number is 1, and the Froude number. */
+double subject_natural_time(const struct subject *subject);
+double subject_froude(const struct subject *subject, double T);
+/* Beyond this T nothing changes any more: the body with the larger friction rests for good. */
+double subject_last_time(const struct subject *subject);
+
+/* ---- the series beside it ---- */
+
+struct series_item { /* one series for one quantity                                               */
+  struct breakdown_series which;
+  const struct scallop_formula *formula; /* published                                             */
+  const struct series *series;           /* derived and limit                                     */
+  slong before;                          /* their terms below T^before                            */
+  bool divide_by_T, add_v0;              /* published: what is done to the formula's value           */
+  const char *name;
+};
+
+struct expansions {
+  const struct subject *subject;
+  struct scallop_rational_crawler crawler;
+  enum scallop_status status; /* of the derivation; *why it failed                                    */
+  const char *why;
+  struct scallop_steady_expansion steady;
+  struct scallop_phase_expansion phase;
+  struct scallop_symbols symbols;
+};
+/* Derives all terms below T^order, in balls of so many bits where they are not rational. */
+void expansions_init(struct expansions *e, const struct subject *subject, slong order, slong precision);
+void expansions_clear(struct expansions *e);
+/* Of the limit T -> 0, or "" where there is none. */
+const char *expansions_modes(const struct expansions *e);
+const struct series *expansions_of(const struct expansions *e, enum breakdown_quantity quantity);
+
+/* The next series of a quantity after item->name (NULL: the first); order: of the derived one. False: there is none left. */
+bool series_item_next(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity, long order);
+/* Value at T; nan or not finite where there is none. */
+void series_item_value(arb_t value, const struct series_item *item, struct expansions *e, double T, slong precision);
+
+/* ---- how far it reaches ---- */
+
+/* series/exact - 1 as a function of T, with what has been computed of it. */
+struct comparison {
+  const struct subject *subject;
+  struct expansions *expansions;
+  struct series_item item;
+  struct exact_cache *cache; /* shared by the comparisons of a subject                                */
+};
+struct exact_cache *exact_cache_new(const struct subject *subject);
+void exact_cache_free(struct exact_cache *cache);
+
+/* series/exact - 1 at T for this exact value; nan where it has none, 0 where both are 0. */
+double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision);
+/* The error at T, by binary128; by certified values with so many digits (nan: it cannot be certified). */
+double comparison_error(const struct comparison *c, double T);
+double comparison_certified_error(const struct comparison *c, double T, long digits);
+
+/* As breakdown_reach. */
+double comparison_reach(const struct comparison *c, double tolerance);
+/* The error for T -> 0, if it settles at a value other than 0; else nan. */
+double comparison_limit(const struct comparison *c);
+
+/* ---- what ends it ---- */
+
+enum { MOST_EVENTS = 64, EVENT_TEXT = MODE_CHANGE_TEXT };
+
+struct event {
+  double T;
+  char what[EVENT_TEXT];
+  struct scallop_modes modes[2]; /* from here on                                                      */
+  enum scallop_regime regime;
+  const char *status; /* how it is known: certified, binary128 or double                          */
+};
+struct events {
+  struct scallop_modes first[2]; /* the modes below the first event                                   */
+  enum scallop_regime regime;
+  double from, until; /* searched: this range of T                                              */
+  int count;
+  struct event event[MOST_EVENTS];
+};
+void events_find(struct events *events, const struct subject *subject, const char *limit_modes);
+
+/* ---- radius of convergence ---- */
+
+struct radius_estimate {
+  const char *method; /* poles, ratio, three-term, root                                        */
+  double T;           /* |T| of the nearest singularity                                           */
+  double low, high;   /* of a ball that is proven, or between estimates from fewer terms             */
+  char note[EVENT_TEXT];
+};
+enum { RADIUS_METHODS = 4 };
+/* From the coefficients of a series below T^order: the poles, where it is that of a rational function; else what the growth of the
+ * coefficients tells. Each returns how many estimates there are. */
+int radius_estimates(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order,
+                     slong precision);
+int radius_from_poles(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order);
+int radius_from_growth(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order,
+                       slong precision);
+
+#endif

@@ -1,0 +1,295 @@
+/* How far a series reaches: the largest T up to which its relative error stays below a tolerance. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "compare/breakdown_parts.h"
+
+/* T = natural time times 2^(k/PER_OCTAVE): between two of these an error is taken to have one maximum at most. */
+enum { PER_OCTAVE = 16, OCTAVES = 128, PLACES = 2 * OCTAVES * PER_OCTAVE + 1, MIDDLE = OCTAVES * PER_OCTAVE };
+
+struct exact_cache {
+  const struct subject *subject;
+  double natural;
+  int last; /* the place beyond which nothing changes                                         */
+  struct exact *place[PLACES];
+  bool is_wide[PLACES];
+};
+
+struct exact_cache *exact_cache_new(const struct subject *subject)
+{
+  struct exact_cache *cache = calloc(1, sizeof *cache);
+  if (!cache)
+    return NULL;
+  cache->subject = subject;
+  cache->natural = subject_natural_time(subject);
+  double beyond = PER_OCTAVE * log2(subject_last_time(subject) / cache->natural);
+  cache->last = MIDDLE + (int)fmin(fmax(ceil(beyond), -MIDDLE), MIDDLE);
+  return cache;
+}
+
+void exact_cache_free(struct exact_cache *cache)
+{
+  for (int i = 0; cache && i < PLACES; i++)
+    free(cache->place[i]);
+  free(cache);
+}
+
+static double time_at(const struct exact_cache *cache, int place)
+{
+  return cache->natural * exp2((double)(place - MIDDLE) / PER_OCTAVE);
+}
+
+/* ---- errors ---- */
+
+double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision)
+{
+  arb_t value;
+  arb_init(value);
+  series_item_value(value, &c->item, c->expansions, T, precision);
+  arb_sub(value, value, exact, precision);
+  double error = NAN;
+  if (arb_is_zero(value)) {
+    error = 0;
+  } else if (arb_is_zero(exact)) {
+    error = arb_is_finite(value) ? INFINITY : NAN;
+  } else {
+    arb_div(value, value, exact, precision);
+    if (arb_is_finite(value))
+      error = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+  }
+  arb_clear(value);
+  return error;
+}
+
+static double error_of(const struct comparison *c, double T, const struct exact *e)
+{
+  const struct scallop_wide *value = &e->value[c->item.which.quantity];
+  arb_t exact, low;
+  if (e->status < 0 || !isfinite(value->high))
+    return NAN;
+  arb_init(exact);
+  arb_init(low);
+  arb_set_d(exact, value->high);
+  arb_set_d(low, value->low);
+  arb_add(exact, exact, low, BREAKDOWN_BITS);
+  double error = comparison_error_beside(c, T, exact, BREAKDOWN_BITS);
+  arb_clear(exact);
+  arb_clear(low);
+  return error;
+}
+
+double comparison_error(const struct comparison *c, double T)
+{
+  struct exact e;
+  exact_in_wide(c->subject, T, &e);
+  return error_of(c, T, &e);
+}
+
+double comparison_certified_error(const struct comparison *c, double T, long digits)
+{
+  arb_t exact;
+  arb_init(exact);
+  double error = exact_certified(c->subject, c->item.which.quantity, T, digits, exact)
+                     ? comparison_error_beside(c, T, exact, BREAKDOWN_BITS)
+                     : NAN;
+  arb_clear(exact);
+  return error;
+}
+
+/* |error|, for looking around: in double where that leaves many digits of it. */
+static double size_at(const struct comparison *c, int place)
+{
+  const double plain = 1e-6;
+  struct exact_cache *cache = c->cache;
+  double T = time_at(cache, place);
+  if (!cache->place[place]) {
+    cache->place[place] = malloc(sizeof *cache->place[place]);
+    if (!cache->place[place])
+      return NAN;
+    exact_in_double(c->subject, T, cache->place[place]);
+  }
+  double size = fabs(error_of(c, T, cache->place[place]));
+  if (cache->is_wide[place] || size > plain)
+    return size;
+  exact_in_wide(c->subject, T, cache->place[place]);
+  cache->is_wide[place] = true;
+  return fabs(error_of(c, T, cache->place[place]));
+}
+
+/* ---- where the error passes the tolerance ---- */
+
+/* |error| < tolerance at low, not at high: the double between them at which it no longer is. Along log T the logarithm of the error is nearly
+ * straight, so that regula falsi (Illinois) takes a few steps; halving where the error has no logarithm. */
+static double crossing(const struct comparison *c, double low, double high, double tolerance)
+{
+  enum { STEPS = 200 };
+  double at_low = log(fabs(comparison_error(c, low)) / tolerance),
+         at_high = log(fabs(comparison_error(c, high)) / tolerance);
+  int side = 0;
+  for (int i = 0; i < STEPS && nextafter(low, high) < high; i++) {
+    double width = high / low - 1, share = at_low / (at_low - at_high);
+    bool straight = isfinite(at_low) && isfinite(at_high) && i % 8 != 7;
+    double T = straight ? low * exp(log1p(width) * share) : low * sqrt(1 + width);
+    if (width < 0x1p-48) /* one ulp inside the side that is near */
+      T = share < 0.5 ? fmax(T, nextafter(low, high)) : fmin(T, nextafter(high, low));
+    if (!(T > low && T < high))
+      T = low + (high - low) / 2;
+    double at = log(fabs(comparison_error(c, T)) / tolerance);
+    if (at < 0) {
+      at_high = side < 0 ? at_high / 2 : at_high;
+      low = T, at_low = at, side = -1;
+    } else { /* or it is no number: the exact motion has no such value there */
+      at_low = side > 0 ? at_low / 2 : at_low;
+      high = T, at_high = at, side = 1;
+    }
+  }
+  return low;
+}
+
+/* The largest |error| between two times, by golden section; *T: where. */
+static double peak_between(const struct comparison *c, double a, double b, double *T)
+{
+  const double golden = 0.6180339887498949;
+  double left = b - golden * (b - a), right = a + golden * (b - a);
+  double at_left = fabs(comparison_error(c, left)), at_right = fabs(comparison_error(c, right));
+  while (b - a > 1e-8 * b)
+    if (at_left > at_right) {
+      b = right, right = left, at_right = at_left;
+      left = b - golden * (b - a);
+      at_left = fabs(comparison_error(c, left));
+    } else {
+      a = left, left = right, at_left = at_right;
+      right = a + golden * (b - a);
+      at_right = fabs(comparison_error(c, right));
+    }
+  *T = at_left > at_right ? left : right;
+  return fmax(at_left, at_right);
+}
+
+/* Does the error rise above the tolerance at a peak between the places around this one? *T: there. */
+static bool peaks_above(const struct comparison *c, int place, double tolerance, double *T)
+{
+  double before = size_at(c, place - 1), here = size_at(c, place), after = size_at(c, place + 1);
+  if (!(here >= before && here >= after && here > tolerance / 16))
+    return false;
+  return peak_between(c, time_at(c->cache, place - 1), time_at(c->cache, place + 1), T) >= tolerance;
+}
+
+/* Does the exact value change its sign between this place and the next? There it is 0, and the relative error without bound. */
+static bool passes_zero(const struct comparison *c, int place)
+{
+  const struct exact *a = c->cache->place[place], *b = c->cache->place[place + 1];
+  enum breakdown_quantity q = c->item.which.quantity;
+  return a && b && a->value[q].high * b->value[q].high < 0;
+}
+
+/* The last T before the exact value is 0, to a double. */
+static double zero_between(const struct comparison *c, double low, double high)
+{
+  struct exact e;
+  enum breakdown_quantity q = c->item.which.quantity;
+  exact_in_wide(c->subject, low, &e);
+  bool positive = e.value[q].high > 0;
+  for (double T; (T = low + (high - low) / 2) > low && T < high;) {
+    exact_in_wide(c->subject, T, &e);
+    *(e.value[q].high != 0 && (e.value[q].high > 0) == positive ? &low : &high) = T;
+  }
+  return low;
+}
+
+/* From here down the error only falls, as a power of T, and is far below the tolerance; or -1: it does not fall. */
+static int lowest_place(const struct comparison *c, double tolerance)
+{
+  static const double NOISE = 1e-25; /* above all that is left of binary128 */
+  enum { DOWN = PER_OCTAVE, STILL = 6 };
+  int place = MIDDLE < c->cache->last ? MIDDLE : c->cache->last, still = 0;
+  for (double before = size_at(c, place); place >= DOWN; place -= DOWN) {
+    double here = size_at(c, place - DOWN), last = before;
+    before = here;
+    if (here < NOISE || (here < tolerance / 64 && here <= last / 1.9))
+      return place - DOWN;
+    still = here > tolerance && here > 0.999 * last && here < 1.001 * last ? still + 1 : 0;
+    if (still >= STILL)
+      return -1;
+  }
+  return -1;
+}
+
+double comparison_limit(const struct comparison *c)
+{
+  enum { DOWN = PER_OCTAVE };
+  double last = NAN;
+  for (int place = MIDDLE < c->cache->last ? MIDDLE : c->cache->last; place >= DOWN; place -= DOWN) {
+    double here = size_at(c, place);
+    if (here < 1e-14)
+      return NAN;
+    if (here > 0.999999 * last && here < 1.000001 * last)
+      return here;
+    last = here;
+  }
+  return NAN;
+}
+
+double comparison_reach(const struct comparison *c, double tolerance)
+{
+  int first = lowest_place(c, tolerance);
+  if (first < 0)
+    return isnan(size_at(c, MIDDLE < c->cache->last ? MIDDLE : c->cache->last)) ? NAN : 0;
+  for (int place = first; place < c->cache->last; place++) {
+    double T;
+    if (place > first && peaks_above(c, place, tolerance, &T))
+      return crossing(c, time_at(c->cache, place - 1), T, tolerance);
+    bool above = !(size_at(c, place + 1) < tolerance);
+    if (passes_zero(c,
+                    place)) { /* where the series is so good that no double lies on the slope, it reaches up to the zero */
+      T = zero_between(c, time_at(c->cache, place), time_at(c->cache, place + 1));
+      return fabs(comparison_error(c, T)) < tolerance ? T : crossing(c, time_at(c->cache, place), T, tolerance);
+    }
+    if (above)
+      return crossing(c, time_at(c->cache, place), time_at(c->cache, place + 1), tolerance);
+  }
+  return INFINITY;
+}
+
+/* ---- for one crawler at a time ---- */
+
+struct one {
+  struct subject subject;
+  struct expansions expansions;
+  struct comparison comparison;
+};
+
+/* False: there is no such series. */
+static bool one_init(struct one *o, const struct scallop_crawler *crawler, const struct breakdown_series *series)
+{
+  o->subject = (struct subject){ .crawler = *crawler, .steady = true };
+  slong order = series->source == FROM_DERIVED ? series->order : 6;
+  expansions_init(&o->expansions, &o->subject, order, BREAKDOWN_BITS);
+  o->comparison = (struct comparison){ &o->subject, &o->expansions, { .name = NULL }, NULL };
+  bool found = false;
+  while (!found && series_item_next(&o->comparison.item, &o->expansions, series->quantity, series->order)) {
+    /* of two formulas of the paper for one quantity the simpler: (27) is (26) with L_kin */
+    const struct scallop_formula *f = o->comparison.item.formula;
+    found = o->comparison.item.which.source == series->source && (!f || f->steady != text_steady_velocity_l0_lT);
+  }
+  return found;
+}
+
+double breakdown_error(const struct scallop_crawler *crawler, const struct breakdown_series *series)
+{
+  struct one o;
+  double error = one_init(&o, crawler, series) ? comparison_error(&o.comparison, crawler->T) : NAN;
+  expansions_clear(&o.expansions);
+  return error;
+}
+
+double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance)
+{
+  struct one o;
+  double reach = NAN;
+  if (one_init(&o, crawler, series) && (o.comparison.cache = exact_cache_new(&o.subject)))
+    reach = comparison_reach(&o.comparison, tolerance);
+  exact_cache_free(o.comparison.cache);
+  expansions_clear(&o.expansions);
+  return reach;
+}

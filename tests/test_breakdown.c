@@ -1,0 +1,371 @@
+/* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
+ * radii of convergence by two routes. */
+#include "compare/breakdown_parts.h"
+#include "numerics/certified.h"
+#include "tests/random_crawler.h"
+
+static struct scallop_crawler draw(struct random *r, const struct scallop_gait *gait)
+{
+  return (struct scallop_crawler){ .m1 = random_decades(r, 0.3, 3),
+                                   .m2 = random_decades(r, 0.3, 3),
+                                   .F1 = random_decades(r, 0.3, 3),
+                                   .F2 = random_decades(r, 0.3, 3),
+                                   .L = random_decades(r, 0.1, 10),
+                                   .T = 1,
+                                   .alpha = random_between(r, 0.1, 0.9),
+                                   .gait = gait };
+}
+
+static const struct scallop_gait *gait_number(int i) { return i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic; }
+
+static void find(struct events *events, const struct subject *s)
+{
+  struct expansions e;
+  expansions_init(&e, s, 4, BREAKDOWN_BITS);
+  events_find(events, s, expansions_modes(&e));
+  expansions_clear(&e);
+}
+
+/* ---- events ---- */
+
+static double time_of(const struct events *events, const char *what)
+{
+  for (int i = 0; i < events->count; i++)
+    if (strstr(events->event[i].what, what))
+      return events->event[i].T;
+  return NAN;
+}
+
+/* The body with the larger friction is held once the curve is no steeper than what friction does: at the end of its phase (where |l''| L =
+ * 4 L/tau^2) from m_other 4 L/tau^2 = F1 + F2 on, and throughout from m_other 4 L/tau^2 = |F1 - F2| on. */
+static void sticking_begins_where_closed_forms_say(void **state)
+{
+  (void)state;
+  struct random r = { 61 };
+  for (int i = 0; i < 12; i++) {
+    struct subject s = { .crawler = draw(&r, &scallop_gait_quadratic), .steady = true };
+    struct scallop_crawler *c = &s.crawler;
+    struct events events;
+    find(&events, &s);
+    bool first = c->F1 > c->F2;
+    double other = first ? c->m2 : c->m1, shorter = fmin(c->alpha, 1 - c->alpha);
+    double held = sqrt(4 * other * c->L / (c->F1 + c->F2)), rests = sqrt(4 * other * c->L / fabs(c->F1 - c->F2));
+    CHECK_RELATIVE(time_of(&events, first ? "onset of sticking: body 1 in the extension"
+                                          : "onset of sticking: body 2 in the extension"),
+                   held / c->alpha, 8 * 0x1p-53);
+    CHECK_RELATIVE(time_of(&events, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
+                   8 * 0x1p-53);
+  }
+}
+
+static void check_certified(const struct subject *s, double T, const struct scallop_modes modes[2])
+{
+  struct scallop_certified_steady steady;
+  struct scallop_rational_crawler exact;
+  struct scallop_crawler c = subject_crawler(s, T);
+  char wanted[2 * SCALLOP_MODES_TEXT + 4], got[2 * SCALLOP_MODES_TEXT + 4];
+  scallop_rational_init(&exact);
+  scallop_rational_of(&exact, &c);
+  scallop_certified_steady_init(&steady);
+  assert_int_equal(scallop_certified_steady(&exact, 6, &steady, NULL), SCALLOP_OK);
+  subject_modes_text(s, modes, wanted);
+  subject_modes_text(s, steady.modes, got);
+  assert_string_equal(got, wanted);
+  scallop_certified_steady_clear(&steady);
+  scallop_rational_clear(&exact);
+}
+
+/* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of where certified
+ * modes change. */
+static void events_are_where_certified_modes_change(void **state)
+{
+  (void)state;
+  struct random r = { 62 };
+  int certified = 0, all = 0;
+  for (int i = 0; i < 8; i++) {
+    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct events events;
+    find(&events, &s);
+    assert_true(events.count >= 3);
+    const struct scallop_modes *before = events.first;
+    for (int k = 0; k < events.count; k++) {
+      const struct event *e = &events.event[k];
+      double from = k > 0 ? events.event[k - 1].T : e->T / 2,
+             until = k + 1 < events.count ? events.event[k + 1].T : 2 * e->T;
+      assert_true(from < e->T && e->T < until);
+      check_certified(&s, e->T * (1 - 1e-14), before);
+      check_certified(&s, e->T * (1 + 1e-14), e->modes);
+      check_certified(&s, sqrt(e->T * until), e->modes);
+      before = e->modes;
+      all++;
+      certified += strcmp(e->status, "certified") == 0;
+      assert_true(strcmp(e->status, "certified") == 0 || strstr(e->what, "switching time"));
+    }
+    assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
+  }
+  assert_true(certified > 3 * all / 4);
+}
+
+/* No event is missed below the first: the modes of the limit are proven up to three thousandths below it. */
+static void the_first_event_is_the_first(void **state)
+{
+  (void)state;
+  struct random r = { 63 };
+  for (int i = 0; i < 6; i++) {
+    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct scallop_rational_crawler exact;
+    struct events events;
+    const char *ends = NULL;
+    arb_t T;
+    arb_init(T);
+    scallop_rational_init(&exact);
+    scallop_rational_of(&exact, &s.crawler);
+    find(&events, &s);
+    assert_int_equal(scallop_steady_modes_hold(&exact, 128, T, &ends, NULL), SCALLOP_OK);
+    double proven = arf_get_d(arb_midref(T), ARF_RND_NEAR);
+    assert_non_null(ends);
+    /* a proof ends at a corner of l' as well, which is no event while it does not change the modes */
+    assert_true(events.event[0].T > proven * (1 - 1e-12));
+    if (!strstr(ends, "corner"))
+      CHECK_RELATIVE(events.event[0].T, proven, 3e-3);
+    scallop_rational_clear(&exact);
+    arb_clear(T);
+  }
+}
+
+/* Lengths times 4, times times 2; bodies exchanged in a mirror; a phase is what a half of a period is. */
+static void events_scale_and_mirror(void **state)
+{
+  (void)state;
+  struct random r = { 64 };
+  for (int i = 0; i < 4; i++) {
+    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true }, t = s, u = s;
+    struct events one, larger, exchanged;
+    t.crawler.L *= 4;
+    u.crawler.m1 = s.crawler.m2, u.crawler.m2 = s.crawler.m1;
+    u.crawler.F1 = s.crawler.F2, u.crawler.F2 = s.crawler.F1;
+    find(&one, &s);
+    find(&larger, &t);
+    find(&exchanged, &u);
+    assert_int_equal(one.count, larger.count);
+    assert_int_equal(one.count, exchanged.count);
+    for (int k = 0; k < one.count; k++) {
+      CHECK_RELATIVE(larger.event[k].T, 2 * one.event[k].T, 4 * 0x1p-52);
+      CHECK_RELATIVE(exchanged.event[k].T, one.event[k].T, strstr(one.event[k].what, "switching") ? 1e-12 : 4 * 0x1p-52);
+    }
+  }
+}
+
+/* ---- reach ---- */
+
+struct setting {
+  struct subject subject;
+  struct expansions expansions;
+  struct exact_cache *cache;
+};
+
+static void setting_init(struct setting *s, const struct subject *subject, long order)
+{
+  s->subject = *subject;
+  expansions_init(&s->expansions, &s->subject, order, BREAKDOWN_BITS);
+  s->cache = exact_cache_new(&s->subject);
+  assert_non_null(s->cache);
+}
+
+static void setting_clear(struct setting *s)
+{
+  exact_cache_free(s->cache);
+  expansions_clear(&s->expansions);
+}
+
+static struct comparison comparison_named(struct setting *s, enum breakdown_quantity quantity, const char *name, long order)
+{
+  struct comparison c = { &s->subject, &s->expansions, { .name = NULL }, s->cache };
+  do
+    assert_true(series_item_next(&c.item, &s->expansions, quantity, order));
+  while (strcmp(c.item.name, name) != 0);
+  return c;
+}
+
+/* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2, so that
+ * T* = sqrt(m2 l0/(F1 + F2)) tol^(1/4), until the body does not turn any more. Its unexpanded form (A.5) is exact. */
+static void reach_of_a_known_error(void **state)
+{
+  (void)state;
+  struct random r = { 71 };
+  for (int i = 0; i < 6; i++) {
+    struct subject subject = { .crawler = draw(&r, &scallop_gait_quadratic), .kind = SCALLOP_EXTENSION };
+    struct scallop_crawler *c = &subject.crawler;
+    struct setting s;
+    subject.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
+    setting_init(&s, &subject, 8);
+    struct comparison short_form = comparison_named(&s, OF_T1, "A_t1", 8);
+    for (int k = 2; k <= 12; k += 2)
+      CHECK_RELATIVE(comparison_reach(&short_form, pow(10, -k)),
+                     sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0), 8 * 0x1p-53);
+    struct comparison whole = comparison_named(&s, OF_T1, "A_t1_unexpanded", 8);
+    CHECK_AT_MOST(fabs(comparison_error(&whole, 0.1)), 1e-30);
+    setting_clear(&s);
+  }
+}
+
+/* What stands in the table is what a reader would find by trying: the error is below the tolerance at thousands of T below T*, and not
+ * right above it. Some of these errors are above the tolerance, below, and above again. */
+static void reach_against_brute_force(void **state)
+{
+  (void)state;
+  enum { POINTS = 3000 };
+  struct random r = { 72 };
+  int returning = 0, found = 0;
+  for (int i = 0; i < 24; i++) {
+    struct subject subject = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct setting s;
+    setting_init(&s, &subject, 8);
+    struct comparison c = { &s.subject, &s.expansions, { .name = NULL }, s.cache };
+    enum breakdown_quantity quantity = (enum breakdown_quantity)(i % STEADY_QUANTITIES);
+    while (series_item_next(&c.item, &s.expansions, quantity, 8)) {
+      double tolerance = random_decades(&r, 3e-2, 0.5), T = comparison_reach(&c, tolerance), before = tolerance;
+      if (!(T > 0 && isfinite(T)))
+        continue;
+      found++;
+      CHECK_AT_MOST(fabs(comparison_certified_error(&c, T * (1 - 0x1p-50), 40)), tolerance);
+      CHECK_AT_MOST(tolerance, fabs(comparison_certified_error(&c, T * (1 + 0x1p-50), 40)));
+      struct exact exact;
+      for (int k = 1; k < 2 * POINTS; k++) {
+        double t = T * exp2((k - POINTS) * 12.0 / POINTS), value = NAN;
+        if (k == POINTS)
+          continue;
+        exact_in_double(&s.subject, t, &exact);
+        arb_t x;
+        arb_init(x);
+        series_item_value(x, &c.item, &s.expansions, t, 64);
+        value = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / exact.value[quantity].high - 1);
+        arb_clear(x);
+        if (k < POINTS)
+          CHECK_AT_MOST(value, tolerance);
+        else if (k < POINTS + 100)
+          returning += value < tolerance && before >= tolerance;
+        before = value;
+      }
+    }
+    setting_clear(&s);
+  }
+  assert_true(found > 40);
+  assert_true(returning > 0);
+}
+
+/* A formula that is wrong at leading order reaches nowhere: (28) for alpha < 1/2, with the limit of its error. */
+static void a_wrong_limit_reaches_nowhere(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  c.alpha = 0.3;
+  struct breakdown_series published = { FROM_PUBLISHED, 0, OF_DISPLACEMENT }, derived = { FROM_DERIVED, 8, OF_DISPLACEMENT };
+  CHECK_EQUAL(breakdown_reach(&c, &published, 1e-2), 0);
+  assert_true(breakdown_reach(&c, &derived, 1e-2) > 1);
+  /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 - alpha */
+  double a2 = 0.09, b2 = 0.49, wanted = (b2 * 4 + a2) / (a2 * 4 + b2) - 1;
+  c.T = 1e-3;
+  CHECK_RELATIVE(breakdown_error(&c, &published), wanted, 1e-6);
+}
+
+/* Without friction's difference, or with equal phases, nothing moves, and the series says so: for every T. */
+static void what_is_0_is_0_for_every_T(void **state)
+{
+  (void)state;
+  static const enum breakdown_source sources[] = { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT };
+  struct scallop_crawler equal = scallop_crawler_default(), even = equal;
+  equal.F1 = equal.F2;
+  even.alpha = 0.5;
+  for (int i = 0; i < 3; i++) {
+    struct breakdown_series series = { sources[i], 8, OF_DISPLACEMENT };
+    CHECK_EQUAL(breakdown_reach(&equal, &series, 1e-6), INFINITY);
+    CHECK_EQUAL(breakdown_reach(&even, &series, 1e-6), INFINITY);
+    CHECK_EQUAL(breakdown_error(&even, &series), 0);
+  }
+  struct breakdown_series none = { FROM_PUBLISHED, 0, OF_V_MID };
+  CHECK_EQUAL(breakdown_reach(&even, &none, 1e-6), NAN);
+}
+
+/* ---- radius of convergence ---- */
+
+enum { TERMS = 96, BITS = 768 };
+
+/* Of the same coefficients: the poles of the rational function, and what their growth tells. */
+static void poles_and_growth_agree(void **state)
+{
+  (void)state;
+  struct random r = { 81 };
+  int compared = 0;
+  for (int i = 0; i < 3; i++) {
+    struct subject s = { .crawler = draw(&r, &scallop_gait_quadratic), .steady = true };
+    struct expansions e;
+    expansions_init(&e, &s, TERMS, BITS);
+    for (int q = 0; q < STEADY_QUANTITIES; q++) {
+      struct radius_estimate poles[RADIUS_METHODS], growth[RADIUS_METHODS];
+      const struct series *series = expansions_of(&e, (enum breakdown_quantity)q);
+      assert_int_equal(radius_from_poles(poles, series, TERMS), 1);
+      assert_true(poles[0].high - poles[0].low <= 1e-14 * poles[0].T && poles[0].T >= poles[0].low);
+      int n = radius_from_growth(growth, series, TERMS, BITS);
+      for (int k = 0; k < n; k++)
+        if (strcmp(growth[k].method, "root") != 0) { /* and it says how much it may be off, if not for sure */
+          CHECK_RELATIVE(growth[k].T, poles[0].T, 1e-2);
+          CHECK_NEAR(growth[k].T, poles[0].T, 2 * (growth[k].high - growth[k].low) + 1e-9 * poles[0].T);
+          compared++;
+        }
+    }
+    expansions_clear(&e);
+  }
+  assert_true(compared > 6);
+}
+
+/* A geometric series in T^2 whose sum is 1/((1 - z/4)(1 + z/9)), and 1/(1 - 2 z cos(theta)/5 + z^2/25): singularities 4 and -9; 5 exp(+-i theta) */
+static void radius_of_known_functions(void **state)
+{
+  (void)state;
+  for (int i = 0; i < 2; i++) {
+    fmpq_poly_t denominator;
+    struct series x, s;
+    struct radius_estimate e[RADIUS_METHODS];
+    series_init(&x);
+    series_init(&s);
+    fmpq_poly_init(denominator);
+    fmpq_poly_set_str(denominator, i == 0 ? "3  1 -5/36 -1/36" : "3  1 -6/25 1/25");
+    fmpq_poly_inv_series(denominator, denominator, 60);
+    series_set_rational_poly(&s, denominator, 60);
+    series_inflate(&s, &s, 2);
+    assert_int_equal(radius_from_poles(e, &s, 120), 1);
+    CHECK_RELATIVE(e[0].T, i == 0 ? 2 : sqrt(5), 4 * 0x1p-53);
+    assert_true(strstr(e[0].note, i == 0 ? "T^2 = 4.0000" : "T^2 = 3.0000") != NULL);
+    assert_true(strstr(e[0].note, i == 0 ? "i:" : "+-4.000000000 i") == NULL || i == 1);
+    int n = radius_from_growth(e, &s, 120, 128);
+    assert_true(n >= 1);
+    bool some = false;
+    for (int k = 0; k < n; k++)
+      if (strcmp(e[k].method, i == 0 ? "ratio" : "three-term") == 0) {
+        CHECK_RELATIVE(e[k].T, i == 0 ? 2 : sqrt(5), 1e-9);
+        some = true;
+      }
+    assert_true(some);
+    fmpq_poly_clear(denominator);
+    series_clear(&x);
+    series_clear(&s);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(sticking_begins_where_closed_forms_say),
+    cmocka_unit_test(events_are_where_certified_modes_change),
+    cmocka_unit_test(the_first_event_is_the_first),
+    cmocka_unit_test(events_scale_and_mirror),
+    cmocka_unit_test(reach_of_a_known_error),
+    cmocka_unit_test(reach_against_brute_force),
+    cmocka_unit_test(a_wrong_limit_reaches_nowhere),
+    cmocka_unit_test(what_is_0_is_0_for_every_T),
+    cmocka_unit_test(poles_and_growth_agree),
+    cmocka_unit_test(radius_of_known_functions),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
