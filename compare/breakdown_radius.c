@@ -228,9 +228,12 @@ static double by_three_terms(const struct logarithms *l, slong j)
 /* log |a_j| = A - j log R - B log j through three places that are far apart */
 static double by_root(const struct logarithms *l, slong j)
 {
-  double x[3] = { (double)(j / 3), (double)(2 * j / 3), (double)j }, y[3];
-  for (int i = 0; i < 3; i++)
-    y[i] = l->size[(slong)x[i]];
+  const slong places[3] = { j / 3, 2 * j / 3, j };
+  double x[3], y[3];
+  for (int i = 0; i < 3; i++) {
+    x[i] = (double)places[i];
+    y[i] = l->size[places[i]];
+  }
   double u1 = x[1] - x[0], u2 = x[2] - x[0], v1 = log(x[1] / x[0]), v2 = log(x[2] / x[0]);
   double w1 = y[1] - y[0], w2 = y[2] - y[0];
   return exp(-(w1 * v2 - w2 * v1) / (u1 * v2 - u2 * v1));

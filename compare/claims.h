@@ -28,8 +28,8 @@ struct claim_row {
   int count;
   enum claim_verdict verdict;
   char corrected[64]; /* of a refuted formula: the row of the one that holds, or ""               */
-  char measured[120]; /* of a qualitative claim: the figure that decides                  */
-  char reason[200];   /* of a verdict: why; of a refutation in words: an example to paste     */
+  char measured[200]; /* of a qualitative claim: the figure that decides                  */
+  char reason[320];   /* of a verdict: why; of a refutation in words: an example to paste     */
 };
 
 typedef void claim_sink(void *context, const struct claim_row *row);

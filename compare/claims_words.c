@@ -3,27 +3,17 @@
 #include <math.h>
 #include <stdio.h>
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_qrng.h>
-#include <gsl/gsl_roots.h>
 
-#include "compare/claims.h"
-#include "numerics/numerics.h"
+#include "compare/claims_words.h"
 
 enum { RANDOM_CRAWLERS = 400 };
 /* A displacement in L that is only rounding: a dozen terms of size up to 1, the start velocity known to an ulp. */
 static const double ZERO = 1e-14;
 
-struct ledger {
-  struct scallop_crawler crawler; /* with the gait in question                                        */
-  bool of_the_paper;              /* it is the one of the paper's figures                             */
-  claim_sink *sink;
-  void *context;
-};
+const char *words_whose(const struct words *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
 
-static const char *whose(const struct ledger *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
-
-static struct claim_row make_row(const struct ledger *l, const char *claim, const char *section, const char *quantity,
+static struct claim_row make_row(const struct words *l, const char *claim, const char *section, const char *quantity,
                                  const char *conditions, bool inside, bool holds, const char *measured)
 {
   struct claim_row row = { .equation = section,
@@ -40,14 +30,30 @@ static struct claim_row make_row(const struct ledger *l, const char *claim, cons
   return row;
 }
 
-static void enter(const struct ledger *l, const char *claim, const char *section, const char *quantity,
+enum claim_verdict words_verdict(bool holds, bool proven)
+{
+  return holds ? CLAIM_HOLDS : proven ? CLAIM_REFUTED : CLAIM_UNDECIDED;
+}
+
+void words_enter(const struct words *w, const struct words_claim *claim, enum claim_verdict verdict, const char *measured,
+                 const char *reason)
+{
+  struct claim_row row = make_row(w, claim->claim, claim->section, claim->quantity, claim->conditions, claim->inside, false,
+                                  measured);
+  row.verdict = verdict;
+  if (verdict != CLAIM_HOLDS && reason)
+    snprintf(row.reason, sizeof row.reason, "%s", reason);
+  w->sink(w->context, &row);
+}
+
+static void enter(const struct words *l, const char *claim, const char *section, const char *quantity,
                   const char *conditions, bool inside, bool holds, const char *measured)
 {
   struct claim_row row = make_row(l, claim, section, quantity, conditions, inside, holds, measured);
   l->sink(l->context, &row);
 }
 
-static struct scallop_steady_result steady(const struct scallop_crawler *c)
+struct scallop_steady_result words_steady(const struct scallop_crawler *c)
 {
   struct scallop_steady_result r;
   if (scallop_steady(c, &r) < 0)
@@ -57,7 +63,7 @@ static struct scallop_steady_result steady(const struct scallop_crawler *c)
 }
 
 /* The duration at which the Froude number is 1 */
-static double natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L); }
+double words_natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L); }
 
 /* ---- over random crawlers: masses and forces within a factor of 10, 0.05 < alpha < 0.95, Froude from 0.1 ---- */
 
@@ -70,7 +76,7 @@ static double power_of_ten(double x)
   return p;
 }
 
-static struct scallop_crawler random_crawler(gsl_qrng *q, const struct scallop_gait *gait)
+struct scallop_crawler words_random(gsl_qrng *q, const struct scallop_gait *gait)
 {
   double u[6];
   gsl_qrng_get(q, u);
@@ -89,7 +95,7 @@ static double largest(probe *p, const struct scallop_gait *gait, struct scallop_
   gsl_qrng *q = gsl_qrng_alloc(gsl_qrng_sobol, 6);
   double most = -INFINITY;
   for (int i = 0; q && i < RANDOM_CRAWLERS; i++) {
-    struct scallop_crawler c = random_crawler(q, gait);
+    struct scallop_crawler c = words_random(q, gait);
     double x = p(&c);
     if (x > most || isnan(x)) {
       most = x;
@@ -107,22 +113,22 @@ static double equal_forces(const struct scallop_crawler *c)
 {
   struct scallop_crawler equal = *c;
   equal.F2 = equal.F1;
-  return fabs(steady(&equal).period.displacement) / equal.L;
+  return fabs(words_steady(&equal).period.displacement) / equal.L;
 }
 
 static double symmetric_timing(const struct scallop_crawler *c)
 {
   struct scallop_crawler symmetric = *c;
   symmetric.alpha = 0.5;
-  return fabs(steady(&symmetric).period.displacement) / symmetric.L;
+  return fabs(words_steady(&symmetric).period.displacement) / symmetric.L;
 }
 
-static double multiplier(const struct scallop_crawler *c) { return steady(c).period.multiplier; }
+static double multiplier(const struct scallop_crawler *c) { return words_steady(c).period.multiplier; }
 
 /* How far the velocity is from the steady one, over L/T, once it is within 1e-6 or after 20000 periods from rest */
 static double unsettled(const struct scallop_crawler *c)
 {
-  struct scallop_steady_result s = steady(c);
+  struct scallop_steady_result s = words_steady(c);
   struct scallop_period_result p = { .v_end = 0 };
   for (int n = 0; n < 20000 && fabs(p.v_end - s.period.v_start) > 1e-6 * c->L / c->T; n++)
     if (scallop_period(c, p.v_end, &p) < 0)
@@ -134,14 +140,14 @@ static double unsettled(const struct scallop_crawler *c)
 static double backward(const struct scallop_crawler *c, bool sliding)
 {
   double sign = (c->F1 - c->F2) * (2 * c->alpha - 1) > 0 ? 1 : -1;
-  struct scallop_steady_result s = steady(c);
+  struct scallop_steady_result s = words_steady(c);
   return (s.period.regime == SCALLOP_SLIDING) == sliding ? -sign * s.period.displacement / c->L : -1;
 }
 
 static double backward_sliding(const struct scallop_crawler *c) { return backward(c, true); }
 static double backward_sticking(const struct scallop_crawler *c) { return backward(c, false); }
 
-static void over_random_crawlers(const struct ledger *l)
+static void over_random_crawlers(const struct words *l)
 {
   const struct scallop_gait *gait = l->crawler.gait;
   const char *set = "400 quasi-random crawlers, masses and forces within 100:1, sliding to stick-slip";
@@ -187,14 +193,14 @@ static const struct scallop_gait reversible = {
   "reversible", { { quick_start, 2, 10, -2.5, 2, 1, true, true }, { quick_end, 2, -2.5, 10, 2, -1, true, true } }
 };
 
-static void reversible_kinematics(const struct ledger *l)
+static void reversible_kinematics(const struct words *l)
 {
-  struct ledger r = *l;
+  struct words r = *l;
   char text[120];
   r.crawler = scallop_crawler_default();
   r.crawler.alpha = 0.5;
   r.crawler.gait = &reversible;
-  double moved = steady(&r.crawler).period.displacement / r.crawler.L;
+  double moved = words_steady(&r.crawler).period.displacement / r.crawler.L;
   snprintf(text, sizeof text, "displacement/L: %.6f", moved);
   enter(&r, "reversible_kinematics_do_not_move", "4.2", "displacement",
         "l(t) = l(T - t): l' rises for 0.2 of the extension and falls for 0.8, alpha = 1/2, else the paper's crawler", true,
@@ -218,28 +224,31 @@ static struct scallop_phase_result extension(const struct scallop_crawler *crawl
 /* The longest extension from rest without sticking, to 1 %. */
 static double onset_of_sticking(const struct scallop_crawler *crawler, double ratio)
 {
-  double T = 1e-3 * natural_time(crawler);
+  double T = 1e-3 * words_natural_time(crawler);
   for (int i = 0; i < 2000 && extension(crawler, ratio, 1.01 * T).regime == SCALLOP_SLIDING; i++)
     T *= 1.01;
   return T;
 }
 
-static void over_durations(const struct ledger *l)
+static void over_durations(const struct words *l)
 {
   static const double ratios[] = { 2, 10, 40 };
   enum { STEPS = 400 };
-  double least_rise = INFINITY;
+  double least = INFINITY;
   int peaks_inside = 0;
   double peak_at[3] = { 0 };
   char range[80];
-  snprintf(range, sizeof range, "%s, from rest, F1/F2 = 2, 10, 40", whose(l));
+  snprintf(range, sizeof range, "%s, from rest, F1/F2 = 2, 10, 40", words_whose(l));
   for (int i = 0; i < 3; i++) {
-    double onset = onset_of_sticking(&l->crawler, ratios[i]), highest = 0;
-    double before = extension(&l->crawler, ratios[i], onset / (10 * STEPS)).dxC;
+    double onset = onset_of_sticking(&l->crawler, ratios[i]), highest = 0, T = onset / (10 * STEPS);
+    double before = extension(&l->crawler, ratios[i], T).dxC;
+    double growth = (ratios[i] - 1) * l->crawler.F2 / (2 * (l->crawler.m1 + l->crawler.m2));
     for (int j = 1; j <= STEPS; j++) {
-      struct scallop_phase_result r = extension(&l->crawler, ratios[i], onset * j / STEPS);
-      least_rise = fmin(least_rise, r.dxC - before);
+      double longer = onset * j / STEPS;
+      struct scallop_phase_result r = extension(&l->crawler, ratios[i], longer);
+      least = fmin(least, (r.dxC - before) / (growth * (longer - T) * (longer + T)));
       before = r.dxC;
+      T = longer;
       if (r.v_end > highest) {
         highest = r.v_end;
         peak_at[i] = (double)j / STEPS;
@@ -248,9 +257,8 @@ static void over_durations(const struct ledger *l)
     peaks_inside += peak_at[i] < 0.99;
   }
   char text[120];
-  snprintf(text, sizeof text, "least rise between 400 durations up to sticking: %s",
-           least_rise > 0 ? "positive" : "not positive");
-  enter(l, "displacement_grows_with_duration", "4.4", "dx_C", range, l->of_the_paper, least_rise > 0, text);
+  snprintf(text, sizeof text, "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %.3f", least);
+  enter(l, "displacement_grows_with_duration", "4.4", "dx_C", range, l->of_the_paper, least > 0, text);
   snprintf(text, sizeof text, "dv_C peaks at %.2f, %.2f, %.2f of the duration at which sticking begins", peak_at[0],
            peak_at[1], peak_at[2]);
   enter(l, "velocity_change_is_not_monotone", "4.4", "dv_C", range, l->of_the_paper, peaks_inside == 3, text);
@@ -258,117 +266,40 @@ static void over_durations(const struct ledger *l)
 
 /* ---- the steady state against F1/F2 and alpha, figure 5 ---- */
 
-static struct scallop_crawler with_ratio(const struct ledger *l, double ratio)
+static struct scallop_crawler with_ratio(const struct words *l, double ratio)
 {
   struct scallop_crawler c = l->crawler;
   c.F1 = ratio * c.F2;
   return c;
 }
 
-static double start_velocity_at(double log_ratio, void *params)
-{
-  struct scallop_crawler c = with_ratio(params, exp(log_ratio));
-  return steady(&c).period.v_start;
-}
-
-static double mean_velocity_at(const struct ledger *l, double log_ratio)
-{
-  struct scallop_crawler c = with_ratio(l, exp(log_ratio));
-  return steady(&c).mean_velocity;
-}
-
-/* The first place where the start velocity is no longer positive, in log(F1/F2) from lo to hi; NAN if there is none. */
-static double sign_change(const struct ledger *l, double lo, double hi)
-{
-  enum { STEPS = 400 };
-  double before = lo, at = NAN;
-  gsl_function f = { start_velocity_at, (void *)l };
-  gsl_root_fsolver *s = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  for (int i = 1; s && i <= STEPS; i++) {
-    double here = lo + i * (hi - lo) / STEPS;
-    if (start_velocity_at(here, f.params) <= 0 && gsl_root_fsolver_set(s, &f, before, here) == GSL_SUCCESS) {
-      for (int j = 0; j < 200 && gsl_root_test_interval(before, here, 0, 1e-14) == GSL_CONTINUE; j++) {
-        gsl_root_fsolver_iterate(s);
-        before = gsl_root_fsolver_x_lower(s);
-        here = gsl_root_fsolver_x_upper(s);
-      }
-      at = gsl_root_fsolver_root(s);
-      break;
-    }
-    before = here;
-  }
-  if (s)
-    gsl_root_fsolver_free(s);
-  return at;
-}
-
-/* The highest mean velocity: a scan, then golden section around the best. */
-static double peak(const struct ledger *l, double lo, double hi)
-{
-  enum { STEPS = 400 };
-  const double golden = 0.6180339887498949;
-  double step = (hi - lo) / STEPS, best = lo;
-  for (int i = 1; i <= STEPS; i++)
-    if (mean_velocity_at(l, lo + i * step) > mean_velocity_at(l, best))
-      best = lo + i * step;
-  double a = best - step, b = best + step;
-  while (b - a > 1e-9) {
-    double left = b - golden * (b - a), right = a + golden * (b - a);
-    if (mean_velocity_at(l, left) > mean_velocity_at(l, right))
-      b = right;
-    else
-      a = left;
-  }
-  return (a + b) / 2;
-}
-
-/* Where v_start vanishes and where the mean velocity peaks, over F1/F2 from 1.01 to 8100. */
-static void boundary_and_peak(const struct ledger *l, const char *conditions, bool inside)
-{
-  const double lo = 0.01, hi = 9;
-  char text[120];
-  double zero = sign_change(l, lo, hi), top = peak(l, lo, hi);
-  snprintf(text, sizeof text, "v_start vanishes at F1/F2 = %.4f", exp(zero));
-  enter(l, "start_velocity_changes_sign", "4.4", "v_start", conditions, inside, isfinite(zero), text);
-  bool same = fabs(exp(top - zero) - 1) < 1e-4;
-  snprintf(text, sizeof text, "peak at F1/F2 = %.4f, v_start = 0 at %.4f: mean velocity there is %.5f of the peak", exp(top),
-           exp(zero), mean_velocity_at(l, zero) / mean_velocity_at(l, top));
-  enter(l, "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", conditions, inside, same, text);
-}
-
-static void over_force_ratio(const struct ledger *l)
+static void over_force_ratio(const struct words *l)
 {
   char text[120];
-  boundary_and_peak(l, whose(l), l->of_the_paper);
-  if (l->of_the_paper) {
-    struct ledger near = *l;
-    near.crawler.alpha = 0.52;
-    boundary_and_peak(&near, "the paper's crawler with alpha = 0.52", false);
-  }
   struct scallop_crawler equal = with_ratio(l, 1);
-  double at_1 = fabs(steady(&equal).mean_velocity) * equal.T / equal.L;
+  double at_1 = fabs(words_steady(&equal).mean_velocity) * equal.T / equal.L;
   snprintf(text, sizeof text, "|mean velocity| T/L at F1/F2 = 1: %s", at_1 <= ZERO ? "below 1e-14" : "above 1e-14");
-  enter(l, "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", whose(l), l->of_the_paper, at_1 <= ZERO, text);
+  enter(l, "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", words_whose(l), l->of_the_paper, at_1 <= ZERO, text);
   static const double ratios[] = { 1e2, 1e4, 1e6 };
   double far[3];
   for (int i = 0; i < 3; i++) {
     struct scallop_crawler c = with_ratio(l, ratios[i]);
-    far[i] = steady(&c).mean_velocity * c.T / c.L;
+    far[i] = words_steady(&c).mean_velocity * c.T / c.L;
   }
   snprintf(text, sizeof text, "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: %.3g, %.3g, %.3g", far[0], far[1], far[2]);
-  enter(l, "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", whose(l), l->of_the_paper, fabs(far[2]) <= ZERO,
-        text);
+  enter(l, "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", words_whose(l), l->of_the_paper,
+        fabs(far[2]) <= ZERO, text);
 }
 
-static void over_alpha(const struct ledger *l)
+static void over_alpha(const struct words *l)
 {
   double before = -INFINITY, least_rise = INFINITY, at_least = NAN;
   char text[120], range[80];
-  snprintf(range, sizeof range, "%s, alpha from 0.50 to 0.99", whose(l));
+  snprintf(range, sizeof range, "%s, alpha from 0.50 to 0.99", words_whose(l));
   for (int i = 50; i < 100; i++) {
     struct scallop_crawler c = l->crawler;
     c.alpha = i / 100.0;
-    double u = steady(&c).mean_velocity * c.T / c.L;
+    double u = words_steady(&c).mean_velocity * c.T / c.L;
     if (u - before < least_rise) {
       least_rise = u - before;
       at_least = c.alpha;
@@ -380,7 +311,7 @@ static void over_alpha(const struct ledger *l)
   enter(l, "mean_velocity_grows_with_alpha", "4.5", "mean velocity", range, l->of_the_paper, least_rise > 0, text);
 }
 
-static void over_period(const struct ledger *l)
+static void over_period(const struct words *l)
 {
   enum { POINTS = 24 };
   struct order_point points[POINTS];
@@ -388,7 +319,7 @@ static void over_period(const struct ledger *l)
   for (int k = 0; k < POINTS; k++) {
     struct scallop_crawler c = l->crawler;
     c.T = ldexp(c.T, -k);
-    double u = steady(&c).mean_velocity;
+    double u = words_steady(&c).mean_velocity;
     points[k] = (struct order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
   }
   struct order_fit fit = order_estimate(points, POINTS);
@@ -398,7 +329,7 @@ static void over_period(const struct ledger *l)
                            .equation = "4.3.3",
                            .quantity = "mean velocity",
                            .gait = l->crawler.gait->name,
-                           .conditions = whose(l),
+                           .conditions = words_whose(l),
                            .inside = l->of_the_paper,
                            .claimed_order = -1,
                            .fit = fit,
@@ -410,25 +341,30 @@ static void over_period(const struct ledger *l)
 
 void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink, void *context)
 {
-  struct ledger l = { .sink = sink, .context = context };
-  if (!gait)
+  struct words l = { .sink = sink, .context = context };
+  if (!gait) {
     reversible_kinematics(&l);
+    words_of_jumps(&l);
+  }
   for (int g = 0; scallop_gait_name(g); g++) {
     l.crawler.gait = scallop_gait_named(scallop_gait_name(g));
     if (gait && l.crawler.gait != gait)
       continue;
     over_random_crawlers(&l);
+    words_of_random_peaks(&l);
     for (int paper = 1; paper >= 0; paper--) {
       const struct scallop_gait *this_gait = l.crawler.gait;
       l.crawler = paper ? scallop_crawler_default() : *crawler;
       if (!paper)
-        l.crawler.T = 0.5 * natural_time(crawler);
+        l.crawler.T = 0.5 * words_natural_time(crawler);
       l.crawler.gait = this_gait;
       l.of_the_paper = paper;
+      words_of_peaks(&l);
       over_durations(&l);
       over_force_ratio(&l);
       over_alpha(&l);
       over_period(&l);
+      words_of_steady_states(&l);
     }
   }
 }

@@ -128,6 +128,29 @@ if not {"quadratic", "sinusoidal"} <= {r["gait"] for r in t}:
     bad("gaits:", {r["gait"] for r in t})
 END
 finish "claims: over 200 rows, none undecided inside the paper's conditions, verdicts as measured"
+python "$tool" <<'END'
+import subprocess
+shown = {"at the boundary, the first row": lambda x: len(x) == 2 and x[0] < x[1], "falls and rises again": lambda x: x[1] < x[0] and x[1] < x[2],
+         "rises, in stick-slip": lambda x: len(x) == 2 and x[0] < x[1], "dxC falls": lambda x: len(x) == 2 and x[1] < x[0]}
+met = dict.fromkeys(shown, 0)
+for r in read("claims.tsv"):
+    for what, holds in shown.items():
+        if what in r["reason"]:
+            command = "scallop() { '%s' \"$@\"; }\n%s" % (sys.argv[1], r["reason"].split(": ", 1)[1])
+            said = subprocess.run(["sh", "-c", command], capture_output=True, text=True).stdout
+            last = [float(line.split("\t")[-1]) for line in said.splitlines() if line[:1].isdigit()]
+            met[what] += 1
+            if not last or not holds(last):
+                bad(r["claim"], r["conditions"], "is not shown by:", r["reason"], said)
+    if r["claim"] == "steady_state_is_reached" and r["verdict"] == "refuted":
+        command = "scallop() { '%s' \"$@\"; }\n%s" % (sys.argv[1], r["reason"].split(": ", 1)[1])
+        said = subprocess.run(["sh", "-c", command], capture_output=True, text=True).stdout.splitlines()
+        if not 0.1 < float(said[-1]) < 0.9:
+            bad("multiplier", said)
+if not all(met.values()):
+    bad(met)
+END
+finish "claims: the commands that refute a claim in words show it"
 python <<'END'
 seen = {}
 for i, r in enumerate(read("claims.tsv")):
