@@ -238,7 +238,7 @@ static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
 
 static bool is_linear(const struct scallop_piece *p)
 {
-  return p->law ? p->law->kind == SCALLOP_LAW_POLYNOMIAL && p->law->degree <= 1 : p->linear;
+  return p->law ? p->law->kind != SCALLOP_LAW_SINE && p->law->degree <= 1 : p->linear;
 }
 
 static bool crossings_are_linear(const struct limit *l)

@@ -125,7 +125,8 @@ void book_enter(struct book *book, struct claim_row *row, struct order_point *po
     memcpy(e->corrected, row->corrected, sizeof e->corrected);
     e->conditions = row->conditions;
     e->stands = row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER;
-    if (row->verdict == CLAIM_REFUTED && !*row->corrected)
+    /* the corrections are for the gaits of the paper: with others there may be none */
+    if (row->verdict == CLAIM_REFUTED && !*row->corrected && scallop_gait_named(row->gait))
       contradict(book, row, "refuted, and nothing is named that holds");
   } else
     contradict(book, row, "more rows than there is room for: their corrections are not checked");

@@ -87,8 +87,8 @@ static const char *no_turn(struct book *book, int condition)
   return !bar ? "" : strcmp(bar, "| ++") == 0 ? "_no_turn" : strncmp(modes, "++ |", 4) == 0 ? "_no_turn_extension" : "";
 }
 
-/* The paper's formulas for the steady state are for a gait of constant acceleration. */
-static bool has_closed_limit(const struct book *book) { return scallop_gait_is_rational(book->crawler->gait); }
+/* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of it down. */
+static bool has_closed_limit(const struct book *book) { return book->crawler->gait == &scallop_gait_quadratic; }
 
 static void name_correction(struct book *book, struct claim_row *row, const struct claimed *claimed,
                             const struct condition *condition, int kind)
@@ -251,13 +251,13 @@ const char *claims_of_order(const struct scallop_rational_crawler *crawler, cons
   const char *wrong = NULL;
   scallop_rational_init(&c);
   scallop_rational_copy(&c, crawler);
-  for (int g = 0; scallop_gait_name(g); g++) {
-    c.gait = scallop_gait_named(scallop_gait_name(g));
-    if (gait && c.gait != gait)
-      continue;
+  for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     struct book book = { .crawler = &c, .only = only, .sink = sink, .context = context, .entries = entries };
     fill(&book);
-    if (!only)
+    if (!only
+        && scallop_gait_named(
+            c.gait->name)) /* the corrections are for the gaits of the paper: with others they may not hold, either */
       book_check_corrections(&book);
     close_cases(&book);
     wrong = book.contradiction ? book.contradiction : wrong;

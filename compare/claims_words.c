@@ -346,10 +346,8 @@ void claims_in_words(const struct scallop_crawler *crawler, const struct scallop
     reversible_kinematics(&l);
     words_of_jumps(&l);
   }
-  for (int g = 0; scallop_gait_name(g); g++) {
-    l.crawler.gait = scallop_gait_named(scallop_gait_name(g));
-    if (gait && l.crawler.gait != gait)
-      continue;
+  for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    l.crawler.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     over_random_crawlers(&l);
     words_of_random_peaks(&l);
     for (int paper = 1; paper >= 0; paper--) {

@@ -1,6 +1,7 @@
 #include <stddef.h>
 
 #include "compare/compare.h"
+#include "compare/gaits.h"
 #include "compare/with_flint.h"
 
 static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "L",      "alpha", "gait", "errors",
@@ -31,6 +32,11 @@ static enum exit_code run(const struct options *options)
     complain("claims", "--errors and --check exclude each other");
     return EXIT_USAGE;
   }
+  if (!gait_has_ends(c->gait)) {
+    complain("claims",
+             "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
+    return EXIT_UNSOLVED;
+  }
   if (!can_be_scaled(options))
     return EXIT_UNSOLVED;
   return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
@@ -52,7 +58,9 @@ const struct command command_claims = {
       "is a formula with the bodies exchanged and seen in a mirror, ':contraction' with the bodies exchanged).\n"
       "conditions: what was assumed; inside: whether the paper assumes it too. Claims in words have the figure that\n"
       "decides in 'measured'. A summary goes to standard error.\n"
-      "--gait restricts the ledger to one gait. --check compares the verdicts with those of data/claims.tsv, prints\n"
+      "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected' "
+      "names\n"
+      "may not hold, either: see their verdicts. --check compares the verdicts with those of data/claims.tsv, prints\n"
       "what differs, and then ends with exit code 1. --errors CLAIM prints what is behind a row: T (column h), the\n"
       "error, the pairwise order, and whether the fit used it; `scallop order` reads such a table.",
   .defaults = &generic,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/exact.h"
+#include "compare/gaits.h"
 #include "compare/points.h"
 #include "compare/with_flint.h"
 
@@ -57,6 +58,11 @@ static enum scallop_status each_value(const struct options *o, value_sink *sink,
   return SCALLOP_OK;
 }
 
+/* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
+static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+
+static double finite(double x) { return isfinite(x) ? x : NAN; }
+
 static void write_value(void *context, const struct value *v)
 {
   struct table *table = context;
@@ -68,14 +74,14 @@ static void write_value(void *context, const struct value *v)
   table_text(table, v->phase);
   table_text(table, v->quantity);
   table_text(table, order);
-  table_number(table, v->published);
+  table_number(table, finite(v->published));
   table_number(table, v->exact);
-  table_number(table, v->published - v->exact);
+  table_number(table, finite(v->published) - v->exact);
 }
 
 static void skip_value(void *context, const struct value *v) { (void)context, (void)v; }
 
-static void write_published(void *context, const struct value *v) { table_number(context, v->published); }
+static void write_published(void *context, const struct value *v) { table_number(context, finite(v->published)); }
 
 /* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
 static const char *row(struct table *table, const struct options *point, const char *refused)
@@ -88,7 +94,7 @@ static const char *row(struct table *table, const struct options *point, const c
     point_blank(table, table->count - table->at - 1);
   else
     each_value(point, write_published, table);
-  table_text(table, why ? why : "ok");
+  table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
   return why;
 }
 
@@ -163,6 +169,10 @@ static enum exit_code run(const struct options *options)
     table_note(&table, "v0: %s", v0);
   } else
     table_note(&table, "v0: the exact steady velocity at the start of each phase");
+  if (!gait_has_ends(options->crawler.gait))
+    table_note(&table, "%s", no_ends);
+  if (!gait_has_ends(options->crawler.gait) && !options->quiet)
+    complain("series", "%s", no_ends);
   table_columns(&table, columns);
   table_begin_rows(&table);
   each_value(options, write_value, &table);

@@ -4,7 +4,7 @@
 
 /* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
 struct turning {
-  double mu_front;
+  double mu_front, stroke; /* stroke: l gained over the phase, +1 or -1 */
   struct scallop_mode mode;
   bool started;
   double first, last;
@@ -14,8 +14,8 @@ static void note_turning(void *context, const struct scallop_interval *i)
 {
   struct turning *t = context;
   if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
-    double way = i->piece->anchor == SCALLOP_FROM_END ? i->piece->direction : 0;
-    t->last = i->x_begin - t->mu_front * fabs(way + i->piece->curve->length(i->piece, i->u_begin));
+    double way = i->piece->anchor == SCALLOP_FROM_END ? t->stroke : 0;
+    t->last = i->x_begin - t->mu_front * t->stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
     if (isnan(t->first))
       t->first = t->last;
   }
@@ -27,7 +27,9 @@ enum scallop_status exact_phase_solve(const struct scallop_crawler *c, enum scal
                                       struct exact_phase *exact)
 {
   double front = kind == SCALLOP_EXTENSION ? c->m2 : c->m1;
-  struct turning t = { .mu_front = front / (c->m1 + c->m2), .first = NAN, .last = NAN };
+  struct turning t = {
+    .mu_front = front / (c->m1 + c->m2), .stroke = kind == SCALLOP_EXTENSION ? 1 : -1, .first = NAN, .last = NAN
+  };
   enum scallop_status status = scallop_phase(c, kind, v0, &exact->phase);
   if (status == SCALLOP_OK)
     status = scallop_phase_intervals(c, kind, v0, note_turning, &t);

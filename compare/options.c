@@ -9,6 +9,7 @@
 
 #include "compare/compare.h"
 #include "compare/digits.h"
+#include "compare/gaits.h"
 
 struct description {
   const char *name;        /* without the dashes, and after a dot that of the only command it is about */
@@ -104,13 +105,27 @@ double crawler_parameter(const struct scallop_crawler *crawler, const char *name
 
 static const char *set_gait(struct options *o, const char *name, const char *text)
 {
-  const struct scallop_gait *gait = scallop_gait_named(text);
+  struct gait_answer answer = gait_of_text(text);
   (void)name;
-  if (!gait)
-    return not_allowed(text, "quadratic or sinusoidal");
-  o->crawler.gait = gait;
+  o->unreadable = answer.fault == GAIT_UNREADABLE;
+  if (!answer.gait)
+    return answer.wrong;
+  o->crawler.gait = answer.gait;
   o->has_gait = true;
   return NULL;
+}
+
+void options_complete(struct options *o)
+{
+  const struct scallop_crawler usual = o->command->defaults ? *o->command->defaults : scallop_crawler_default();
+  double L = usual.L, T = usual.T, alpha = usual.alpha;
+  gait_has_own(o->crawler.gait, &L, &T, &alpha);
+  if (!o->written[crawler_place("L")])
+    o->crawler.L = L;
+  if (!o->written[crawler_place("T")])
+    o->crawler.T = T;
+  if (!o->written[crawler_place("alpha")])
+    o->crawler.alpha = alpha;
 }
 
 const char *options_set_crawler_number(struct options *o, int place, const char *text)
@@ -284,9 +299,10 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
   const struct {
     const char *name;
     bool *flag;
-  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified }, { "quick", &o->quick }, { "summary", &o->summary },
-                { "full", &o->full },   { "stiff", &o->stiff },         { "error", &o->error },
-                { "boundaries", &o->boundaries } };
+  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified },
+                { "quick", &o->quick }, { "summary", &o->summary },
+                { "full", &o->full },   { "stiff", &o->stiff },
+                { "error", &o->error }, { "boundaries", &o->boundaries } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
       *flags[i].flag = true;
@@ -308,7 +324,7 @@ static const struct description descriptions[] = {
   { "L", "L", "amplitude of the separation x2 - x1 (10)", set_crawler_number },
   { "T", "T", "period (1)", set_crawler_number },
   { "alpha", "A", "fraction of the period that the extension takes (0.75)", set_crawler_number },
-  { "gait", "GAIT", "quadratic or sinusoidal (quadratic)", set_gait },
+  { "gait", "GAIT", gaits_help, set_gait },
   { "phase", "PHASE", "extension or contraction (extension)", set_phase },
   { "v0", "V", "velocity of both bodies at the start of the phase (0)", set_number },
   { "start", "WHAT", "rest, steady, or a velocity (rest)", set_start },
@@ -451,6 +467,10 @@ static bool take_option(struct options *o, int count, char **arguments, int *i, 
   }
   if (wrong)
     complain(o->command->name, "--%s: %s", name, wrong);
+  if (wrong && o->unreadable) {
+    *code = EXIT_FILE;
+    return false;
+  }
   return wrong ? refuse(code) : true;
 }
 
@@ -500,6 +520,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
     complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
     return refuse(code);
   }
+  options_complete(o);
   bool beyond_double = o->certified || o->bound || strcmp(o->source, "published") != 0;
   if (o->digits > DOUBLE_DIGITS && !beyond_double) {
     complain(command->name, "--digits: %ld is more than a double has: 1 to 17%s", o->digits,

@@ -44,6 +44,7 @@ struct options {
   bool boundaries;         /* breakdown: the curves between the regions of a map                    */
   double limit;            /* workprec: seconds for each setting; 0: not given                   */
   bool quick, summary;     /* workprec                                                       */
+  bool unreadable;         /* the file of a measured gait                                     */
   bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, has_tolerance, quiet;
 };
 
@@ -60,6 +61,9 @@ double crawler_parameter(const struct scallop_crawler *crawler, const char *name
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
 int crawler_place(const char *name);
 const char *options_set_crawler_number(struct options *options, int place, const char *text);
+
+/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last parameter is set. */
+void options_complete(struct options *options);
 
 /* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
  * asked for, or the message is on stderr). */

@@ -150,6 +150,7 @@ static const char *read_row(struct reader *r, struct options *point, char *statu
     }
     cell = tab ? tab + 1 : NULL;
   }
+  options_complete(point);
   if (column == r->columns)
     return NULL;
   snprintf(status, POINT_STATUS, "line %ld: %d columns where the header has %d", r->lines.number, column, r->columns);

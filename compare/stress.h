@@ -13,6 +13,7 @@
 #define SCALLOP_STRESS_H
 
 #include "compare/compare.h"
+#include "compare/gaits.h"
 #include "numerics/wide.h"
 
 /* ---- cases ---- */
@@ -40,7 +41,7 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
                 struct stress_case *cases);
 
 /* "--m1 1 --m2 ... --gait quadratic", then of a phase "--phase extension --v0 0", of a trajectory "--start 3.1 --periods 1000". text holds STRESS_ARGUMENTS bytes. */
-enum { STRESS_ARGUMENTS = 400 };
+enum { STRESS_ARGUMENTS = 400 + GAIT_TEXT };
 void stress_arguments(const struct stress_case *stressed, char *text);
 
 /* ---- judgement ---- */

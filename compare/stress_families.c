@@ -430,7 +430,7 @@ void stress_arguments(const struct stress_case *s, char *text)
     number_text(number, numbers[i], 0);
     text += snprintf(text, 64, "--%s %s ", crawler_parameters[i], number);
   }
-  text += snprintf(text, 64, "--gait %s", s->crawler.gait->name);
+  text += snprintf(text, GAIT_TEXT, "--gait %s", s->crawler.gait->name);
   number_text(number, s->v0, 0);
   if (s->kind == STRESS_TRAJECTORY)
     snprintf(text, 80, " --start %s --periods %ld", number, s->periods);

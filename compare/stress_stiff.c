@@ -83,11 +83,9 @@ static bool make_scenes(struct book *b)
   bool given = has_parameters(o);
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
-    for (int g = 0; scallop_gait_name(g); g++) {
+    for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
       struct scallop_crawler c = given ? o->crawler : scallop_crawler_default();
-      c.gait = scallop_gait_named(scallop_gait_name(g));
-      if (o->has_gait && c.gait != o->crawler.gait)
-        continue;
+      c.gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
       if (!given) {
         c.F1 = made[i].F1;
         c.T = made[i].T;

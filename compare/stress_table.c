@@ -264,11 +264,9 @@ static void run_families(struct run *run)
 {
   const struct options *o = run->options;
   for (const struct stress_family *f = stress_families; f->name; f++)
-    for (int g = 0; scallop_gait_name(g) && !table_failed(&run->table); g++) {
-      const struct scallop_gait *gait = scallop_gait_named(scallop_gait_name(g));
-      if ((!o->family || f == family_named(o->family)) && (!o->has_gait || gait == o->crawler.gait))
-        run_family(run, f, gait);
-    }
+    for (int g = 0; (o->has_gait ? g == 0 : scallop_gait_name(g) != NULL) && !table_failed(&run->table); g++)
+      if (!o->family || f == family_named(o->family))
+        run_family(run, f, o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g)));
 }
 
 static void begin(struct run *run)

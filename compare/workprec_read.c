@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "compare/gaits.h"
 #include "compare/lines.h"
 #include "compare/workprec.h"
 
@@ -92,7 +93,7 @@ static bool read_row(struct reading *r, char *const *cells)
   const char *cell[COLUMNS];
   for (int i = 0; i < COLUMNS; i++)
     cell[i] = cells[r->at[i]];
-  const struct scallop_gait *gait = scallop_gait_named(cell[GAIT]);
+  const struct scallop_gait *gait = gait_of_text(cell[GAIT]).gait;
   double T, seconds = NAN, error = way_error_log10(cell[ERROR]);
   bool solved = strcmp(cell[STATUS], "ok") == 0;
   int quantity = 0;

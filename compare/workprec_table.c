@@ -47,9 +47,9 @@ static bool make_points(struct run *r)
   bool one = o->written[5] != NULL; /* T */
   const double *T = one ? &o->crawler.T : o->quick ? few : all;
   int times = one ? 1 : o->quick ? 2 : 5;
-  for (int g = 0; scallop_gait_name(g); g++) {
-    const struct scallop_gait *gait = scallop_gait_named(scallop_gait_name(g));
-    for (int i = 0; (!o->has_gait || gait == o->crawler.gait) && i < times; i++) {
+  for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+    for (int i = 0; i < times; i++) {
       const char *why = add_point(r, gait, T[i]);
       if (why)
         complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", gait->name, T[i],

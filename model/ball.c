@@ -168,32 +168,140 @@ bool scallop_gait_is_rational(const struct scallop_gait *gait)
 
 static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
-/* The polynomial |l'|(u) of a piece that is not a sine. */
-static void polynomial(fmpq_poly_t law, const struct scallop_piece *p)
+/* The kinds of law that are polynomials, each as coefficients of powers of u - origin. */
+
+static void set_coefficient(fmpq_poly_t law, int k, double value)
 {
-  fmpq_t c, denominator;
+  fmpq_t c;
   fmpq_init(c);
-  fmpq_init(denominator);
-  fmpq_poly_zero(law);
-  int degree = p->law ? p->law->degree : 1;
-  scallop_rational_set_double(denominator, p->law ? p->law->denominator : 1);
-  for (int k = 0; k <= degree; k++) {
-    double linear = p->direction * (k == 0 ? p->velocity : sense(p) * p->acceleration);
-    scallop_rational_set_double(c, p->law ? p->law->numerator[k] : linear);
-    fmpq_div(c, c, denominator);
-    fmpq_poly_set_coeff_fmpq(law, k, c);
-  }
+  scallop_rational_set_double(c, value);
+  fmpq_poly_set_coeff_fmpq(law, k, c);
   fmpq_clear(c);
-  fmpq_clear(denominator);
 }
 
-static void evaluate(arb_t value, const fmpq_poly_t law, const arb_t u, slong precision)
+/* law / (values[0] + values[1] + ...) */
+static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
 {
+  fmpq_t sum, value;
+  fmpq_init(sum);
+  fmpq_init(value);
+  for (int i = 0; i < count; i++) {
+    scallop_rational_set_double(value, values[i]);
+    fmpq_add(sum, sum, value);
+  }
+  fmpq_poly_scalar_div_fmpq(law, law, sum);
+  fmpq_clear(sum);
+  fmpq_clear(value);
+}
+
+/* The coefficients b[j] of a Bernstein law, from near to far, whose distance is range */
+static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const fmpq_t range)
+{
+  int n = law->degree, implied = (int)law->numerator[n + 3];
+  fmpq_t others;
+  fmpq_init(others);
+  for (int j = 0; j <= n; j++) {
+    scallop_rational_set_double(b + j, law->numerator[j]);
+    if (j != implied)
+      fmpq_add(others, others, b + j);
+  }
+  fmpq_mul_si(b + implied, b + implied, n + 1);
+  fmpq_div(b + implied, b + implied, range);
+  fmpq_sub(b + implied, b + implied, others);
+  fmpq_clear(others);
+}
+
+/* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its beginning. */
+static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallop_law *law)
+{
+  int n = law->degree;
+  fmpq *b = _fmpq_vec_init(n + 1);
+  fmpq_t range, power, c;
+  fmpz_t binomial;
+  fmpq_init(range);
+  fmpq_init(power);
+  fmpq_init(c);
+  fmpz_init(binomial);
+  scallop_rational_set_double(origin, law->numerator[n + 1]);
+  scallop_rational_set_double(range, law->numerator[n + 2]);
+  fmpq_sub(range, range, origin);
+  bernstein_coefficients(b, law, range);
+  fmpq_one(power);
+  for (int k = 0; k <= n; k++) {
+    fmpz_bin_uiui(binomial, (ulong)n, (ulong)k);
+    fmpq_mul_fmpz(c, b, binomial);
+    fmpq_div(c, c, power);
+    fmpq_poly_set_coeff_fmpq(polynomial, k, c);
+    for (int j = 0; j < n - k; j++)
+      fmpq_sub(b + j, b + j + 1, b + j);
+    fmpq_mul(power, power, range);
+  }
+  _fmpq_vec_clear(b, n + 1);
+  fmpq_clear(range);
+  fmpq_clear(power);
+  fmpq_clear(c);
+  fmpz_clear(binomial);
+}
+
+/* The polynomial |l'| of a piece that is not a sine, in powers of u - origin. */
+static void polynomial(fmpq_poly_t law, fmpq_t origin, const struct scallop_piece *p)
+{
+  fmpq_poly_zero(law);
+  fmpq_zero(origin);
+  if (!p->law) {
+    set_coefficient(law, 0, p->direction * p->velocity);
+    set_coefficient(law, 1, p->direction * (sense(p) * p->acceleration));
+  } else if (p->law->kind == SCALLOP_LAW_RAMP) {
+    for (int k = 0; k < 2; k++)
+      set_coefficient(law, k, p->law->numerator[k]);
+    divide_by_sum(law, p->law->numerator + 2, 1);
+    divide_by_sum(law, p->law->numerator + 3, 3);
+  } else if (p->law->kind == SCALLOP_LAW_BERNSTEIN) {
+    bernstein(law, origin, p->law);
+  } else {
+    for (int k = 0; k <= p->law->degree; k++)
+      set_coefficient(law, k, p->law->numerator[k]);
+    divide_by_sum(law, &p->law->denominator, 1);
+  }
+}
+
+/* The same as a polynomial in sign time + start: exact, of an exact start */
+static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
+{
+  fmpq_t origin;
+  fmpq_poly_t shifted;
+  fmpq_init(origin);
+  fmpq_poly_init(shifted);
+  polynomial(law, origin, p);
+  fmpq_sub(origin, start, origin);
+  fmpq_poly_set_coeff_si(shifted, 1, sign);
+  fmpq_poly_set_coeff_fmpq(shifted, 0, origin);
+  fmpq_poly_compose(law, law, shifted);
+  fmpq_clear(origin);
+  fmpq_poly_clear(shifted);
+}
+
+/* x = u - origin */
+static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
+{
+  arb_t o;
+  arb_init(o);
+  arb_set_fmpq(o, origin, precision);
+  arb_sub(x, u, o, precision);
+  arb_clear(o);
+}
+
+static void evaluate(arb_t value, const fmpq_poly_t law, const fmpq_t origin, const arb_t u, slong precision)
+{
+  arb_t x;
   arb_poly_t balls;
+  arb_init(x);
   arb_poly_init(balls);
+  shift(x, u, origin, precision);
   arb_poly_set_fmpq_poly(balls, law, precision);
-  arb_poly_evaluate(value, balls, u, precision);
+  arb_poly_evaluate(value, balls, x, precision);
   arb_poly_clear(balls);
+  arb_clear(x);
 }
 
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -208,11 +316,14 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
     arb_clear(half_pi);
     return;
   }
+  fmpq_t origin;
   fmpq_poly_t law;
+  fmpq_init(origin);
   fmpq_poly_init(law);
-  polynomial(law, p);
-  evaluate(speed, law, u, precision);
+  polynomial(law, origin, p);
+  evaluate(speed, law, origin, u, precision);
   fmpq_poly_clear(law);
+  fmpq_clear(origin);
 }
 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -227,12 +338,15 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
     arb_mul(rate, rate, pi, precision);
     arb_clear(pi);
   } else {
+    fmpq_t origin;
     fmpq_poly_t law;
+    fmpq_init(origin);
     fmpq_poly_init(law);
-    polynomial(law, p);
+    polynomial(law, origin, p);
     fmpq_poly_derivative(law, law);
-    evaluate(rate, law, u, precision);
+    evaluate(rate, law, origin, u, precision);
     fmpq_poly_clear(law);
+    fmpq_clear(origin);
   }
   arb_mul_si(rate, rate, sense(p), precision);
 }
@@ -251,14 +365,17 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     arb_sin_pi(b, b, precision);
     arb_mul(way, a, b, precision);
   } else {
+    fmpq_t origin;
     fmpq_poly_t law;
+    fmpq_init(origin);
     fmpq_poly_init(law);
-    polynomial(law, p);
+    polynomial(law, origin, p);
     fmpq_poly_integral(law, law);
-    evaluate(a, law, u, precision);
-    evaluate(b, law, v, precision);
+    evaluate(a, law, origin, u, precision);
+    evaluate(b, law, origin, v, precision);
     arb_sub(way, b, a, precision);
     fmpq_poly_clear(law);
+    fmpq_clear(origin);
   }
   arb_mul_si(way, way, sense(p), precision);
   arb_clear(a);
@@ -281,13 +398,18 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
     arb_mul_2exp_si(s, s, -1);
     arb_poly_scalar_mul(series, series, s, precision);
   } else {
+    fmpq_t origin;
     fmpq_poly_t law;
+    fmpq_init(origin);
     fmpq_poly_init(law);
-    polynomial(law, p);
+    polynomial(law, origin, p);
+    shift(s, u, origin, precision);
+    arb_poly_set_coeff_arb(time, 0, s);
     arb_poly_set_fmpq_poly(series, law, precision);
     arb_poly_compose(series, series, time, precision);
     arb_poly_truncate(series, length);
     fmpq_poly_clear(law);
+    fmpq_clear(origin);
   }
   arb_clear(s);
   arb_poly_clear(time);
@@ -338,13 +460,18 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_mul_2exp_si(pi, pi, 1);
     arb_poly_scalar_mul(rate, rate, pi, precision);
   } else {
+    fmpq_t origin;
     fmpq_poly_t law;
+    fmpq_init(origin);
     fmpq_poly_init(law);
-    polynomial(law, p);
+    polynomial(law, origin, p);
+    shift(pi, u, origin, precision);
+    arb_poly_set_coeff_arb(offset, 0, pi);
     evaluate_along(speed, law, offset, length, precision);
     fmpq_poly_derivative(law, law);
     evaluate_along(rate, law, offset, length, precision);
     fmpq_poly_clear(law);
+    fmpq_clear(origin);
   }
   if (sense(p) < 0)
     arb_poly_neg(rate, rate);
@@ -357,19 +484,18 @@ bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_p
   *turned = p->anchor != next->anchor;
   if (is_sine(p) || is_sine(next))
     return is_sine(p) && is_sine(next);
-  fmpq_poly_t here, there, time;
+  fmpq_t start;
+  fmpq_poly_t here, there;
+  fmpq_init(start);
   fmpq_poly_init(here);
   fmpq_poly_init(there);
-  fmpq_poly_init(time);
-  polynomial(here, p);
-  polynomial(there, next);
-  fmpq_poly_set_coeff_si(time, 1, *turned ? -1 : 1);
-  fmpq_poly_set_coeff_si(time, 0, *turned ? 1 : 0);
-  fmpq_poly_compose(there, there, time);
-  bool same = fmpq_poly_equal(here, there);
+  polynomial_of_time(here, p, 1, start);
+  fmpq_set_si(start, *turned, 1);
+  polynomial_of_time(there, next, *turned ? -1 : 1, start);
+  bool same = p->direction == next->direction && fmpq_poly_equal(here, there);
   fmpq_poly_clear(here);
   fmpq_poly_clear(there);
-  fmpq_poly_clear(time);
+  fmpq_clear(start);
   return same;
 }
 
@@ -395,16 +521,15 @@ bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piec
 {
   if (is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
     return false;
-  fmpq_poly_t time;
-  fmpq_poly_init(time);
-  fmpq_poly_set_coeff_si(time, 1, sense(p));
-  fmpq_poly_set_coeff_fmpq(time, 0, u);
-  if (is_sine(p))
+  if (is_sine(p)) {
+    fmpq_poly_t time;
+    fmpq_poly_init(time);
+    fmpq_poly_set_coeff_si(time, 1, sense(p));
     sine_at_its_zero(series, length, pi_squared);
-  else
-    polynomial(series, p);
-  fmpq_poly_compose(series, series, time);
+    fmpq_poly_compose(series, series, time);
+    fmpq_poly_clear(time);
+  } else
+    polynomial_of_time(series, p, sense(p), u);
   fmpq_poly_truncate(series, length);
-  fmpq_poly_clear(time);
   return true;
 }

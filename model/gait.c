@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "model/law.h"
+
 #define PI 3.14159265358979323846
 
 static double time_offset(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : -u; }
@@ -122,7 +124,7 @@ const char *scallop_gait_name(int i) { return i >= 0 && i < GAITS ? gaits[i]->na
 static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)
 {
   if (a->law || b->law)
-    return a->law == b->law;
+    return a->law && b->law && law_same(a->law, b->law);
   int turned = a->anchor == b->anchor ? 1 : -1;
   return a->linear && b->linear && a->direction * a->velocity == b->direction * b->velocity
          && a->direction * a->acceleration == turned * b->direction * b->acceleration;

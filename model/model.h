@@ -47,10 +47,17 @@ struct scallop_curve {
   void (*rates)(const struct scallop_piece *, double u, double *velocity, double *acceleration);
 };
 
-/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has:
- * polynomial: sum over k <= degree of numerator[k] u^k / denominator, the doubles standing for exactly what they are;
- * sine: (pi/2) sin(pi u). */
-enum scallop_law_kind { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_SINE };
+/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has. With n for numerator,
+ * whose doubles stand for exactly what they are:
+ * polynomial: sum over k <= degree of n[k] u^k / denominator;
+ * sine: (pi/2) sin(pi u);
+ * ramp (degree 1): (n[0] + n[1] u) / (n[2] (n[3] + n[4] + n[5])); n[6]: l at offset 0, as the piece would have it there, minus l at the anchor;
+ * Bernstein: sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near), and
+ *   near = n[degree + 1], far = n[degree + 2], m = n[degree + 3]. b[j] = n[j] but for j = m, where n[m] is the way from near
+ *   to far instead: it is (far - near) times the mean of all b[j]. n[degree + 4]: l at near minus l at the anchor.
+ * The last number of a ramp and of a Bernstein law is times the piece's direction, rounded, and for struct scallop_curve only. */
+enum scallop_law_kind { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_SINE, SCALLOP_LAW_RAMP, SCALLOP_LAW_BERNSTEIN };
+enum { SCALLOP_LAW_MOST_DEGREE = 15 }; /* of a Bernstein law */
 struct scallop_law {
   enum scallop_law_kind kind;
   int degree;
@@ -59,11 +66,14 @@ struct scallop_law {
 };
 
 /* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
- * is monotone inside the piece; pieces follow each other without a gap and cover the phase. */
+ * is monotone inside the piece; pieces follow each other without a gap and cover the phase. Where l' is 0 at
+ * an end of a piece, and does not jump there, velocity says exactly 0.
+ * A dwell, where l rests, is a piece (or some in a row) with direction = 0 and linear = true, velocity = acceleration = 0, and a curve whose
+ * length stays what it is there. */
 struct scallop_piece {
   double begin, end; /* offsets from the anchor, in the order of time, within [0, 1]     */
   enum scallop_anchor anchor;
-  int direction;       /* sign of l': +1 or -1                                             */
+  int direction;       /* sign of l': +1 or -1; 0 in a dwell                               */
   bool jump;           /* l' jumps where the piece begins                                  */
   bool linear;         /* l' is linear: l'(u) = velocity + acceleration * (time - anchor)  */
   double velocity;     /* linear pieces: l' at the anchor; others: for the curve's own use */

@@ -222,12 +222,11 @@ static void rest(struct scallop_march *m, int body)
   arb_mul_si(velocity(m, 1 - body), m->rate, body == 0 ? 1 : -1, m->precision);
 }
 
-/* Brings velocities and positions up to date. */
-static void settle(struct scallop_march *m)
+/* Brings velocities and positions up to date, where l' is rate now. */
+static void settle_at(struct scallop_march *m, const arb_t rate)
 {
-  arb_ptr t = _arb_vec_init(3), rate = t, h = t + 1, drag = t + 2;
+  arb_ptr t = _arb_vec_init(2), h = t, drag = t + 1;
   slong p = m->precision;
-  scallop_enclose_gait(rate, m->piece, m->now, 0, p);
   if (is_stuck(m)) {
     int body = the_stuck(m);
     (body == 0 ? arb_add : arb_sub)(position(m, 1 - body), position(m, 1 - body), m->l_now, p);
@@ -243,7 +242,16 @@ static void settle(struct scallop_march *m)
   arb_set(m->since, m->now);
   arb_add(m->l_since, m->l_since, m->l_now, p);
   arb_zero(m->l_now);
-  _arb_vec_clear(t, 3);
+  _arb_vec_clear(t, 2);
+}
+
+static void settle(struct scallop_march *m)
+{
+  arb_t rate;
+  arb_init(rate);
+  scallop_enclose_gait(rate, m->piece, m->now, 0, m->precision);
+  settle_at(m, rate);
+  arb_clear(rate);
 }
 
 /* Takes down the mode, if it is another one than before. Only after settling. */
@@ -251,9 +259,12 @@ static void take_down(struct scallop_march *m)
 {
   struct scallop_mode mode = { (signed char)m->s1, (signed char)m->s2 };
   struct scallop_modes *modes = &m->modes;
+  struct scallop_mode *last = &modes->kept[FLINT_MAX(FLINT_MIN(modes->count, SCALLOP_MODES_KEPT) - 1, 0)];
+  if (modes->count > 0 && last->s1 == mode.s1 && last->s2 == mode.s2)
+    return;
+  last += modes->count > 0 && modes->count < SCALLOP_MODES_KEPT; /* the last place holds the last mode */
+  *last = mode;
   modes->count++;
-  if (modes->count <= SCALLOP_MODES_KEPT)
-    modes->kept[modes->count - 1] = mode;
   m->sticks = m->sticks || is_stuck(m);
   m->moves[0] = m->moves[0] || m->s1 != 0;
   m->moves[1] = m->moves[1] || m->s2 != 0;
@@ -346,11 +357,22 @@ static bool set_directions(struct scallop_march *m)
   int s1 = arb_sgn_nonzero(m->v1), s2 = arb_sgn_nonzero(m->v2);
   if (s1 == 0 || s2 == 0)
     return undecided(m, "a velocity cannot be told from 0 where a phase or a piece of the gait begins");
-  bool changed = m->modes.count == 0 || s1 != m->s1 || s2 != m->s2;
   m->s1 = s1;
   m->s2 = s2;
-  if (changed)
-    take_down(m);
+  take_down(m);
+  return true;
+}
+
+static bool is_at_rest(const struct scallop_march *m) { return arb_is_zero(m->v1) && arb_is_zero(m->v2); }
+
+/* A dwell begins: the bodies are one while it lasts. From the right: at rest they would have been moving, and come to rest. */
+static bool begin_dwell(struct scallop_march *m)
+{
+  if (!is_at_rest(m))
+    return set_directions(m);
+  m->s1 = m->s2 = 0;
+  arb_zero(m->multiplier);
+  take_down(m);
   return true;
 }
 
@@ -365,7 +387,7 @@ static bool jump(struct scallop_march *m)
   arb_addmul(m->v2, m->share2, m->rate, m->precision);
   arb_swap(m->rate, rate);
   arb_clear(rate);
-  return set_directions(m);
+  return m->piece->direction == 0 ? begin_dwell(m) : set_directions(m);
 }
 
 /* Whether l'' is constant over the piece and rational; bend is l'' then. */
@@ -383,21 +405,75 @@ static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
   return even;
 }
 
-/* Where a piece begins. settle() looks at m->piece: the piece before must have been settled if l' jumps. */
-static bool enter(struct scallop_march *m, const struct scallop_piece *piece, bool first)
+/* Whether l' is 0 where the piece begins, exactly. Where l' is not rational it is taken not to be: there its zeros are the ends of phases. */
+static bool begins_at_zero(const struct scallop_piece *piece)
 {
-  bool turns = !first && piece->direction != m->piece->direction;
-  if (!first && (piece->jump || turns))
-    settle(m);
+  fmpq_t u;
+  fmpq_poly_t speed;
+  fmpq_init(u);
+  fmpq_poly_init(speed);
+  scallop_rational_set_double(u, piece->begin);
+  bool zero = scallop_rational_speed_series(speed, piece, u, 1, NULL) && fmpq_poly_is_zero(speed);
+  fmpq_clear(u);
+  fmpq_poly_clear(speed);
+  return zero;
+}
+
+/* l' is 0 now and both bodies are at rest, without having turned back. From the right: the rear one would have done so just before, or would
+ * have been caught. */
+static bool turn_back(struct scallop_march *m)
+{
+  int turning = m->piece->direction > 0 ? 0 : 1;
+  if (is_stuck(m) || *direction(m, turning) > 0)
+    return true;
+  enum hold held = hold_against(m, turning, 1);
+  if (held == UNDECIDED)
+    return undecided(m, at_limit[turning]); /* GCOVR_EXCL_LINE: l'' at the end is exact for every gait of the tests */
+  if (held == PULLED)
+    shear(m, turning, -1);
+  else
+    arb_zero(m->multiplier);
+  return true;
+}
+
+static void set_piece(struct scallop_march *m, const struct scallop_piece *piece)
+{
   m->piece = piece;
   m->even = is_even(m->bend, piece);
   m->departure[0] = m->departure[1] = SCALLOP_APART;
+}
+
+/* From a piece to the next one where l' is 0 in between: what does not go on in one direction comes to rest. */
+static bool pass_zero(struct scallop_march *m, const struct scallop_piece *next)
+{
+  arb_t rate;
+  arb_init(rate);
+  settle_at(m, rate);
+  arb_clear(rate);
+  bool alike = m->s1 == m->s2 && m->s1 != 0;
+  if (!alike && !is_at_rest(m))
+    return undecided(m, at_end[arb_is_zero(m->v1) ? 1 : 0]);
+  if (!alike && m->piece->direction != 0 && !turn_back(m))
+    return false;
+  set_piece(m, next);
+  return next->direction == 0 ? begin_dwell(m) : alike || start_from_rest(m);
+}
+
+/* Where a piece begins. settle() looks at m->piece: the piece before must have been settled if l' jumps. */
+static bool enter(struct scallop_march *m, const struct scallop_piece *piece, bool first)
+{
+  bool turns = !first && piece->direction != m->piece->direction, apart = m->s1 != m->s2 || is_stuck(m);
+  if (!first && !piece->jump && (turns || piece->direction == 0 || (apart && begins_at_zero(piece))))
+    return pass_zero(m, piece);
+  if (piece->jump && !first)
+    settle(m);
+  set_piece(m, piece);
   if (piece->jump)
     return jump(m);
-  if ((turns && is_stuck(m)) || ((first || turns) && arb_is_zero(m->v1) && arb_is_zero(m->v2)))
-    return start_from_rest(m);
+  if (piece->direction == 0)
+    return begin_dwell(m);
   if (first)
-    return set_directions(m);
+    return is_at_rest(m) ? start_from_rest(m) : set_directions(m);
   return !is_stuck(m) || hold(m);
 }
 
@@ -481,6 +557,36 @@ static bool next_change(struct scallop_march *m, const arb_t end, arb_t when, in
   return decided;
 }
 
+/* While l' stays 0: v' = -s (F1 + F2) until both are at rest, if they move at all. */
+static bool march_dwell(struct scallop_march *m, const arb_t end)
+{
+  arb_t stop, drag;
+  arb_init(stop);
+  arb_init(drag);
+  bool decided = true;
+  if (m->s1 != 0) {
+    friction_sum(drag, m, m->s1, m->s2);
+    decided = arb_intersection(stop, m->v1, m->v2, m->precision);
+    arb_div(stop, stop, drag, m->precision);
+    arb_add(stop, m->now, stop, m->precision);
+    if (decided && arb_lt(stop, end)) {
+      advance(m, stop);
+      settle(m);
+      arb_zero(m->v1);
+      arb_zero(m->v2);
+      m->s1 = m->s2 = 0;
+      arb_zero(m->multiplier);
+      take_down(m);
+    } else
+      decided = decided && (arb_gt(stop, end) || undecided(m, "both bodies come to rest just as a dwell ends, or almost"));
+  }
+  if (decided)
+    advance(m, end);
+  arb_clear(stop);
+  arb_clear(drag);
+  return decided;
+}
+
 static bool march_piece(struct scallop_march *m)
 {
   arb_t end, when;
@@ -491,8 +597,8 @@ static bool march_piece(struct scallop_march *m)
     arb_sub_ui(end, end, 1, m->precision);
     arb_neg(end, end);
   }
-  int which = 0;
-  bool decided = true;
+  bool moves = m->piece->direction != 0, decided = moves || march_dwell(m, end);
+  int which = moves ? 0 : -1;
   while (decided && which >= 0) {
     decided = next_change(m, end, when, &which);
     if (decided)
@@ -505,23 +611,6 @@ static bool march_piece(struct scallop_march *m)
   arb_clear(end);
   arb_clear(when);
   return decided;
-}
-
-/* Both bodies come to rest just as l' does, without having turned back. From the right: the rear one would have done so just before,
- * or would have been caught. */
-static bool end_at_rest(struct scallop_march *m)
-{
-  int turning = m->piece->direction > 0 ? 0 : 1;
-  if (!arb_is_zero(m->v_end) || is_stuck(m) || *direction(m, turning) > 0)
-    return true;
-  enum hold held = hold_against(m, turning, 1);
-  if (held == UNDECIDED)
-    return undecided(m, at_limit[turning]); /* GCOVR_EXCL_LINE: l'' at the end is exact for every gait of the tests */
-  if (held == PULLED)
-    shear(m, turning, -1);
-  else
-    arb_zero(m->multiplier);
-  return true;
 }
 
 /* The amplitude is 1: so l has gained exactly that, and both bodies must agree on the velocity that they have in common. */
@@ -543,7 +632,7 @@ static bool finish(struct scallop_march *m)
   _arb_vec_clear(t, 2);
   if (!right)
     return undecided(m, "the law of the gait contradicts its amplitude, or the bodies each other: a defect");
-  return end_at_rest(m);
+  return m->piece->direction == 0 || !arb_is_zero(m->v_end) || turn_back(m);
 }
 
 bool scallop_march_phase(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)

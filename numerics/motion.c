@@ -8,6 +8,9 @@
 
 typedef double real;
 
+static inline real walk_velocity(const struct scallop_piece *p) { return p->velocity; }
+static inline real walk_acceleration(const struct scallop_piece *p) { return p->acceleration; }
+
 static inline void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
 {
   piece_rates(p, u, velocity, acceleration);
@@ -59,7 +62,7 @@ static void walk_show(const struct walk *w, real u, real c)
                                        .c_end = c,
                                        .c_slope = glued ? 0 : w->slope[w->region],
                                        .glue = glued ? w->curve[w->stuck] * w->piece->direction : 0,
-                                       .x_begin = w->out->way[0] };
+                                       .x_begin = w->out->way[0] + (w->many ? w->carried.way[0].total : 0) };
   audience->visit(audience->context, &interval);
 }
 

@@ -31,7 +31,7 @@ struct scallop_modes { /* the modes of one phase in order; those past SCALLOP_MO
 /* "++ -+ ++"; text must hold SCALLOP_MODES_TEXT bytes. "..." stands for modes that were not kept. */
 void scallop_modes_text(const struct scallop_modes *modes, char *text);
 
-/* sliding: no body is stuck for any length of time. at-rest: one body never moves. */
+/* sliding: no body is stuck for any length of time, not in a dwell either. at-rest: one body never moves. */
 enum scallop_regime { SCALLOP_SLIDING, SCALLOP_STICK_SLIP, SCALLOP_AT_REST };
 const char *scallop_regime_text(enum scallop_regime regime);
 
@@ -43,7 +43,7 @@ struct scallop_interval {
   struct scallop_mode mode;
   double c_begin, c_end; /* velocity of the centre of mass                                       */
   double c_slope;        /* its rate of change, when no body is stuck                            */
-  double glue;           /* a stuck body: c = glue * l'; 0 when no body is stuck                 */
+  double glue;           /* a stuck body: c = glue * l'; 0 when no body is stuck, or both rest in a dwell */
   double x_begin;        /* how far the centre of mass has come since the phase began            */
 };
 typedef void scallop_visitor(void *context, const struct scallop_interval *interval);

@@ -79,6 +79,21 @@ static double beyond_root(struct problem *problem, double u, double f, double fa
   return far;
 }
 
+/* Between u and far f changes its sign. Where they are of different orders of magnitude the root is looked for by these first: where f has
+ * hardly a slope at 0 it may be as near to that as a square root, and halving would be slow. Returns the end opposite to *u, which
+ * becomes the end where f has the sign of f_u. */
+static double same_magnitude(struct problem *problem, double *u, double f_u, double far)
+{
+  const double far_apart = 0x1p40;
+  if (!(fmax(*u, far) > far_apart * fmax(fmin(*u, far), DBL_MIN)))
+    return far;
+  while (fmax(*u, far) > 16 * fmax(fmin(*u, far), DBL_MIN)) {
+    double middle = sqrt(*u > DBL_MIN ? *u : DBL_MIN) * sqrt(far > DBL_MIN ? far : DBL_MIN);
+    *((value(middle, problem) > 0) == (f_u > 0) ? u : &far) = middle;
+  }
+  return far;
+}
+
 double root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
 {
   if (a.f == 0 || b.f == 0)
@@ -105,7 +120,9 @@ double root_between(root_function *f, const void *context, struct root_end a, st
     return p.u;
   struct problem problem = { f, context };
   double far = (p.f > 0) == (a.f > 0) ? b.u : a.u;
-  p.u = brent(&problem, p.u, beyond_root(&problem, p.u, p.f, far));
+  far = beyond_root(&problem, p.u, p.f, far);
+  far = same_magnitude(&problem, &p.u, p.f, far);
+  p.u = brent(&problem, p.u, far);
   p.f = f(context, p.u, &p.slope);
   return p.slope != 0 ? clamp(p.u - p.f / p.slope, a.u, b.u) : p.u;
 }

@@ -20,6 +20,11 @@ static struct bracket surely(const struct scallop_scaled *s)
   double e = s->gait->phase[SCALLOP_EXTENSION].peak / s->fraction[SCALLOP_EXTENSION];
   double c = s->gait->phase[SCALLOP_CONTRACTION].peak / s->fraction[SCALLOP_CONTRACTION];
   double margin = 1 + 8 * DBL_EPSILON;
+  if (fabs(s->gait->phase[SCALLOP_EXTENSION].net) < 1 || fabs(s->gait->phase[SCALLOP_CONTRACTION].net) < 1) {
+    /* where l' changes its sign within a phase either body may be in front at its highest speed */
+    double most = (fmax(s->mu1, s->mu2) * fmax(e, c) + s->eps) * margin;
+    return (struct bracket){ -most, most };
+  }
   return (struct bracket){ -(fmax(s->mu1 * e, s->mu2 * c) + s->eps) * margin,
                            (fmax(s->mu2 * e, s->mu1 * c) + s->eps) * margin };
 }

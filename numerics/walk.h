@@ -2,6 +2,7 @@
  * the ones in wider types. No header in the usual sense, and not public. Before including it define
  *
  *     real                                              the type
+ *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
  *     walk_when(piece, a)                               u in the piece with l''(u) = a, nan if there is none
  *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece, whichever is first
@@ -32,6 +33,16 @@ struct rates {
   real speed, rate; /* |l'| and d|l'|/dt */
 };
 
+struct walk_sum {
+  real total, lost; /* what rounding dropped */
+};
+struct walk_sums {
+  struct walk_sum way[3], extra_impulse;
+};
+
+/* The sum of few parts is as good as they are; of more it keeps what rounding drops. */
+enum { WALK_FEW_PIECES = 16 };
+
 /* Over one piece the plane of (time, c) has three regions, divided by two curves. With `front` the
  * body that l' drives forward and `rear` the other:
  *
@@ -41,23 +52,31 @@ struct rates {
  *     curve 1    front stuck, c = -mu_rear |l'|
  *     region 2   both backward                                       slope  eps
  *
- * Region j lies above curve j and region j + 1 below it. */
+ * Region j lies above curve j and region j + 1 below it.
+ *
+ * Where l' is 0 the curves meet at c = 0, and region 1 ends there: a node. So who comes to a node within a phase through region 1, or along a
+ * curve, has c = 0 there, exactly. While l' stays 0, a dwell, both curves are c = 0, and c on them is both bodies at rest. */
 struct walk {
   const struct walk_input *in;
   const struct scallop_piece *piece;
-  void *audience;         /* of walk_show, or NULL                                                   */
-  real sense;             /* +1: u runs with time, -1: against it                                    */
-  real curve[2];          /* c on a curve divided by |l'|                                            */
-  real slope[3];          /* of c in each region                                                     */
-  real push[2];           /* of friction on c: f eps of the rear and of the front body               */
-  real extra[3];          /* what a region adds to extra_impulse per unit of time                    */
-  real u, c;              /* where we are                                                            */
-  real v[2];              /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
-  struct rates here, end; /* there, and at the end of the piece                                      */
-  int region;             /* 0, 1, 2; meaningless while stuck                                        */
-  int stuck;              /* the curve that c is glued to, or -1                                     */
-  int passed;             /* a curve that c has left for the rest of the piece, or -1                */
-  bool turned;            /* the mode may have changed since it was last noted                       */
+  void *audience;           /* of walk_show, or NULL                                                   */
+  real sense;               /* +1: u runs with time, -1: against it                                    */
+  real curve[2];            /* c on a curve divided by |l'|                                            */
+  real slope[3];            /* of c in each region                                                     */
+  real push[2];             /* of friction on c: f eps of the rear and of the front body               */
+  real extra[3];            /* what a region adds to extra_impulse per unit of time                    */
+  real u, c;                /* where we are                                                            */
+  real line_u, line_c;      /* where c and its line were, when a piece began of those that it has followed since   */
+  long line_events;         /* the events by then                                       */
+  struct walk_sums carried; /* over from out, if there are many pieces                   */
+  bool many;                /* pieces                                                                  */
+  bool node;                /* the piece ends at a node within the phase                               */
+  real v[2];                /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
+  struct rates here, end;   /* there, and at the end of the piece                                      */
+  int region;               /* 0, 1, 2; meaningless while stuck                                        */
+  int stuck;                /* the curve that c is glued to, or -1                                     */
+  int passed;               /* a curve that c has left for the rest of the piece, or -1                */
+  bool turned;              /* the mode may have changed since it was last noted                       */
   struct walk_result *out;
 };
 
@@ -65,7 +84,8 @@ static inline struct rates rates_at(const struct walk *w, real u)
 {
   const struct scallop_piece *p = w->piece;
   if (p->linear)
-    return (struct rates){ p->direction * (p->velocity + p->acceleration * (w->sense * u)), p->direction * p->acceleration };
+    return (struct rates){ p->direction * (walk_velocity(p) + walk_acceleration(p) * (w->sense * u)),
+                           p->direction * walk_acceleration(p) };
   real velocity, acceleration;
   w->out->work.gait_evaluations++;
   walk_curve(p, u, &velocity, &acceleration);
@@ -77,6 +97,8 @@ static inline struct rates rates_at(const struct walk *w, real u)
 static struct scallop_mode mode_now(const struct walk *w)
 {
   signed char rear = (signed char)(w->region == 0 ? 1 : -1), front = (signed char)(w->region == 2 ? -1 : 1);
+  if (w->stuck >= 0 && w->piece->direction == 0)
+    return (struct scallop_mode){ 0, 0 };
   if (w->stuck >= 0) {
     rear = (signed char)(w->stuck == 0 ? 0 : -1);
     front = (signed char)(w->stuck == 0 ? 1 : 0);
@@ -134,17 +156,51 @@ static inline void last(struct walk *w, real u, real c)
 static inline real magnitude(real x) { return x < 0 ? -x : x; }
 
 /* size: of the parts that x is the sum of */
-static inline void come(struct walk *w, real x, real size)
+static inline void come(struct walk *w, int i, real x, real size)
 {
-  w->out->way[0] += x;
-  w->out->size[0] += size;
+  w->out->way[i] += x;
+  w->out->size[i] += size;
 }
 
 static inline void body_comes(struct walk *w, int j, real x, real size)
 {
-  int body = (j == 0) == (w->piece->direction > 0) ? 1 : 2;
-  w->out->way[body] += x;
-  w->out->size[body] += size;
+  come(w, (j == 0) == (w->piece->direction > 0) ? 1 : 2, x, size);
+}
+
+/* Adds x and keeps what rounding drops, as Neumaier's variant of Kahan's sum does. */
+static void add(struct walk_sum *sum, real *x)
+{
+  real total = sum->total + *x;
+  sum->lost += magnitude(sum->total) >= magnitude(*x) ? (sum->total - total) + *x : (*x - total) + sum->total;
+  sum->total = total;
+  *x = 0;
+}
+
+/* Of many pieces the sums in out are those of one piece, and are carried over to these. */
+static void carry_over(struct walk *w)
+{
+  for (int i = 0; i < 3; i++)
+    add(&w->carried.way[i], &w->out->way[i]);
+  add(&w->carried.extra_impulse, &w->out->extra_impulse);
+}
+
+/* Where a piece begins, of many. If c has followed one line since an earlier one did, measured from the same anchor, it is counted from there, so
+ * that no error adds up from piece to piece. */
+static void keep_to_line(struct walk *w, bool goes_on)
+{
+  if (goes_on && w->stuck < 0 && w->out->work.events == w->line_events)
+    w->c = w->line_c + w->slope[w->region] * (w->sense * (w->u - w->line_u));
+  else {
+    w->line_u = w->u;
+    w->line_c = w->c;
+    w->line_events = w->out->work.events;
+  }
+}
+
+/* What |l'| covers from here to u. */
+static inline real covers(const struct walk *w, real u, const struct rates *there)
+{
+  return w->piece->linear ? (w->here.speed + there->speed) / 2 * (w->sense * (u - w->u)) : walk_way(w->piece, w->u, u);
 }
 
 /* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that difference comes first: it is
@@ -161,11 +217,11 @@ static inline real body_slope(const struct walk *w, int j, real rate)
 /* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
 static inline void go_straight(struct walk *w, real u, real c, const struct rates *there, int met)
 {
-  bool linear = w->piece->linear;
+  bool linear = w->piece->linear && !w->many; /* else each piece would add to the error of v */
   real duration = w->sense * (u - w->u), x = (w->c + c) / 2 * duration;
-  real size = (magnitude(w->c) + magnitude(c)) / 2 * duration, covered = linear ? 0 : walk_way(w->piece, w->u, u);
+  real size = (magnitude(w->c) + magnitude(c)) / 2 * duration, covered = linear ? 0 : covers(w, u, there);
   last(w, u, c);
-  come(w, x, size);
+  come(w, 0, x, size);
   for (int j = 0; j < 2; j++) {
     real q = w->curve[j], v = c - q * there->speed, way = x - q * covered, parts = size + magnitude(q) * covered;
     if (met >= 0) /* where the other body moves with |l'| */
@@ -186,11 +242,9 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
 static inline void go_along(struct walk *w, real u, const struct rates *there)
 {
   int j = w->stuck;
-  real forward = j == 0 ? 1 : -1, c = w->curve[j] * there->speed;
-  real covered = w->piece->linear ? (w->here.speed + there->speed) / 2 * (w->sense * (u - w->u))
-                                  : walk_way(w->piece, w->u, u);
+  real forward = j == 0 ? 1 : -1, c = w->curve[j] * there->speed, covered = covers(w, u, there);
   last(w, u, c);
-  come(w, w->curve[j] * covered, magnitude(w->curve[j]) * covered);
+  come(w, 0, w->curve[j] * covered, magnitude(w->curve[j]) * covered);
   body_comes(w, 1 - j, forward * covered, covered);
   w->v[j] = 0;
   w->v[1 - j] = forward * there->speed;
@@ -275,10 +329,16 @@ static inline bool straight_contact(const struct gap *g, real *u)
   real along = g->curve * w->here.rate;
   if (g->side * (g->c_slope - along) >= 0)
     return false;
-  *u = w->sense * (g->c_anchor - g->curve * p->direction * p->velocity) / (along - g->c_slope);
-  if (w->sense * (*u - w->u) < 0)
+  *u = w->sense * (g->c_anchor - g->curve * p->direction * walk_velocity(p)) / (along - g->c_slope);
+  if (g->closed || w->sense * (*u - w->u) < 0)
     *u = w->u;
-  return closes(g, w->sense * (*u - p->end));
+  if (!w->node || g->closed)
+    return closes(g, w->sense * (*u - p->end));
+  /* both curves are at 0 at the end: they must agree which of them c has met by then */
+  real left = g->side * (w->c + g->c_slope * (w->sense * (p->end - w->u)));
+  if (left == 0 || w->sense * (*u - p->end) > 0)
+    *u = p->end;
+  return closes(g, left);
 }
 
 /* The gap to a curve that c has just crossed, formed from the distances to that point: it may be far smaller than rounding is in c. */
@@ -329,7 +389,7 @@ static bool curved_contact(const struct gap *g, real *u)
     *u = now.u;
     return true;
   }
-  if (falls_now != falls_at_end) {
+  if (falls_now != falls_at_end && now.slope != 0 && end.slope != 0) { /* else an end is the turning point */
     struct root_end turn = { .u = walk_when(w->piece, g->c_slope / g->curve * w->piece->direction) };
     if (w->sense * (turn.u - now.u) >= 0 && w->sense * (end.u - turn.u) >= 0) {
       if (!falls_now && g->closed && comes_back(g, turn.u, u))
@@ -353,6 +413,26 @@ static inline bool contact(const struct walk *w, int j, real *u)
 
 /* ---- from event to event ---- */
 
+/* At a node within the phase, where c = 0. A slightly larger c, which the derivative is for, has crossed the curves that c comes to from
+ * below. */
+static void come_to_node(struct walk *w)
+{
+  if (w->region == 2)
+    meet(w, 1, true);
+  if (w->region == 1 && w->stuck < 0)
+    meet(w, 0, true);
+}
+
+/* The piece does not touch the end of the phase that it is anchored at. There u is good to an ulp of 1 only. */
+static inline bool is_apart(const struct scallop_piece *p) { return p->begin > 0 && p->end > 0; }
+
+/* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next line? */
+static bool line_tells_better(const struct walk *w, int j, const struct rates *there)
+{
+  real next = w->slope[w->region <= j ? j + 1 : j];
+  return magnitude(w->slope[w->region] - next) < magnitude(w->curve[j] * there->rate - next);
+}
+
 static void slide(struct walk *w)
 {
   real u = w->piece->end, candidate;
@@ -362,14 +442,35 @@ static void slide(struct walk *w)
       u = candidate;
       met = j;
     }
+  bool at_node = false;
+  if (w->node && u == w->piece->end && (met >= 0 || w->region == 1)) {
+    at_node = true;
+    met = 0;
+  }
   real duration = w->sense * (u - w->u), c = w->c + w->slope[w->region] * duration;
-  struct rates there = met >= 0 ? rates_at(w, u) : w->end;
-  if (met >= 0) /* on the curve to the last digit: the body's velocity is 0 */
-    c = w->curve[met] * there.speed;
+  struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
+  if (met >= 0 && !(is_apart(w->piece) && line_tells_better(w, met, &there)))
+    c = w->curve[met] * there.speed; /* on the curve to the last digit: the body's velocity is 0 */
   w->out->extra_impulse += w->extra[w->region] * duration;
   go_straight(w, u, c, &there, met);
-  if (met >= 0)
+  if (met < 0)
+    return;
+  if (at_node)
+    come_to_node(w);
+  else
     meet(w, met, duration != 0);
+}
+
+/* Where the body that is held by curve j is released, into region `to`: between here and the end, or at once if it is at its limit. */
+static real released(const struct walk *w, int j, int to)
+{
+  const struct scallop_piece *p = w->piece;
+  real now = magnitude(w->curve[j] * w->here.rate - w->slope[to]);
+  real when = now == 0 ? w->u : walk_when(p, w->slope[to] / w->curve[j] * p->direction);
+  if (w->sense * (when - w->u) >= 0)
+    return w->sense * (p->end - when) > 0 ? when : p->end;
+  /* it is within rounding of one of them, and may then be nowhere */
+  return when != when && magnitude(w->curve[j] * w->end.rate - w->slope[to]) < now ? p->end : w->u;
 }
 
 static void stick(struct walk *w)
@@ -378,11 +479,7 @@ static void stick(struct walk *w)
   real u = w->piece->end, along_end = w->curve[j] * w->end.rate;
   if (along_end > w->slope[j + 1] || along_end < w->slope[j]) { /* the body is released */
     to = along_end > w->slope[j + 1] ? j + 1 : j;
-    real when = walk_when(w->piece, w->slope[to] / w->curve[j] * w->piece->direction);
-    if (w->sense * (when - w->u) < 0)
-      when = w->u;
-    if (w->sense * (u - when) > 0)
-      u = when;
+    u = released(w, j, to);
   }
   struct rates there = to >= 0 ? rates_at(w, u) : w->end;
   go_along(w, u, &there);
@@ -395,11 +492,13 @@ static void stick(struct walk *w)
   }
 }
 
-/* Where c stands when the curves are not known to continue: at the start of a phase, and where l'
- * jumps or changes sign. On the curves' common point c = 0, l' = 0 it stands for c = 0+. */
+/* Where c stands when the curves are not known to continue: at the start of a phase, at a node, and where l'
+ * jumps. On the curves' common point c = 0, l' = 0 it stands for c = 0+. */
 static void place(struct walk *w)
 {
   real upper = w->curve[0] * w->here.speed, lower = w->curve[1] * w->here.speed;
+  for (int j = 0; j < 2; j++)
+    w->v[j] = w->c - w->curve[j] * w->here.speed;
   w->stuck = -1;
   w->turned = true;
   w->region = w->c >= upper ? 0 : w->c < lower ? 2 : 1;
@@ -412,41 +511,60 @@ static void set_regions(struct walk *w)
   const struct walk_input *s = w->in;
   real eps = s->eps;
   bool rear_is_1 = w->piece->direction > 0;
-  w->curve[0] = rear_is_1 ? s->mu2 : s->mu1;
-  w->curve[1] = rear_is_1 ? -s->mu1 : -s->mu2;
   w->slope[0] = -eps;
-  w->slope[1] = eps * (rear_is_1 ? s->delta : -s->delta);
   w->slope[2] = eps;
-  w->extra[0] = -2 * (rear_is_1 ? s->f1 : s->f2);
-  w->extra[1] = 0;
   w->push[0] = eps * (rear_is_1 ? s->f1 : s->f2);
   w->push[1] = eps * (rear_is_1 ? s->f2 : s->f1);
+  w->extra[1] = 0;
+  if (w->piece->direction == 0) { /* region 1 is empty: c at rest, which is held */
+    w->curve[0] = w->curve[1] = w->slope[1] = 0;
+    w->extra[0] = -1;
+    w->extra[2] = 1;
+    return;
+  }
+  w->curve[0] = rear_is_1 ? s->mu2 : s->mu1;
+  w->curve[1] = rear_is_1 ? -s->mu1 : -s->mu2;
+  w->slope[1] = eps * (rear_is_1 ? s->delta : -s->delta);
+  w->extra[0] = -2 * (rear_is_1 ? s->f1 : s->f2);
   w->extra[2] = 2 * (rear_is_1 ? s->f2 : s->f1);
 }
 
-static void enter(struct walk *w, const struct scallop_piece *piece)
+/* A body is held where a new piece begins: l'' may jump there, and let go of it. */
+static void look_again(struct walk *w)
 {
-  bool anew = !w->piece || piece->jump || piece->direction != w->piece->direction;
+  int to = beyond(w, w->stuck);
+  if (to < 0)
+    return;
+  w->out->work.events++;
+  w->region = to;
+  w->stuck = -1;
+  w->turned = true;
+}
+
+static void enter(struct walk *w, const struct scallop_piece *piece, bool is_last)
+{
+  const struct scallop_piece *before = w->piece, *next = piece + 1;
   w->piece = piece;
   w->sense = piece->anchor == SCALLOP_FROM_START ? 1 : -1;
   w->u = piece->begin;
   w->passed = -1;
   w->here = rates_at(w, piece->begin);
   w->end = rates_at(w, piece->end);
-  if (anew) {
-    set_regions(w);
-    for (int j = 0; j < 2; j++)
-      w->v[j] = w->c - w->curve[j] * w->here.speed;
-    place(w);
-  } else if (w->stuck >= 0) {
-    int to = beyond(w, w->stuck);
-    if (to >= 0) {
-      w->out->work.events++;
-      w->region = to;
-      w->stuck = -1;
-      w->turned = true;
-    }
+  bool anew = !before || w->node || piece->jump || piece->direction != before->direction || w->here.speed == 0;
+  if (w->many) {
+    carry_over(w);
+    keep_to_line(w, before && piece->anchor == before->anchor && !piece->jump);
   }
+  w->node = !is_last && !next->jump && (next->direction != piece->direction || w->end.speed == 0);
+  if (w->node)
+    w->end.speed = 0;
+  if (anew) {
+    if (before && !piece->jump)
+      w->here.speed = 0;
+    set_regions(w);
+    place(w);
+  } else if (w->stuck >= 0)
+    look_again(w);
 }
 
 /* c0: velocity of the centre of mass at the start. modes: where they go. */
@@ -464,14 +582,25 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   w.c = c0;
   w.stuck = -1;
   w.out = result;
-  for (int i = 0; i < input->shape->count; i++) {
-    enter(&w, &input->shape->pieces[i]);
+  w.node = false;
+  w.many = input->shape->count > WALK_FEW_PIECES;
+  if (w.many)
+    w.carried = (struct walk_sums){ .extra_impulse = { 0, 0 } };
+  const struct scallop_piece *pieces = input->shape->pieces, *last_piece = pieces + input->shape->count - 1;
+  for (const struct scallop_piece *p = pieces; p <= last_piece; p++) {
+    enter(&w, p, p == last_piece);
     while (w.u != w.piece->end) {
       if (w.stuck >= 0)
         stick(&w);
       else
         slide(&w);
     }
+  }
+  if (w.many) {
+    carry_over(&w);
+    for (int i = 0; i < 3; i++)
+      result->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
+    result->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
   }
   result->c_end = w.c;
 }

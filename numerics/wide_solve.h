@@ -45,12 +45,101 @@ static real polynomial(const struct scallop_law *law, real u, int order)
   return sum / law->denominator;
 }
 
+/* A Bernstein law with its coefficients */
+struct bernstein {
+  real b[SCALLOP_LAW_MOST_DEGREE + 2];
+  real near, far;
+  int degree;
+};
+
+static struct bernstein bernstein_of(const struct scallop_law *law)
+{
+  int n = law->degree, implied = (int)law->numerator[n + 3];
+  struct bernstein f = { .near = law->numerator[n + 1], .far = law->numerator[n + 2], .degree = n };
+  real others = 0;
+  for (int j = 0; j <= n; j++) {
+    f.b[j] = law->numerator[j];
+    others += j == implied ? 0 : f.b[j];
+  }
+  f.b[implied] = (n + 1) * f.b[implied] / (f.far - f.near) - others;
+  return f;
+}
+
+/* The coefficients of the derivative with respect to u */
+static void derive(struct bernstein *f)
+{
+  for (int j = 0; j < f->degree; j++)
+    f->b[j] = f->degree * (f->b[j + 1] - f->b[j]) / (f->far - f->near);
+  f->degree--;
+}
+
+static real bernstein_at(const struct bernstein *f, real u)
+{
+  real x = (u - f->near) / (f->far - f->near), y = (f->far - u) / (f->far - f->near), sum = f->b[0], factor = 1;
+  for (int j = 1; j <= f->degree; j++) {
+    factor = factor * x * (f->degree - j + 1) / j;
+    sum = sum * y + factor * f->b[j];
+  }
+  return sum;
+}
+
+static real bernstein_derivative(const struct scallop_law *law, real u, int order)
+{
+  struct bernstein f = bernstein_of(law);
+  for (int i = 0; i < order; i++)
+    derive(&f);
+  return bernstein_at(&f, u);
+}
+
+/* The law from `from` to `to` cut out of the whole, by de Casteljau's rule: its mean is what the way is per unit of u. */
+static real bernstein_way(const struct scallop_law *law, real from, real to)
+{
+  struct bernstein f = bernstein_of(law);
+  real range = f.far - f.near, low = from < to ? from : to, high = from < to ? to : from, sum = 0;
+  real x = (high - f.near) / range, y = (f.far - high) / range;
+  for (int k = 0; k < f.degree; k++) /* b[j] becomes that of near to high */
+    for (int j = f.degree; j > k; j--)
+      f.b[j] = y * f.b[j - 1] + x * f.b[j];
+  x = (low - f.near) / (high - f.near);
+  y = (high - low) / (high - f.near);
+  for (int k = 0; k < f.degree; k++) /* and of low to high */
+    for (int j = 0; j < f.degree - k; j++)
+      f.b[j] = y * f.b[j] + x * f.b[j + 1];
+  for (int j = 0; j <= f.degree; j++)
+    sum += f.b[j];
+  return sum / (f.degree + 1) * (high - low);
+}
+
 static real speed_derivative(const struct scallop_piece *p, real u, int order)
 {
+  if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
+    return bernstein_derivative(p->law, u, order);
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
     return polynomial(p->law, u, order);
   real pi = circle_number();
   return pi / 2 * (order == 0 ? half_turn_sine(u) : order == 1 ? pi * half_turn_cosine(u) : -pi * pi * half_turn_sine(u));
+}
+
+/* l' at offset 0 and l'' of a linear piece, as its law has them */
+static real walk_velocity(const struct scallop_piece *p)
+{
+  const double *n = p->law ? p->law->numerator : NULL;
+  if (!n || p->direction == 0)
+    return p->velocity;
+  if (p->law->kind == SCALLOP_LAW_RAMP)
+    return p->direction * n[0] / (n[2] * ((real)n[3] + n[4] + n[5]));
+  return p->direction * polynomial(p->law, 0, 0);
+}
+
+static real walk_acceleration(const struct scallop_piece *p)
+{
+  const double *n = p->law ? p->law->numerator : NULL;
+  int sign = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
+  if (!n || p->direction == 0)
+    return p->acceleration;
+  if (p->law->kind == SCALLOP_LAW_RAMP)
+    return sign * n[1] / (n[2] * ((real)n[3] + n[4] + n[5]));
+  return sign * polynomial(p->law, 0, 1);
 }
 
 static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
@@ -62,6 +151,8 @@ static void walk_curve(const struct scallop_piece *p, real u, real *velocity, re
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;
+  if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
+    return apart > 0 ? bernstein_way(p->law, from, to) : 0;
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
     for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
       real power = 1, terms = 0;

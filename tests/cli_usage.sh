@@ -167,7 +167,7 @@ refuse 2 "--tol: '0'.*> 0" order x --tol 0
 refuse 2 "--tol: '-1'.*> 0" order x --tol -1
 finish "--v0, --start, --expect, --tol: values that are not allowed"
 for value in foo Quadratic quad '' 1; do
-  refuse 2 "--gait: '$value'.*quadratic or sinusoidal" steady --gait "$value"
+  refuse 2 "--gait: '$value'.*quadratic, sinusoidal" steady --gait "$value"
   refuse 2 "--phase: '$value'.*extension or contraction" phase --phase "$value"
   refuse 2 "--format: '$value'.*tsv or json" steady --format "$value"
 done
@@ -319,7 +319,7 @@ says '1 of 3 points' err
 [ "$(row out 3 | cut -f 8)" = quadratic ] || note "gait of row 3: $(row out 3)"
 [ "$(status_of out 1)$(status_of out 3)" = okok ] || note "rows 1 and 3 are not ok"
 status_of out 2 >status
-says "line 3: gait: 'foo'.*quadratic or sinusoidal" status
+says "line 3: gait: 'foo'.*quadratic, sinusoidal" status
 finish "points: the gait column"
 
 {

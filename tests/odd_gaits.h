@@ -1,4 +1,4 @@
-/* Gaits that the library does not have and the others of the tests are not like: l' that changes its sign or jumps within a phase,
+/* Gaits that the library does not have and the others of the tests are not like: l' that changes its sign, rests or jumps within a phase,
  * more modes than are kept, phases of two kinds. Header-only; knows public headers only. */
 #ifndef ODD_GAITS_H
 #define ODD_GAITS_H
@@ -59,6 +59,104 @@ static const struct scallop_piece detour_contraction[] = { RUN(0, 0.25, -1, 0, -
 static const struct scallop_gait detour_gait = { "detour",
                                                  { { detour_extension, 6, 16, 32, 4, 0.5, false, false },
                                                    { detour_contraction, 6, -16, 32, 4, -0.5, false, false } } };
+
+/* ---- with dwells ---- */
+
+#define REST(from, to) \
+  { \
+    .begin = (from), .end = (to), .linear = true, .curve = &run \
+  }
+#define REST_AT_LAST(from) \
+  { \
+    .begin = (from), .end = 0, .anchor = SCALLOP_FROM_END, .linear = true, .curve = &scallop_curve_linear \
+  }
+
+/* pause: half of the way, rest in two pieces, the other half */
+#define PAUSE(sign) \
+  RUN(0, 0.125, sign, 0, (sign)*32), RUN(0.125, 0.25, sign, (sign)*8, (sign) * -32), REST(0.25, 0.375), REST(0.375, 0.5), \
+      RUN(0.5, 0.75, sign, (sign) * -4, (sign)*8), SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -8)
+
+static const struct scallop_piece pause_extension[] = { PAUSE(1) };
+static const struct scallop_piece pause_contraction[] = { PAUSE(-1) };
+static const struct scallop_gait pause_gait = { "pause",
+                                                { { pause_extension, 6, 32, -8, 4, 0.75, false, false },
+                                                  { pause_contraction, 6, -32, 8, 4, -0.75, false, false } } };
+
+/* wait: rest, out to 9/8, rest, back by 1/8, rest */
+#define WAIT(sign) \
+  REST(0, 0.125), RUN(0.125, 0.375, sign, (sign) * -2.25, (sign)*18), RUN(0.375, 0.625, sign, (sign)*11.25, (sign) * -18), \
+      REST(0.625, 0.75), RUN(0.75, 0.8125, -(sign), (sign)*24, (sign) * -32), \
+      RUN(0.8125, 0.875, -(sign), (sign) * -28, (sign)*32), REST_AT_LAST(0.125)
+
+static const struct scallop_piece wait_extension[] = { WAIT(1) };
+static const struct scallop_piece wait_contraction[] = { WAIT(-1) };
+static const struct scallop_gait wait_gait = {
+  "wait", { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false }, { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false } }
+};
+
+/* Minimum jerk in half of a phase, from either end; velocity of a piece: its amplitude. */
+static inline double hump_sign(const struct scallop_piece *p)
+{
+  return p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
+}
+static inline double hump_bend(double u) { return 60 * (2 * u) * (1 - 2 * u) * (1 - 4 * u); }
+static inline double hump_length(const struct scallop_piece *p, double u)
+{
+  double x = 2 * u;
+  return hump_sign(p) * p->velocity * (x * x * x * (10 - x * (15 - 6 * x)));
+}
+static inline double hump_velocity(const struct scallop_piece *p, double u)
+{
+  double root = 2 * u * (1 - 2 * u);
+  return p->direction * p->velocity * 60 * (root * root);
+}
+static inline double hump_acceleration(const struct scallop_piece *p, double u)
+{
+  return hump_sign(p) * p->velocity * 4 * hump_bend(u);
+}
+/* By bisection, as the bend is monotone in a piece */
+static inline double hump_when(const struct scallop_piece *p, double a)
+{
+  double level = hump_sign(p) * a / (4 * p->velocity), below = p->begin, above = p->end;
+  if (hump_bend(below) > hump_bend(above)) {
+    below = p->end;
+    above = p->begin;
+  }
+  if (!(hump_bend(below) <= level && level <= hump_bend(above)))
+    return NAN;
+  for (double mid; (mid = 0.5 * (below + above)) != below && mid != above;)
+    *(hump_bend(mid) < level ? &below : &above) = mid;
+  return above;
+}
+
+static const struct scallop_curve hump = { hump_length, hump_velocity, hump_acceleration, hump_when, NULL };
+static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 240, -960, 960 }, 1 };
+static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 120, -480, 480 }, 1 };
+
+#define HUMP_TURN 0.10566243270259355889 /* (3 - sqrt 3)/12, and half of the phase minus that: l''' = 0 */
+#define HUMP_FALLS 0.39433756729740644113
+#define HUMP_PART(from, to, anchored, sign, amplitude, exactly) \
+  { \
+    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .velocity = (amplitude), .curve = &hump, \
+    .law = &(exactly) \
+  }
+#define HUMP_AT_FIRST(sign, amplitude, exactly) \
+  HUMP_PART(0, HUMP_TURN, SCALLOP_FROM_START, sign, amplitude, exactly), \
+      HUMP_PART(HUMP_TURN, HUMP_FALLS, SCALLOP_FROM_START, sign, amplitude, exactly), \
+      HUMP_PART(HUMP_FALLS, 0.5, SCALLOP_FROM_START, sign, amplitude, exactly)
+
+/* hesitant: out at once, then rest; back in two humps, between which l' touches 0 */
+static const struct scallop_piece hesitant_extension[] = { HUMP_AT_FIRST(1, 1, whole_hump), REST_AT_LAST(0.5) };
+static const struct scallop_piece hesitant_contraction[] = {
+  HUMP_AT_FIRST(-1, 0.5, half_hump), HUMP_PART(0.5, HUMP_FALLS, SCALLOP_FROM_END, -1, 0.5, half_hump),
+  HUMP_PART(HUMP_FALLS, HUMP_TURN, SCALLOP_FROM_END, -1, 0.5, half_hump),
+  HUMP_PART(HUMP_TURN, 0, SCALLOP_FROM_END, -1, 0.5, half_hump)
+};
+static const struct scallop_gait hesitant_gait = { "hesitant",
+                                                   { { hesitant_extension, 4, 0, 0, 3.75, 0.5, false, false },
+                                                     { hesitant_contraction, 6, 0, 0, 1.875, -1, false, false } } };
+
+/* ---- with jumps ---- */
 
 /* stride: l' = 3/2, then 1/2, with jumps */
 static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };

@@ -1,0 +1,17 @@
+/* A measured gait: the file, and the spline through it. */
+#ifndef SCALLOP_GAIT_FILE_H
+#define SCALLOP_GAIT_FILE_H
+
+#include "model/gaits.h"
+
+struct gait_file {
+  struct scallop_spline spline;
+  double L, T, alpha; /* of the table itself                                                    */
+};
+
+/* Reads a table of t and l from file, which is called name in messages, and lays the spline through it. NULL, or what is wrong with it: it
+ * lives until the next call; *unreadable: the file could not be read at all. text: the gait's name, which is kept. */
+const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable);
+void gait_file_free(struct gait_file *gait);
+
+#endif

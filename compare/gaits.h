@@ -1,0 +1,36 @@
+/* Gaits by their names on the command line:
+ *
+ *     quadratic, sinusoidal, minimum-jerk
+ *     trapezoidal[:UP,DOWN[,UP,DOWN]]    fractions of the phase; the second pair is for the contraction (0.25,0.25)
+ *     skewed[:BETA[,BETA]]               (0.25)
+ *     polynomial:C1,C2,...               coefficients of s, s^2, ... of l over the extension
+ *     measured:FILE                      a table of t and l, through which a spline is laid
+ *
+ * model/gaits.h has what they are. */
+#ifndef SCALLOP_COMPARE_GAITS_H
+#define SCALLOP_COMPARE_GAITS_H
+
+#include "model/model.h"
+
+/* What --help says of them */
+extern const char gaits_help[];
+
+/* The text of a gait is shorter than this, with "--gait " before it. */
+enum { GAIT_TEXT = 4096 };
+
+enum gait_fault { GAIT_FINE, GAIT_UNKNOWN, GAIT_UNREADABLE };
+struct gait_answer {
+  const struct scallop_gait
+      *gait;             /* its name is the text; it lives until the program ends, and the same text gives the same one */
+  enum gait_fault fault; /* UNREADABLE: a file could not be read at all                                                */
+  const char *wrong;     /* what is wrong, where gait is NULL; lives until the next call                             */
+};
+struct gait_answer gait_of_text(const char *text);
+
+/* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
+bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
+
+/* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no value. */
+bool gait_has_ends(const struct scallop_gait *gait);
+
+#endif

@@ -1,0 +1,269 @@
+/* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, certified against double, and derived series. */
+#include "tests/check.h"
+
+#include <float.h>
+
+#include "asymptotics/derived.h"
+#include "compare/gaits.h"
+#include "compare/stress.h"
+#include "model/ball.h"
+#include "numerics/certified.h"
+#include "tests/random_gait.h"
+
+enum { BITS = 300, PRECISION = 400, ORDER = 14 };
+
+static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
+
+/* |x - y| with the radii of both */
+static double apart(const arb_t x, const arb_t y)
+{
+  arb_t d;
+  arf_t most;
+  arb_init(d);
+  arf_init(most);
+  arb_sub(d, x, y, PRECISION);
+  arb_get_abs_ubound_arf(most, d, 53);
+  double far = arf_get_d(most, ARF_RND_UP);
+  arb_clear(d);
+  arf_clear(most);
+  return far;
+}
+
+/* ---- laws ---- */
+
+static void ball_of(arb_t x, double value) { arb_set_d(x, value); }
+
+/* The ways of all pieces add up to 1, and where one piece ends the next one has the same l': exactly, as far as 300 bits tell. */
+static void laws_fit_together(const struct scallop_shape *shape, int kind)
+{
+  arb_ptr t = _arb_vec_init(5), sum = t, way = t + 1, u = t + 2, v = t + 3, before = t + 4;
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    ball_of(u, p->begin);
+    ball_of(v, p->end);
+    scallop_ball_way(way, p, u, v, BITS);
+    arb_addmul_si(sum, way, p->direction, BITS);
+    scallop_ball_speed(way, p, u, BITS);
+    arb_mul_si(way, way, p->direction, BITS);
+    CHECK_AT_MOST(apart(way, before), 1e-60 * shape->peak);
+    scallop_ball_speed(before, p, v, BITS);
+    if (i == 0)
+      assert_true(arb_is_zero(way));
+    if (i + 1 == shape->count)
+      assert_true(arb_is_zero(before));
+    arb_mul_si(before, before, p->direction, BITS);
+  }
+  arb_set_si(way, kind == SCALLOP_EXTENSION ? 1 : -1);
+  CHECK_AT_MOST(apart(sum, way), 1e-60 * shape->peak);
+  _arb_vec_clear(t, 5);
+}
+
+/* l', l'' and l in doubles are those of the law: l' to its last digits also where it is next to nothing. Bernstein's form cancels
+ * where its coefficients have both signs, by at most the largest of them over |l'|; the curves are evaluated in long double. */
+static void doubles_follow_the_law(struct random *r, const struct scallop_shape *shape)
+{
+  const double ulp = DBL_EPSILON;
+  arb_ptr t = _arb_vec_init(4), u = t, value = t + 1, begin = t + 2;
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    double at = p->begin + (p->end - p->begin) * random_between(r, 0, 1), velocity = p->curve->velocity(p, at);
+    double steep = fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end)));
+    ball_of(u, at);
+    scallop_ball_speed(value, p, u, BITS);
+    arb_mul_si(value, value, p->direction, BITS);
+    CHECK_NEAR(velocity, middle(value),
+               p->linear ? 4 * ulp * (fabs(p->velocity) + fabs(velocity))
+                         : 0x1p-8 * ulp * shape->peak + 2 * ulp * fabs(velocity));
+    scallop_ball_rate(value, p, u, BITS);
+    arb_mul_si(value, value, p->direction, BITS);
+    CHECK_NEAR(p->curve->acceleration(p, at), middle(value), 4 * ulp * (steep + shape->peak));
+    ball_of(begin, p->begin);
+    scallop_ball_way(value, p, begin, u, BITS);
+    CHECK_NEAR(p->curve->length(p, at) - p->curve->length(p, p->begin), p->direction * middle(value),
+               8 * ulp * fmax(1, shape->peak));
+  }
+  _arb_vec_clear(t, 4);
+}
+
+static void laws(void **state)
+{
+  (void)state;
+  struct random r = { 20261211 };
+  struct random_gait made;
+  for (int i = 0; i < 40 * RANDOM_GAITS; i++) {
+    const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % RANDOM_GAITS), &made);
+    assert_true(scallop_gait_is_exact(gait) && scallop_gait_is_rational(gait));
+    for (int kind = 0; kind < 2; kind++) {
+      laws_fit_together(&gait->phase[kind], kind);
+      doubles_follow_the_law(&r, &gait->phase[kind]);
+    }
+  }
+}
+
+/* A cubic that is cut in the middle of the phase goes on there, turned; a knot is a corner of l''. */
+static void pieces_that_go_on(void **state)
+{
+  (void)state;
+  struct scallop_piece pieces[8];
+  struct scallop_law all[8];
+  double numbers[8][7];
+  struct scallop_spline s = { .pieces = pieces, .laws = all, .numbers = numbers };
+  const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.75, 0.5, 0.5 }, { 1, 1, 0 } },
+                            back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
+  bool turned = false;
+  assert_int_equal(scallop_make_spline(&s, "", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
+                   SCALLOP_OK);
+  const struct scallop_piece *p = s.gait.phase[0].pieces;
+  assert_true(scallop_piece_goes_on(p, p + 1, &turned));
+  assert_true(turned);
+  assert_false(scallop_piece_goes_on(p + 1, p + 2, &turned));
+  assert_false(turned);
+  p = gait_of_text("trapezoidal:0.25,0.125").gait->phase[0].pieces;
+  assert_false(scallop_piece_goes_on(p, p + 1, &turned));
+  assert_true(scallop_piece_goes_on(p + 1, p + 2, &turned));
+  assert_true(turned);
+  p = gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].pieces;
+  for (int i = 0; i + 1 < gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].count; i++)
+    assert_true(scallop_piece_goes_on(p + i, p + i + 1, &turned));
+}
+
+/* ---- double against certified ---- */
+
+/* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded twice, a unit at most. In
+ * directed rounding all these have one sign, and no spread is promised. pieces: 0, or how many there are of a spline. */
+static void judge(const struct stress_case *s, int pieces)
+{
+  struct stress_judgement j;
+  stress_judge(s, &j);
+  for (int q = 0; q < STRESS_QUANTITIES; q++) {
+    const char *broken = stress_broken(&j, q);
+    if (pieces > 0 && j.outcome != STRESS_LIED)
+      broken = !j.has[q] || j.error[q] <= (STRESS_PROMISE + pieces) * j.unit[q] ? NULL : "error";
+    if (!broken)
+      continue;
+    print_crawler(&s->crawler);
+    fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
+             stress_quantities[s->kind][q], j.error[q] / j.unit[q], j.rounding[q] / j.unit[q], (int)s->phase, s->v0);
+  }
+}
+
+/* The promise of numerics.h: 8 units */
+static void promise(void **state)
+{
+  (void)state;
+  static const enum family families[] = { ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE };
+  struct random r = { 20261212 };
+  struct random_gait made;
+  for (int i = 0; i < 36 * WITHOUT_TURN; i++) {
+    const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % WITHOUT_TURN), &made);
+    int pieces = i % WITHOUT_TURN == SPLINE ? gait->phase[0].count + gait->phase[1].count : 0;
+    struct stress_case s = { .kind = STRESS_STEADY, .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) };
+    judge(&s, pieces);
+    s.kind = STRESS_PHASE;
+    s.phase = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    s.v0 = random_start(&r, &s.crawler, s.phase);
+    judge(&s, pieces);
+  }
+}
+
+static void check_number(double got, const arb_t wanted, double size, const struct scallop_crawler *c, const char *what)
+{
+  if (fabs(got - middle(wanted)) <= 1e-13 * size)
+    return;
+  print_crawler(c);
+  fail_msg("%s: %.17g, and %.17g is wanted", what, got, middle(wanted));
+}
+
+/* Where l' changes its sign within a phase, and c is small there, a body's turn is known to an ulp of the phase and not of the time from
+ * there: so velocities are right to an ulp of the largest l'. */
+static void turning(void **state)
+{
+  (void)state;
+  struct random r = { 20261213 };
+  struct random_gait made;
+  struct scallop_certified_steady wanted;
+  struct scallop_rational_crawler exact;
+  scallop_certified_steady_init(&wanted);
+  scallop_rational_init(&exact);
+  for (int i = 0; i < 60; i++) {
+    const struct scallop_gait *gait = random_gait(&r, i % 2 ? TURNING_SPLINE : TURNING_POLYNOMIAL, &made);
+    struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, gait);
+    struct scallop_steady_result got;
+    const char *why = "";
+    scallop_rational_of(&exact, &c);
+    assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
+    if (scallop_certified_steady(&exact, 20, &wanted, &why) != SCALLOP_OK) {
+      print_crawler(&c);
+      fail_msg("%s", why);
+    }
+    double peak = fmax(gait->phase[0].peak, gait->phase[1].peak), unit = peak * c.L / (c.T * fmin(c.alpha, 1 - c.alpha));
+    check_number(got.period.v_start, wanted.v_start, unit, &c, "v_start");
+    check_number(got.period.v_mid, wanted.v_mid, unit, &c, "v_mid");
+    check_number(got.period.displacement, wanted.displacement, unit * c.T, &c, "displacement");
+    check_number(got.period.multiplier, wanted.multiplier, 100, &c, "multiplier");
+  }
+  scallop_rational_clear(&exact);
+  scallop_certified_steady_clear(&wanted);
+}
+
+/* ---- series ---- */
+
+/* The terms below T^ORDER are the certified value, up to about the next one; and the first one is the paper's (26), in which
+ * 1/l_0 - 1/l_T = (up + down)(1 - up/2 - down/2), for these crawlers to the last digit, as l' is linear where the bodies turn. */
+static void derived_series(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *text;
+    slong numerator, denominator; /* of 1/l_0 - 1/l_T */
+  } cases[] = { { "trapezoidal:0.25,0.125", 39, 128 },
+                { "trapezoidal:0.5,0.25", 15, 32 },
+                { "skewed:0.375", 1, 2 },
+                { "skewed:0.3", 1, 2 } };
+  struct scallop_rational_crawler exact;
+  struct scallop_steady_expansion e;
+  struct scallop_certified_steady wanted;
+  arb_t at, value;
+  fmpq_t first, formula;
+  arb_init(at);
+  arb_init(value);
+  fmpq_init(first);
+  fmpq_init(formula);
+  scallop_rational_init(&exact);
+  scallop_steady_expansion_init(&e);
+  scallop_certified_steady_init(&wanted);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct scallop_crawler c = scallop_crawler_default();
+    c.gait = gait_of_text(cases[i].text).gait;
+    c.T = 0x1p-10;
+    scallop_rational_of(&exact, &c);
+    assert_int_equal(scallop_expand_steady(&exact, ORDER, PRECISION, &e, NULL), SCALLOP_OK);
+    assert_int_equal(scallop_certified_steady(&exact, 40, &wanted, NULL), SCALLOP_OK);
+    arb_set_fmpq(at, exact.T, PRECISION);
+    series_value(value, &e.v_start, at, ORDER, PRECISION);
+    CHECK_AT_MOST(apart(value, wanted.v_start), 1e-30);
+    series_value(value, &e.displacement, at, ORDER, PRECISION);
+    CHECK_AT_MOST(apart(value, wanted.displacement), 1e-34);
+    /* (F1 - F2)(2 alpha - 1) L m* / (2 (1/l_0 - 1/l_T) [alpha^2 F1 m1 + (1 - alpha)^2 F2 m2]) for the default crawler */
+    assert_true(series_rational_coefficient(first, &e.v_start, -1));
+    fmpq_set_si(formula, 60 * cases[i].denominator, (ulong)(37 * cases[i].numerator));
+    fmpq_canonicalise(formula);
+    assert_true(fmpq_equal(first, formula));
+  }
+  fmpq_clear(first);
+  fmpq_clear(formula);
+  arb_clear(at);
+  arb_clear(value);
+  scallop_rational_clear(&exact);
+  scallop_steady_expansion_clear(&e);
+  scallop_certified_steady_clear(&wanted);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(laws),    cmocka_unit_test(pieces_that_go_on), cmocka_unit_test(promise),
+    cmocka_unit_test(turning), cmocka_unit_test(derived_series),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,211 @@
+/* Gaits of very many pieces: the error must not grow with them, nor the modes change. */
+#include "tests/check.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+#include "model/gaits.h"
+#include "numerics/certified.h"
+#include "tests/certified_balls.h"
+#include "tests/random_crawler.h"
+
+/* The size of the ways that are added up: of the mechanism, of the start, and of friction. */
+static double way_size(const struct scallop_crawler *c, double v0, double tau)
+{
+  return c->L + (fabs(v0) + (c->F1 + c->F2) * tau / (c->m1 + c->m2)) * tau;
+}
+
+/* ---- the quadratic gait in very many pieces ---- */
+
+enum { CUTS = 512 }; /* of each half of a phase */
+
+struct cut {
+  struct scallop_piece pieces[2][2 * CUTS];
+  struct scallop_gait gait;
+};
+
+static void cut_up(struct cut *cut)
+{
+  cut->gait = scallop_gait_quadratic;
+  cut->gait.name = "cut-up";
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_shape *shape = &cut->gait.phase[kind];
+    for (int i = 0; i < 2 * CUTS; i++) {
+      bool late = i >= CUTS;
+      struct scallop_piece *p = &cut->pieces[kind][i];
+      *p = shape->pieces[late];
+      p->begin = (late ? 2 * CUTS - i : i) * (0.5 / CUTS);
+      p->end = (late ? 2 * CUTS - i - 1 : i + 1) * (0.5 / CUTS);
+    }
+    shape->pieces = cut->pieces[kind];
+    shape->count = 2 * CUTS;
+    shape->concave = shape->ramps = false;
+  }
+}
+
+static void cut_up_it_is_the_same(void **state)
+{
+  (void)state;
+  static struct cut cut;
+  struct random r = { 20261301 };
+  cut_up(&cut);
+  for (int i = 0; i < 400; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 4 == 0 ? STICK_SLIP : ORDINARY, &scallop_gait_quadratic);
+    enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    double v0 = random_start(&r, &c, kind), tau = scallop_phase_duration(&c, kind), way = way_size(&c, v0, tau);
+    struct scallop_phase_result whole, parts;
+    assert_int_equal(scallop_phase(&c, kind, v0, &whole), SCALLOP_OK);
+    c.gait = &cut.gait;
+    assert_int_equal(scallop_phase(&c, kind, v0, &parts), SCALLOP_OK);
+    assert_int_equal(parts.modes.count, whole.modes.count);
+    assert_int_equal(parts.regime, whole.regime);
+    CHECK_RELATIVE(parts.t1, whole.t1, 4 * DBL_EPSILON);
+    CHECK_RELATIVE(parts.dT, whole.dT, 16 * DBL_EPSILON);
+    CHECK_NEAR(parts.v_end, whole.v_end, 2 * DBL_EPSILON * way / tau);
+    CHECK_NEAR(parts.dx1, whole.dx1, 2 * DBL_EPSILON * way);
+    CHECK_NEAR(parts.dx2, whole.dx2, 2 * DBL_EPSILON * way);
+    CHECK_NEAR(parts.dxC, whole.dxC, 2 * DBL_EPSILON * way);
+  }
+}
+
+/* ---- a spline, as through data: out, back a little, out; a dwell; and the other way ---- */
+
+enum { KNOTS = 513 };
+
+struct drawn {
+  struct scallop_knot knots[2][KNOTS];
+  struct scallop_spline spline;
+};
+
+static double drawn_length(double s)
+{
+  double pi = 3.14159265358979323846, part = s < 1. / 3 ? 1.2 * s : s < 0.5 ? 0.4 : 0.4 + 1.2 * (s - 0.5);
+  double wave = sin(pi * part), l = (1 - cos(pi * part)) / 2 + 0.1 * wave * wave * sin(6 * pi * part);
+  return fmin(fmax(l, 0), 1);
+}
+
+/* Harmonic means of the slopes on both sides, and 0 where these differ in sign: monotone between the knots */
+static void draw_phase(struct random *r, struct scallop_knot *k, bool up)
+{
+  for (int i = 0; i < KNOTS; i++) {
+    double s = (i + (i == 0 || i == KNOTS - 1 ? 0 : random_between(r, -0.3, 0.3))) / (KNOTS - 1);
+    double l = i == 0 ? 0 : i == KNOTS - 1 ? 1 : drawn_length(s);
+    k[i] = (struct scallop_knot){ scallop_knot_round(s), scallop_knot_round(up ? l : 1 - l), 0 };
+  }
+  for (int i = 1; i < KNOTS - 1; i++) {
+    double before = (k[i].length - k[i - 1].length) / (k[i].time - k[i - 1].time);
+    double after = (k[i + 1].length - k[i].length) / (k[i + 1].time - k[i].time);
+    k[i].slope = before * after > 0 ? 2 / (1 / before + 1 / after) : 0;
+  }
+}
+
+static struct drawn *draw_gait(void)
+{
+  struct drawn *d = calloc(1, sizeof *d);
+  const struct scallop_knot *const knots[2] = { d->knots[0], d->knots[1] };
+  const int count[2] = { KNOTS, KNOTS };
+  struct random r = { 20261302 };
+  draw_phase(&r, d->knots[0], true);
+  draw_phase(&r, d->knots[1], false);
+  size_t pieces = (size_t)scallop_spline_pieces(count);
+  d->spline.pieces = calloc(pieces, sizeof *d->spline.pieces);
+  d->spline.laws = calloc(pieces, sizeof *d->spline.laws);
+  d->spline.numbers = calloc(pieces, sizeof *d->spline.numbers);
+  assert_int_equal(scallop_make_spline(&d->spline, "drawn", knots, count), SCALLOP_OK);
+  return d;
+}
+
+static void rub_out(struct drawn *d)
+{
+  free(d->spline.pieces);
+  free(d->spline.laws);
+  free(d->spline.numbers);
+  free(d);
+}
+
+static void the_gait_has_it_all(void **state)
+{
+  (void)state;
+  struct drawn *d = draw_gait();
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &d->spline.gait.phase[kind];
+    int seen[3] = { 0, 0, 0 };
+    for (int i = 0; i < shape->count; i++)
+      seen[shape->pieces[i].direction + 1]++;
+    assert_true(seen[0] > 10 && seen[1] > 10 && seen[2] > 10);
+    CHECK_AT_MOST(shape->peak, 4);
+  }
+  rub_out(d);
+}
+
+static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+{
+  struct scallop_phase_result got;
+  struct scallop_certified_phase exact;
+  struct scallop_rational_crawler rational;
+  fmpq_t start;
+  double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
+  fmpq_init(start);
+  scallop_rational_init(&rational);
+  scallop_certified_phase_init(&exact);
+  scallop_rational_of(&rational, c);
+  scallop_rational_set_double(start, v0);
+  assert_int_equal(scallop_phase(c, kind, v0, &got), SCALLOP_OK);
+  assert_int_equal(scallop_certified_phase(&rational, kind, start, 20, &exact, NULL), SCALLOP_OK);
+  assert_true(same_modes(&got.modes, &exact.modes));
+  assert_int_equal(got.regime, exact.regime);
+  CHECK_NEAR(got.v_end, nearest(exact.v_end), 2 * DBL_EPSILON * way / tau);
+  CHECK_NEAR(got.dx1, nearest(exact.dx1), 2 * DBL_EPSILON * way);
+  CHECK_NEAR(got.dx2, nearest(exact.dx2), 2 * DBL_EPSILON * way);
+  CHECK_NEAR(got.dxC, nearest(exact.dxC), 2 * DBL_EPSILON * way);
+  if (exact.switches) {
+    CHECK_NEAR(got.t1, nearest(exact.t1), 4 * DBL_EPSILON * tau);
+    CHECK_NEAR(got.dT, nearest(exact.dT), 4 * DBL_EPSILON * tau);
+  }
+  scallop_certified_phase_clear(&exact);
+  scallop_rational_clear(&rational);
+  fmpq_clear(start);
+}
+
+static void a_spline_through_many_knots(void **state)
+{
+  (void)state;
+  struct random r = { 20261303 };
+  struct drawn *d = draw_gait();
+  for (int i = 0; i < 24; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 3 == 0 ? STICK_SLIP : ORDINARY, &d->spline.gait);
+    enum scallop_phase_kind kind = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    compare(&c, kind, random_start(&r, &c, kind));
+  }
+  rub_out(d);
+}
+
+static void its_steady_state(void **state)
+{
+  (void)state;
+  struct drawn *d = draw_gait();
+  struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
+  struct scallop_steady_result got;
+  struct scallop_certified_steady exact;
+  struct scallop_rational_crawler rational;
+  c.gait = &d->spline.gait;
+  scallop_rational_init(&rational);
+  scallop_certified_steady_init(&exact);
+  scallop_rational_of(&rational, &c);
+  assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
+  assert_int_equal(scallop_certified_steady(&rational, 20, &exact, NULL), SCALLOP_OK);
+  for (int kind = 0; kind < 2; kind++)
+    assert_true(same_modes(&got.period.modes[kind], &exact.modes[kind]));
+  CHECK_NEAR(got.period.v_start, nearest(exact.v_start), 4 * DBL_EPSILON * c.L / c.T);
+  CHECK_NEAR(got.period.displacement, nearest(exact.displacement), 4 * DBL_EPSILON * c.L);
+  scallop_certified_steady_clear(&exact);
+  scallop_rational_clear(&rational);
+  rub_out(d);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = { cmocka_unit_test(cut_up_it_is_the_same), cmocka_unit_test(the_gait_has_it_all),
+                                      cmocka_unit_test(a_spline_through_many_knots), cmocka_unit_test(its_steady_state) };
+  return cmocka_run_group_tests_name("many pieces", tests, NULL, NULL);
+}

@@ -1,0 +1,269 @@
+/* Axes, journals and the words for a change of modes. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "compare/axis.h"
+#include "compare/journal.h"
+#include "compare/mode_change.h"
+#include "tests/check.h"
+
+/* ---- axes ---- */
+
+static void axes_are_read(void **state)
+{
+  (void)state;
+  struct axis a;
+  assert_null(axis_read(&a, "F1/F2", NULL));
+  assert_true(a.from == 0.01 && a.to == 100 && a.count == 41 && a.log);
+  CHECK_EQUAL(axis_node(&a, 20), 1.0);
+  assert_null(axis_read(&a, "alpha", NULL));
+  assert_true(a.from == 0.01 && a.to == 0.99 && a.count == 41 && !a.log);
+  assert_null(axis_read(&a, "T", "0.5:8:5:linear"));
+  CHECK_EQUAL(axis_node(&a, 0), 0.5);
+  CHECK_EQUAL(axis_node(&a, 2), 4.25);
+  CHECK_EQUAL(axis_node(&a, 4), 8.0);
+  assert_null(axis_read(&a, "alpha", "0.1:0.4:3:log"));
+  CHECK_RELATIVE(axis_node(&a, 1), 0.2, 0x1p-51);
+  assert_null(axis_read(&a, "froude", "3:3:1"));
+  CHECK_EQUAL(axis_node(&a, 0), 3.0);
+}
+
+static void bad_axes_are_refused(void **state)
+{
+  (void)state;
+  static const char *const ranges[] = { "1:2",     "1:2:3:log:x", "2:1:3",      "1:1:2",  "1:2:1", "0:1:3",
+                                        "-1:1:3",  "1:2:0",       "1:2:2.5",    "1:2:+3", "a:2:3", "1:b:3",
+                                        "1:inf:3", "1:2:3:lo",    "1:2:100001", "",       "1:2:",  "1e-200:1e200:3" };
+  struct axis a = { .count = -7 };
+  for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
+    if (!axis_read(&a, "T", ranges[i]))
+      fail_msg("'%s' was taken", ranges[i]);
+  assert_non_null(axis_read(&a, "alpha", "0.5:1:3"));
+  assert_non_null(strstr(axis_read(&a, "frude", NULL), "'froude'"));
+  assert_int_equal(a.count, -7);
+}
+
+static void axes_set_the_crawler(void **state)
+{
+  (void)state;
+  struct axis axes[2];
+  struct scallop_crawler base = scallop_crawler_default();
+  base.F2 = 3;
+  assert_null(axis_read(&axes[0], "froude", NULL));
+  assert_null(axis_read(&axes[1], "F1/F2", NULL));
+  struct scallop_crawler c = axes_crawler(axes, &base, 0.3, 2.5);
+  CHECK_EQUAL(c.F1, 7.5);
+  CHECK_RELATIVE((c.m1 + c.m2) * c.L / (c.T * c.T * (c.F1 + c.F2)), 0.3, 0x1p-50);
+  assert_null(axis_read(&axes[0], "m1/m2", NULL));
+  base.m2 = 0.5;
+  c = axes_crawler(axes, &base, 4, 1);
+  assert_true(c.m1 == 2 && c.m2 == 0.5 && c.F1 == 3 && c.T == base.T);
+}
+
+/* ---- journals ---- */
+
+enum { ITEMS = 5 };
+static const double items[ITEMS][3] = {
+  { 1.5, -0.0, 0x1.123456789abcdp-300 }, { NAN, INFINITY, -INFINITY }, { 0.1, 0.2, 0.3 }, { 1e308, 4, 5 }, { 7, 8, 9 }
+};
+
+struct taken {
+  int count;
+  bool wrong;
+};
+
+static bool take(void *context, long number, int count, const double *values)
+{
+  struct taken *t = context;
+  if (number != t->count || count != 3)
+    return false;
+  for (int i = 0; i < 3; i++) {
+    double a = values[i], b = items[number][i];
+    t->wrong |= isnan(b) ? !isnan(a) : !(a == b) || signbit(a) != signbit(b);
+  }
+  t->count++;
+  return true;
+}
+
+static char path[] = "/tmp/scallop-journal-XXXXXX";
+
+static enum journal_outcome look(const char *title, struct taken *taken)
+{
+  struct journal j;
+  *taken = (struct taken){ 0 };
+  enum journal_outcome outcome = journal_open(&j, path, title, take, taken);
+  if (outcome == JOURNAL_NEW || outcome == JOURNAL_FOUND)
+    journal_close(&j, false);
+  return outcome;
+}
+
+static void write_all(void)
+{
+  struct journal j;
+  struct taken none;
+  unlink(path);
+  assert_int_equal(journal_open(&j, path, "ours", take, &none), JOURNAL_NEW);
+  for (int i = 0; i < ITEMS; i++)
+    assert_true(journal_add(&j, i, 3, items[i]));
+  journal_close(&j, false);
+}
+
+/* However much of the file was written: the items of its whole lines, to the last bit, and never a wrong one. */
+static void any_part_of_a_journal(void **state)
+{
+  (void)state;
+  char bytes[2000];
+  write_all();
+  FILE *f = fopen(path, "r");
+  size_t size = fread(bytes, 1, sizeof bytes, f);
+  fclose(f);
+  int last = 0;
+  for (size_t part = 0; part <= size; part++) {
+    struct taken taken;
+    f = fopen(path, "w");
+    fwrite(bytes, 1, part, f);
+    fclose(f);
+    enum journal_outcome outcome = look("ours", &taken);
+    int lines = 0;
+    for (size_t i = 0; i < part; i++)
+      lines += bytes[i] == '\n';
+    assert_int_equal(outcome, lines > 1 ? JOURNAL_FOUND : JOURNAL_NEW);
+    assert_int_equal(taken.count, lines > 0 ? lines - 1 : 0);
+    assert_false(taken.wrong);
+    assert_true(taken.count >= last);
+    last = taken.count;
+  }
+  assert_int_equal(last, ITEMS);
+  unlink(path);
+}
+
+static void a_changed_line_ends_it(void **state)
+{
+  (void)state;
+  struct taken taken;
+  write_all();
+  FILE *f = fopen(path, "r+");
+  char line[200];
+  long third = 0;
+  for (int i = 0; i < 3; i++) /* the title and two items */
+    assert_non_null(fgets(line, sizeof line, f));
+  third = ftell(f);
+  fseek(f, third + 6, SEEK_SET);
+  fputc('f', f);
+  fclose(f);
+  assert_int_equal(look("ours", &taken), JOURNAL_FOUND);
+  assert_int_equal(taken.count, 2);
+  assert_int_equal(look("ours", &taken), JOURNAL_FOUND); /* the rest is gone */
+  assert_int_equal(taken.count, 2);
+  unlink(path);
+}
+
+static void journals_of_others(void **state)
+{
+  (void)state;
+  struct taken taken;
+  write_all();
+  assert_int_equal(look("our", &taken), JOURNAL_OTHER);
+  assert_int_equal(look("ours and more", &taken), JOURNAL_OTHER);
+  assert_int_equal(taken.count, 0);
+  assert_int_equal(look("ours", &taken), JOURNAL_FOUND); /* it was left as it is */
+  assert_int_equal(taken.count, ITEMS);
+  unlink(path);
+  FILE *f = fopen(path, "w");
+  fputs("oursomething else", f);
+  fclose(f);
+  assert_int_equal(look("ours", &taken), JOURNAL_OTHER);
+  unlink(path);
+  errno = 0;
+  struct journal j;
+  assert_int_equal(journal_open(&j, "/nonexistent/journal", "ours", take, &taken), JOURNAL_ERROR);
+  assert_int_equal(errno, ENOENT);
+}
+
+static void a_finished_journal_goes(void **state)
+{
+  (void)state;
+  struct journal j;
+  struct taken none;
+  unlink(path);
+  assert_int_equal(journal_open(&j, path, "ours", take, &none), JOURNAL_NEW);
+  journal_close(&j, true);
+  assert_int_not_equal(access(path, F_OK), 0);
+}
+
+/* ---- words ---- */
+
+/* "++ -+ ++ | ++ +- ++" */
+static void read_modes(const char *text, struct scallop_modes modes[2])
+{
+  int phase = 0;
+  modes[0].count = modes[1].count = 0;
+  for (; *text; text++) {
+    if (*text == '|')
+      phase = 1;
+    if (*text == ' ' || *text == '|')
+      continue;
+    signed char s[2];
+    for (int i = 0; i < 2; i++)
+      s[i] = (signed char)(text[i] == '+' ? 1 : text[i] == '-' ? -1 : 0);
+    modes[phase].kept[modes[phase].count++] = (struct scallop_mode){ s[0], s[1] };
+    text++;
+  }
+}
+
+static enum scallop_regime regime_of(const char *text)
+{
+  return !strchr(text, '0')                                             ? SCALLOP_SLIDING
+         : strcmp(text, "0+ | 0-") == 0 || strcmp(text, "-0 | +0") == 0 ? SCALLOP_AT_REST
+                                                                        : SCALLOP_STICK_SLIP;
+}
+
+static double sign_of(const char *text) { return text[0] != text[1] ? 0 : text[0] == '+' ? 1 : -1; }
+
+static void changes_in_words(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *before, *after, *wanted;
+  } cases[] = {
+    { "++ -+ ++ | ++ +- ++", "-- -+ ++ | ++ +- --", "start velocity changes sign" },
+    { "++ -+ ++ | ++ +- ++", "++ -+ -- | -- +- ++", "mid velocity changes sign" },
+    { "-- -+ ++ | ++ +- --", "-- -+ 0+ | +- --", "onset of sticking: body 1 in the extension" },
+    { "-- -+ ++ | ++ +- --", "-+ ++ | ++ +- 0-", "onset of sticking: body 1 in the contraction" },
+    { "-+ ++ | ++ +- 0-", "-- -+ ++ | ++ +- --", "end of sticking: body 1 in the contraction" },
+    { "++ -+ -- | -- +- ++", "++ -+ -0 | +- ++", "onset of sticking: body 2 in the extension" },
+    { "0+ | +- 0-", "0+ | 0-", "permanent rest of body 1" },
+    { "-0 | +0", "-0 | +- +0", "end of the permanent rest of body 2" },
+    { "++ -+ ++ | ++ +- ++", "++ -+ ++ | ++", "body 2 ceases to turn in the contraction" },
+    { "++ -+ ++ | ++", "++ -+ ++ | ++ +- ++", "body 2 begins to turn in the contraction" },
+    { "-- -+ 0+ | +- --", "-- -+ 0+ ++ | ++ +- --", "body 1 is released before the end of the extension" },
+    { "-- -+ 0+ ++ | ++ +- --", "-- -+ 0+ | +- --", "body 1 is held to the end of the extension" },
+    { "-+ 0+ | +- 0-", "0+ | +- 0-", "body 1 is held from the start of the extension" },
+    { "++ -+ ++ | ++ +- ++", "-- -+ -- | -- +- --", "the bodies exchange their roles" },
+    { "++ -+ ++ | ++ +- ++", "++ -+ ++ | ++ +- ++", "no change of modes" },
+    { "++ -+ 0+ ++ | ++ +- ++", "++ -+ 0+ -+ 0+ ++ | ++ +- ++", "body 1 sticks more often in the extension" },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct scallop_modes before[2], after[2];
+    char text[MODE_CHANGE_TEXT];
+    read_modes(cases[i].before, before);
+    read_modes(cases[i].after, after);
+    const struct mode_state a = { before, regime_of(cases[i].before), sign_of(cases[i].before) };
+    const struct mode_state b = { after, regime_of(cases[i].after), sign_of(cases[i].after) };
+    assert_string_equal(mode_change_text(text, &a, &b), cases[i].wanted);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = { cmocka_unit_test(axes_are_read),           cmocka_unit_test(bad_axes_are_refused),
+                                      cmocka_unit_test(axes_set_the_crawler),    cmocka_unit_test(any_part_of_a_journal),
+                                      cmocka_unit_test(a_changed_line_ends_it),  cmocka_unit_test(journals_of_others),
+                                      cmocka_unit_test(a_finished_journal_goes), cmocka_unit_test(changes_in_words) };
+  int file = mkstemp(path);
+  if (file >= 0)
+    close(file);
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
