@@ -75,18 +75,10 @@ static bool signature_at(struct signature *out, const struct subject *s, double 
   return true;
 }
 
-static bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
-{
-  for (int phase = 0; phase < 2; phase++)
-    if (a[phase].count != b[phase].count
-        || memcmp(a[phase].kept, b[phase].kept, (size_t)a[phase].count * sizeof *a[phase].kept) != 0)
-      return false;
-  return true;
-}
-
 static bool same(const struct signature *a, const struct signature *b)
 {
-  return same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->place, b->place, sizeof a->place) == 0;
+  return subject_same_modes(a->modes, b->modes) && a->regime == b->regime
+         && memcmp(a->place, b->place, sizeof a->place) == 0;
 }
 
 /* ---- one event ---- */
@@ -106,13 +98,13 @@ static bool settle(double *low, double *high, const struct subject *s, const str
                    const struct signature *after)
 {
   struct scallop_modes modes[2];
-  if (!modes_in_wide(modes, s, *low) || !same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
-      || !same_modes(modes, after->modes))
+  if (!modes_in_wide(modes, s, *low) || !subject_same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
+      || !subject_same_modes(modes, after->modes))
     return false;
   for (double T; (T = *low + (*high - *low) / 2) > *low && T < *high;) {
     if (!modes_in_wide(modes, s, T))
       return false;
-    *(same_modes(modes, before->modes) ? low : high) = T;
+    *(subject_same_modes(modes, before->modes) ? low : high) = T;
   }
   return true;
 }
@@ -153,8 +145,8 @@ static bool is_certified(const struct subject *s, double T, const struct signatu
 {
   static const double off = 0x1p-47;
   struct scallop_modes modes[2];
-  return certified_modes(modes, s, T * (1 - off)) && same_modes(modes, before->modes)
-         && certified_modes(modes, s, T * (1 + off)) && same_modes(modes, after->modes);
+  return certified_modes(modes, s, T * (1 - off)) && subject_same_modes(modes, before->modes)
+         && certified_modes(modes, s, T * (1 + off)) && subject_same_modes(modes, after->modes);
 }
 
 /* A body turns in another piece than before: which one, in which phase. */
@@ -174,7 +166,7 @@ static void tell_place(char *text, size_t size, const struct subject *s, const s
 
 static void describe(struct event *e, const struct subject *s, const struct signature *before, const struct signature *after)
 {
-  if (same_modes(before->modes, after->modes) && before->regime == after->regime) {
+  if (subject_same_modes(before->modes, after->modes) && before->regime == after->regime) {
     tell_place(e->what, sizeof e->what, s, before, after);
     return;
   }
@@ -214,7 +206,7 @@ static void enter(struct events *events, const struct subject *s, double low, do
   e->modes[1] = after.modes[1];
   e->regime = after.regime;
   describe(e, s, &before, &after);
-  if (same_modes(before.modes, after.modes)) {
+  if (subject_same_modes(before.modes, after.modes)) {
     e->T = settle_place(s, low, high, &before);
     return;
   }

@@ -38,6 +38,7 @@ bool exact_certified(const struct subject *subject, enum breakdown_quantity quan
 bool subject_has(const struct subject *subject, enum breakdown_quantity quantity);
 /* "++ -+ ++ | ++ +- ++"; text must hold 2 * SCALLOP_MODES_TEXT + 4 bytes. */
 void subject_modes_text(const struct subject *subject, const struct scallop_modes modes[2], char *text);
+bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 /* The duration at which the Froude number is 1, and the Froude number. */
 double subject_natural_time(const struct subject *subject);
 double subject_froude(const struct subject *subject, double T);
@@ -122,7 +123,7 @@ void events_find(struct events *events, const struct subject *subject, const cha
 /* ---- radius of convergence ---- */
 
 struct radius_estimate {
-  const char *method; /* poles, ratio, three-term, root                                        */
+  const char *method; /* poles, Pade, ratio, root                                        */
   double T;           /* |T| of the nearest singularity                                           */
   double low, high;   /* of a ball that is proven, or between estimates from fewer terms             */
   char note[EVENT_TEXT];

@@ -7,9 +7,13 @@
 
 #include <flint/fmpq_vec.h>
 #if __FLINT_RELEASE >= 30000
+#include <flint/acb_poly.h>
 #include <flint/arb_fmpz_poly.h>
+#include <flint/arb_mat.h>
 #else
+#include <acb_poly.h>
 #include <arb_fmpz_poly.h>
+#include <arb_mat.h>
 #endif
 
 /* sum over j of a_j T^(first + stride j): the terms that are not 0 by symmetry */
@@ -174,83 +178,186 @@ static bool by_poles(struct radius_estimate *e, const struct terms *t)
 /* ---- estimates ----
  *
  * Near its singularity at distance R a function goes as (1 - z/R)^p, and its coefficients as R^-j j^(-1-p): the ratio of neighbours is
- * (1 - (1 + p)/j)/R. For a pair R exp(+-i theta) they oscillate, and the ratio is one of determinants. All go to their limits as 1/j,
- * and that is taken away by the last two: j q_j - (j - 1) q_(j-1). */
+ * (1 - (1 + p)/j)/R, from which the last two take the 1/j: j q_j - (j - 1) q_(j-1). Where there are several singularities at about
+ * that distance the ratio oscillates; a Pade approximant has its poles near each of them. */
 
-/* log |a_j| and the sign, for j < count */
-struct logarithms {
-  double *size;
+struct growth {
+  const struct terms *terms;
+  slong precision;
+  double *size; /* log |a_j|, and the sign                                                     */
   int *sign;
 };
 
 static double nth_root(double x, slong n) { return exp(log(x) / (double)n); }
 
-/* The estimates at the last place and at three quarters of it are the ends of what is told. */
-static void set_estimate(struct radius_estimate *e, const char *method, const char *note, double last, double before,
-                         slong stride)
+/* |a_(j-1)/a_j|, extrapolated; nan where the signs did not repeat from the middle on. */
+static double by_ratio(const struct growth *g, slong j)
 {
-  double a = nth_root(last, stride), b = nth_root(before, stride);
-  *e = (struct radius_estimate){ .method = method, .T = a, .low = fmin(a, 2 * a - b), .high = fmax(a, 2 * a - b) };
-  e->low = fmin(e->low, b);
-  e->high = fmax(e->high, b);
-  snprintf(e->note, sizeof e->note, "%s", note);
-}
-
-/* |a_(j-1)/a_j|, extrapolated; nan where the signs do not repeat. */
-static double by_ratio(const struct logarithms *l, slong j)
-{
-  for (slong k = j - 3; k <= j; k++)
-    if (l->sign[k] * l->sign[k - 1] != l->sign[j] * l->sign[j - 1])
+  for (slong k = j / 2; k <= j; k++)
+    if (g->sign[k] * g->sign[k - 1] != g->sign[j] * g->sign[j - 1])
       return NAN;
-  double q = exp(l->size[j] - l->size[j - 1] - (l->size[j - 1] - l->size[j - 2])), n = (double)j;
-  return exp(l->size[j - 2] - l->size[j - 1]) / (n * q - (n - 1));
-}
-
-/* a_(j+1) a_(j-1) - a_j^2 over that for j - 1, the size of a_j^2/a_(j-1)^2 taken out: both in numbers of ordinary size */
-static double determinant(const struct logarithms *l, slong j)
-{
-  return l->sign[j + 1] * l->sign[j - 1] * exp(l->size[j + 1] + l->size[j - 1] - 2 * l->size[j]) - 1;
-}
-
-static double squared_ratio(const struct logarithms *l, slong j)
-{
-  return determinant(l, j) / determinant(l, j - 1) * exp(2 * (l->size[j] - l->size[j - 1]));
-}
-
-/* Mercer and Roberts: R^-2 for R exp(+-i theta), -R^-2 for +-R */
-static double by_three_terms(const struct logarithms *l, slong j)
-{
-  double n = (double)j, scale = exp(2 * (l->size[j - 2] - l->size[j - 1]));
-  double limit = n * squared_ratio(l, j) * scale - (n - 1) * squared_ratio(l, j - 1) * scale;
-  return sqrt(fabs(scale / limit));
+  double q = exp(g->size[j] - g->size[j - 1] - (g->size[j - 1] - g->size[j - 2])), n = (double)j;
+  return exp(g->size[j - 2] - g->size[j - 1]) / (n * q - (n - 1));
 }
 
 /* log |a_j| = A - j log R - B log j through three places that are far apart */
-static double by_root(const struct logarithms *l, slong j)
+static double by_root(const struct growth *g, slong j)
 {
   const slong places[3] = { j / 3, 2 * j / 3, j };
   double x[3], y[3];
   for (int i = 0; i < 3; i++) {
     x[i] = (double)places[i];
-    y[i] = l->size[places[i]];
+    y[i] = g->size[places[i]];
   }
   double u1 = x[1] - x[0], u2 = x[2] - x[0], v1 = log(x[1] / x[0]), v2 = log(x[2] / x[0]);
   double w1 = y[1] - y[0], w2 = y[2] - y[0];
   return exp(-(w1 * v2 - w2 * v1) / (u1 * v2 - u2 * v1));
 }
 
-static bool take_logarithms(struct logarithms *l, const struct terms *t, slong precision)
+static void coefficient_of(arb_t a, const struct growth *g, slong j)
+{
+  series_coefficient(a, g->terms->series, g->terms->first + j * g->terms->stride, g->precision);
+}
+
+/* numerator/denominator, from a_0 to a_2n. */
+struct pade {
+  acb_poly_t numerator, denominator;
+  slong n;
+};
+
+/* sum over k <= n of q_k a_(m-k) = 0 for m = n + 1, ..., 2n, q_0 = 1. False: it has fewer poles. */
+static bool find_denominator(struct pade *p, const struct growth *g)
+{
+  slong n = p->n;
+  arb_mat_t a, b, q;
+  arb_mat_init(a, n, n);
+  arb_mat_init(b, n, 1);
+  arb_mat_init(q, n, 1);
+  for (slong row = 0; row < n; row++)
+    for (slong k = 0; k <= n; k++)
+      coefficient_of(k == 0 ? arb_mat_entry(b, row, 0) : arb_mat_entry(a, row, k - 1), g, n + 1 + row - k);
+  arb_mat_neg(b, b);
+  bool found = n > 0 && arb_mat_solve(q, a, b, g->precision);
+  acb_poly_one(p->denominator);
+  for (slong k = 1; found && k <= n; k++) {
+    acb_t c;
+    acb_init(c);
+    arb_get_mid_arb(acb_realref(c), arb_mat_entry(q, k - 1, 0));
+    acb_poly_set_coeff_acb(p->denominator, k, c);
+    acb_clear(c);
+  }
+  arb_mat_clear(a);
+  arb_mat_clear(b);
+  arb_mat_clear(q);
+  return found;
+}
+
+static void find_numerator(struct pade *p, const struct growth *g)
+{
+  acb_t a;
+  acb_init(a);
+  for (slong k = 0; k <= p->n; k++) {
+    coefficient_of(acb_realref(a), g, k);
+    acb_poly_set_coeff_acb(p->numerator, k, a);
+  }
+  acb_poly_mullow(p->numerator, p->numerator, p->denominator, p->n + 1, g->precision);
+  acb_clear(a);
+}
+
+/* Has a pole a share in the last coefficient, a_2n? Others, with a zero beside them, are of no meaning. */
+static bool matters(const struct pade *p, const acb_t pole, const arb_t last, slong precision)
+{
+  enum { LEAST_SHARE = 1000 };
+  acb_t value, residue, slope;
+  arb_t share;
+  acb_init(value);
+  acb_init(residue);
+  acb_init(slope);
+  arb_init(share);
+  acb_poly_evaluate(residue, p->numerator, pole, precision);
+  acb_poly_evaluate2(value, slope, p->denominator, pole, precision);
+  acb_div(residue, residue, slope, precision);
+  acb_pow_ui(slope, pole, (ulong)(2 * p->n + 1), precision);
+  acb_div(residue, residue, slope, precision);
+  acb_abs(share, residue, precision);
+  arb_mul_ui(share, share, LEAST_SHARE, precision);
+  bool does = arf_cmpabs(arb_midref(share), arb_midref(last)) > 0;
+  acb_clear(value);
+  acb_clear(residue);
+  acb_clear(slope);
+  arb_clear(share);
+  return does;
+}
+
+/* The least |z| of the poles that matter, not proven; nan if they are not found. */
+static double nearest_pole(const struct pade *p, const arb_t last, slong precision)
+{
+  acb_ptr poles = _acb_vec_init(p->n);
+  arb_t size;
+  double least = NAN;
+  arb_init(size);
+  acb_poly_find_roots(poles, p->denominator, NULL, 0, precision);
+  for (slong i = 0; i < p->n; i++) {
+    acb_get_mid(poles + i, poles + i);
+    acb_abs(size, poles + i, precision);
+    double here = arf_get_d(arb_midref(size), ARF_RND_NEAR);
+    if (!(here >= least) && matters(p, poles + i, last, precision))
+      least = here;
+  }
+  arb_clear(size);
+  _acb_vec_clear(poles, p->n);
+  return least;
+}
+
+/* From a_0 to a_j, or one less */
+static double by_pade(const struct growth *g, slong j)
+{
+  struct pade p = { .n = j / 2 };
+  arb_t last;
+  arb_init(last);
+  acb_poly_init(p.numerator);
+  acb_poly_init(p.denominator);
+  double least = NAN;
+  if (find_denominator(&p, g)) {
+    find_numerator(&p, g);
+    coefficient_of(last, g, 2 * p.n);
+    least = nearest_pole(&p, last, g->precision);
+  }
+  acb_poly_clear(p.numerator);
+  acb_poly_clear(p.denominator);
+  arb_clear(last);
+  return least;
+}
+
+/* From the last coefficient; and the ends of what the same says from one, two, three, an eighth and a quarter less. False: one of these
+ * says nothing. */
+static bool set_estimate(struct radius_estimate *e, double (*estimate)(const struct growth *, slong), const struct growth *g)
+{
+  slong last = g->terms->count - 1;
+  const slong places[] = { last, last - 1, last - 2, last - 3, last - last / 8, last - last / 4 };
+  for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+    double T = nth_root(estimate(g, places[i]), g->terms->stride);
+    if (!isfinite(T) || T <= 0)
+      return false;
+    e->T = i == 0 ? T : e->T;
+    e->low = i == 0 ? T : fmin(e->low, T);
+    e->high = i == 0 ? T : fmax(e->high, T);
+  }
+  return true;
+}
+
+static bool take_logarithms(struct growth *g)
 {
   bool sound = true;
   arb_t a;
   arb_init(a);
-  for (slong j = 0; j < t->count; j++) {
-    series_coefficient(a, t->series, t->first + j * t->stride, precision);
-    l->sign[j] = arb_is_positive(a) ? 1 : arb_is_negative(a) ? -1 : 0;
+  for (slong j = 0; j < g->terms->count; j++) {
+    coefficient_of(a, g, j);
+    g->sign[j] = arb_is_positive(a) ? 1 : arb_is_negative(a) ? -1 : 0;
     arb_abs(a, a);
-    arb_log(a, a, precision);
-    l->size[j] = arf_get_d(arb_midref(a), ARF_RND_NEAR);
-    sound = sound && l->sign[j] != 0;
+    arb_log(a, a, g->precision);
+    g->size[j] = arf_get_d(arb_midref(a), ARF_RND_NEAR);
+    sound = sound && g->sign[j] != 0;
   }
   arb_clear(a);
   return sound;
@@ -266,25 +373,25 @@ int radius_from_growth(struct radius_estimate e[RADIUS_METHODS], const struct se
 {
   enum { LEAST = 16 };
   static const struct {
-    double (*estimate)(const struct logarithms *, slong);
+    double (*estimate)(const struct growth *, slong);
     const char *method, *note;
-  } methods[] = { { by_ratio, "ratio", "ratio of neighbouring coefficients, extrapolated in 1/n (Domb and Sykes)" },
-                  { by_three_terms, "three-term", "ratio of determinants of three, extrapolated (Mercer and Roberts)" },
+  } methods[] = { { by_pade, "Pade", "nearest pole of the diagonal Pade approximant that the coefficients show" },
+                  { by_ratio, "ratio", "ratio of neighbouring coefficients, extrapolated in 1/n (Domb and Sykes)" },
                   { by_root, "root", "n-th root, with a power of n taken out" } };
   struct terms t = terms_of(series, order);
   if (t.count < LEAST)
     return 0;
-  struct logarithms l = { calloc((size_t)t.count, sizeof *l.size), calloc((size_t)t.count, sizeof *l.sign) };
+  struct growth g = { &t, precision, calloc((size_t)t.count, sizeof *g.size), calloc((size_t)t.count, sizeof *g.sign) };
   int found = 0;
-  if (l.size && l.sign && take_logarithms(&l, &t, precision))
+  if (g.size && g.sign && take_logarithms(&g))
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-      slong last = t.count - 2;
-      double R = methods[i].estimate(&l, last), earlier = methods[i].estimate(&l, 3 * last / 4);
-      if (isfinite(R) && R > 0 && isfinite(earlier) && earlier > 0)
-        set_estimate(&e[found++], methods[i].method, methods[i].note, R, earlier, t.stride);
+      struct radius_estimate *estimate = &e[found];
+      *estimate = (struct radius_estimate){ .method = methods[i].method };
+      snprintf(estimate->note, sizeof estimate->note, "%s", methods[i].note);
+      found += set_estimate(estimate, methods[i].estimate, &g);
     }
-  free(l.size);
-  free(l.sign);
+  free(g.size);
+  free(g.sign);
   return found;
 }
 

@@ -96,24 +96,49 @@ double comparison_certified_error(const struct comparison *c, double T, long dig
   return error;
 }
 
-/* |error|, for looking around: in double where that leaves many digits of it. */
-static double size_at(const struct comparison *c, int place)
+/* Errors above this are seen well enough in double. */
+static const double PLAIN = 1e-6;
+
+struct look {     /* at the error from afar                                                          */
+  double T, size; /* |error|                                                                      */
+  struct exact exact;
+};
+
+/* In double where that leaves many digits of the error. */
+static void look_at(struct look *look, const struct comparison *c, double T)
 {
-  const double plain = 1e-6;
+  look->T = T;
+  exact_in_double(c->subject, T, &look->exact);
+  look->size = fabs(error_of(c, T, &look->exact));
+  if (look->size > PLAIN)
+    return;
+  exact_in_wide(c->subject, T, &look->exact);
+  look->size = fabs(error_of(c, T, &look->exact));
+}
+
+/* The same at one of the places, from what is known there. */
+static void look_at_place(struct look *look, const struct comparison *c, int place)
+{
   struct exact_cache *cache = c->cache;
   double T = time_at(cache, place);
-  if (!cache->place[place]) {
-    cache->place[place] = malloc(sizeof *cache->place[place]);
-    if (!cache->place[place])
-      return NAN;
-    exact_in_double(c->subject, T, cache->place[place]);
+  if (cache->place[place]) {
+    *look = (struct look){ T, fabs(error_of(c, T, cache->place[place])), *cache->place[place] };
+    if (look->size > PLAIN || cache->is_wide[place])
+      return;
   }
-  double size = fabs(error_of(c, T, cache->place[place]));
-  if (cache->is_wide[place] || size > plain)
-    return size;
-  exact_in_wide(c->subject, T, cache->place[place]);
-  cache->is_wide[place] = true;
-  return fabs(error_of(c, T, cache->place[place]));
+  look_at(look, c, T);
+  cache->is_wide[place] = !(look->size > PLAIN);
+  if (!cache->place[place])
+    cache->place[place] = malloc(sizeof *cache->place[place]);
+  if (cache->place[place])
+    *cache->place[place] = look->exact;
+}
+
+static double size_at(const struct comparison *c, int place)
+{
+  struct look look;
+  look_at_place(&look, c, place);
+  return look.size;
 }
 
 /* ---- where the error passes the tolerance ---- */
@@ -166,21 +191,20 @@ static double peak_between(const struct comparison *c, double a, double b, doubl
   return fmax(at_left, at_right);
 }
 
-/* Does the error rise above the tolerance at a peak between the places around this one? *T: there. */
-static bool peaks_above(const struct comparison *c, int place, double tolerance, double *T)
+/* Does the error rise above the tolerance at a peak around the middle one of three? *T: there. */
+static bool peaks_above(const struct comparison *c, const struct look *before, const struct look *here,
+                        const struct look *after, double tolerance, double *T)
 {
-  double before = size_at(c, place - 1), here = size_at(c, place), after = size_at(c, place + 1);
-  if (!(here >= before && here >= after && here > tolerance / 16))
+  if (!(here->size >= before->size && here->size >= after->size && here->size > tolerance / 16))
     return false;
-  return peak_between(c, time_at(c->cache, place - 1), time_at(c->cache, place + 1), T) >= tolerance;
+  return peak_between(c, before->T, after->T, T) >= tolerance;
 }
 
-/* Does the exact value change its sign between this place and the next? There it is 0, and the relative error without bound. */
-static bool passes_zero(const struct comparison *c, int place)
+/* Does the exact value change its sign between the two? There it is 0, and the relative error without bound. */
+static bool passes_zero(const struct comparison *c, const struct look *a, const struct look *b)
 {
-  const struct exact *a = c->cache->place[place], *b = c->cache->place[place + 1];
   enum breakdown_quantity q = c->item.which.quantity;
-  return a && b && a->value[q].high * b->value[q].high < 0;
+  return a->exact.value[q].high * b->exact.value[q].high < 0;
 }
 
 /* The last T before the exact value is 0, to a double. */
@@ -230,25 +254,70 @@ double comparison_limit(const struct comparison *c)
   return NAN;
 }
 
+/* ---- the search ---- */
+
+struct search {
+  const struct comparison *comparison;
+  double tolerance, reach;  /* found: the answer                                                    */
+  struct look before, here; /* the last two looks, in the order of T                               */
+  bool begun, found;
+};
+
+/* Goes on to the next look: between the last one and this the error has one peak at most. */
+static void go_on(struct search *s, const struct look *next)
+{
+  const struct comparison *c = s->comparison;
+  double T;
+  if (s->found)
+    return;
+  if (s->begun && peaks_above(c, &s->before, &s->here, next, s->tolerance, &T)) {
+    s->reach = crossing(c, s->before.T, T, s->tolerance);
+    s->found = true;
+  } else if (passes_zero(c, &s->here, next)) {
+    T = zero_between(c, s->here.T,
+                     next->T); /* where no double lies on the slope beside it, the series reaches up to the zero */
+    s->reach = fabs(comparison_error(c, T)) < s->tolerance ? T : crossing(c, s->here.T, T, s->tolerance);
+    s->found = true;
+  } else if (!(next->size < s->tolerance)) {
+    s->reach = crossing(c, s->here.T, next->T, s->tolerance);
+    s->found = true;
+  }
+  s->begun = true;
+  s->before = s->here;
+  s->here = *next;
+}
+
+/* From here to there by way of every change of modes between: there the error can have a corner, and a peak as sharp as that. */
+static void go_over(struct search *s, const struct look *there)
+{
+  static const double narrow = 1e-11;
+  struct look middle;
+  if (s->found)
+    return;
+  double T = sqrt(s->here.T) * sqrt(there->T);
+  bool close = there->T - s->here.T <= narrow * there->T || !(T > s->here.T && T < there->T);
+  if (close || subject_same_modes(s->here.exact.modes, there->exact.modes)) {
+    go_on(s, there);
+    return;
+  }
+  look_at(&middle, s->comparison, T);
+  go_over(s, &middle);
+  go_over(s, there);
+}
+
 double comparison_reach(const struct comparison *c, double tolerance)
 {
+  struct search s = { .comparison = c, .tolerance = tolerance, .reach = INFINITY };
   int first = lowest_place(c, tolerance);
   if (first < 0)
     return isnan(size_at(c, MIDDLE < c->cache->last ? MIDDLE : c->cache->last)) ? NAN : 0;
-  for (int place = first; place < c->cache->last; place++) {
-    double T;
-    if (place > first && peaks_above(c, place, tolerance, &T))
-      return crossing(c, time_at(c->cache, place - 1), T, tolerance);
-    bool above = !(size_at(c, place + 1) < tolerance);
-    if (passes_zero(c,
-                    place)) { /* where the series is so good that no double lies on the slope, it reaches up to the zero */
-      T = zero_between(c, time_at(c->cache, place), time_at(c->cache, place + 1));
-      return fabs(comparison_error(c, T)) < tolerance ? T : crossing(c, time_at(c->cache, place), T, tolerance);
-    }
-    if (above)
-      return crossing(c, time_at(c->cache, place), time_at(c->cache, place + 1), tolerance);
+  look_at_place(&s.here, c, first);
+  for (int place = first; place < c->cache->last && !s.found; place++) {
+    struct look next;
+    look_at_place(&next, c, place + 1);
+    go_over(&s, &next);
   }
-  return INFINITY;
+  return s.reach;
 }
 
 /* ---- for one crawler at a time ---- */
@@ -278,6 +347,8 @@ static bool one_init(struct one *o, const struct scallop_crawler *crawler, const
 double breakdown_error(const struct scallop_crawler *crawler, const struct breakdown_series *series)
 {
   struct one o;
+  if (scallop_crawler_check(crawler, NULL) != SCALLOP_OK)
+    return NAN;
   double error = one_init(&o, crawler, series) ? comparison_error(&o.comparison, crawler->T) : NAN;
   expansions_clear(&o.expansions);
   return error;
@@ -287,6 +358,8 @@ double breakdown_reach(const struct scallop_crawler *crawler, const struct break
 {
   struct one o;
   double reach = NAN;
+  if (scallop_crawler_check(crawler, NULL) != SCALLOP_OK)
+    return NAN;
   if (one_init(&o, crawler, series) && (o.comparison.cache = exact_cache_new(&o.subject)))
     reach = comparison_reach(&o.comparison, tolerance);
   exact_cache_free(o.comparison.cache);

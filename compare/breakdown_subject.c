@@ -1,6 +1,7 @@
 /* The exact motion as a function of T. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "compare/breakdown_parts.h"
 #include "numerics/certified.h"
@@ -152,6 +153,15 @@ void subject_modes_text(const struct subject *s, const struct scallop_modes mode
   }
   scallop_modes_text(&modes[1], other);
   sprintf(text, "%s | %s", one, other);
+}
+
+bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
+{
+  for (int phase = 0; phase < 2; phase++)
+    if (a[phase].count != b[phase].count
+        || memcmp(a[phase].kept, b[phase].kept, (size_t)a[phase].count * sizeof *a[phase].kept) != 0)
+      return false;
+  return true;
 }
 
 double subject_froude(const struct subject *s, double T)

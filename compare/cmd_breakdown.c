@@ -3,9 +3,9 @@
 #include "compare/compare.h"
 #include "compare/with_flint.h"
 
-static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",       "L",      "alpha", "gait", "phase",
-                                       "v0", "source", "order",      "quantity", "tol",    "only",  "map",  "x",
-                                       "y",  "T",      "boundaries", "format",   "output", "quiet", NULL };
+static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",       "L",      "alpha",  "gait",  "phase",
+                                       "v0", "source", "order",      "quantity", "tol",    "only",   "map",   "x",
+                                       "y",  "T",      "boundaries", "format",   "digits", "output", "quiet", NULL };
 
 /* An option that has no use where a map is drawn, or where none is; NULL if there is none. */
 static const char *useless(const struct options *o)
@@ -35,28 +35,29 @@ const struct command command_breakdown = {
   .example = "scallop breakdown --F1 10 --only event",
   .accepts = accepts,
   .about =
-      "Of the steady state, T being the period; with --phase or --v0 of one phase from that velocity, T being its "
-      "duration.\n"
+      "Of the steady state, T being the period; with --phase or --v0 of one phase from that velocity, T its duration.\n"
       "Four kinds of rows (column what):\n"
       "  event   where the sequence of modes changes as T grows, or a body turns in another piece of l': T, note (what\n"
-      "          happens), modes (from there on). The first row is the limit T -> 0, with the T up to which its modes are\n"
-      "          proven. Above the first event the series is still computed, but is not about the motion any more.\n"
-      "  reach   T: the largest up to which |series/exact - 1| stays below tolerance, for the paper's formulas (series: "
-      "their\n"
-      "          names), for the derived terms below T^order and for the limit; 0: for no T, inf: for every one. error: at\n"
-      "          that T. The exact value passes 0: it reaches to there at most.\n"
-      "  radius  T: the radius of convergence of the derived series, from the poles of the rational function that it is, "
-      "or\n"
-      "          estimated from its coefficients (series: poles, ratio, three-term, root); error: half of the interval "
-      "that\n"
-      "          holds it (poles), or by which estimates from fewer terms differ.\n"
-      "  best    at this T the order of truncation, up to 96, with the least error: that order, and the error.\n"
-      "froude: the Froude number at T. status: certified (events: the modes at 1 -+ 2^-47 of T are proven; reach: the "
-      "error\n"
-      "at 1 -+ 2^-50 of T is proven to be on either side of the tolerance), binary128, double (modes do not show it), "
-      "exact,\n"
-      "estimate, derived. The parameters are exactly the doubles that are read.\n\n"
-      "--map X Y: the same quantities over a plane of two of F1/F2 (F2 stays), m1/m2 (m2 stays), alpha, T and froude. With\n"
-      "--boundaries the curves between its regions.",
+      "          happens), modes (from there on). The first row is the limit T -> 0, with the T up to which its modes\n"
+      "          are proven. Above the first event the series is still computed, but is not about the motion any more.\n"
+      "  reach   T: the largest up to which |series/exact - 1| stays below tolerance, for the paper's formulas\n"
+      "          (series: their names), the derived terms below T^order and the limit; 0: for no T, inf: for every one.\n"
+      "          Where the exact value passes 0 no series reaches further. error: at that T.\n"
+      "  radius  T: the radius of convergence of the derived series, from the poles of the rational function that it is,\n"
+      "          or estimated from its coefficients (series: poles, Pade, ratio, root); error: half of the interval that\n"
+      "          holds it (poles), or that estimates from fewer coefficients fill.\n"
+      "  best    the order of truncation, up to 96, with the least error at this T, and that error.\n"
+      "froude: the Froude number at T. status: certified (event: the modes at T (1 -+ 2^-47) are proven; reach: the error\n"
+      "at T (1 -+ 2^-50) is proven to be on either side of the tolerance), binary128, double (where no mode shows it),\n"
+      "exact, estimate, derived. The parameters are exactly the doubles that are read.\n"
+      "\n"
+      "--map X Y: a grid over two of F1/F2 (F2 stays), m1/m2 (m2 stays), alpha, T and froude, by default 41 values of each\n"
+      "(--x, --y FROM:TO:N, with :log or :linear). One row for each point, x running fastest: the crawler, its steady\n"
+      "state, and for each series the relative error at this T and the T it reaches to for 1e-2 and 1e-6. With -o FILE the\n"
+      "rows done are kept in FILE.rows; if the run is interrupted, the same command goes on from there.\n"
+      "--boundaries: the curves between regions with the same modes instead, each point to 1e-12 of the axis (its\n"
+      "logarithm, if it is a log axis), followed from where the grid of the map shows them; the regions on both sides, "
+      "what\n"
+      "changes, and at a junction which third region meets.",
   .run = run,
 };

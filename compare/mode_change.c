@@ -33,9 +33,9 @@ static void tell(struct told *t, const char *format, ...)
 static int kept(const struct scallop_modes *m) { return m->count < SCALLOP_MODES_KEPT ? m->count : SCALLOP_MODES_KEPT; }
 static int direction(const struct scallop_modes *m, int i, int body) { return body == 1 ? m->kept[i].s1 : m->kept[i].s2; }
 
-struct seen {       /* of one body in one phase */
-  int stops, turns; /* how often it comes to rest for a while, and changes its direction                              */
-  bool at_end;      /* at rest there                                                                               */
+struct seen {            /* of one body in one phase */
+  int stops, turns;      /* how often it comes to rest for a while, and changes its direction                              */
+  bool at_start, at_end; /* at rest there */
 };
 
 static struct seen look(const struct scallop_modes *m, int body)
@@ -47,6 +47,7 @@ static struct seen look(const struct scallop_modes *m, int body)
     s.stops += d == 0 && (i == 0 || direction(m, i - 1, body) != 0);
     s.turns += d != 0 && last != 0 && d != last;
     last = d != 0 ? d : last;
+    s.at_start |= i == 0 && d == 0;
     s.at_end = d == 0;
   }
   return s;
@@ -84,6 +85,8 @@ static void tell_stops(struct told *t, const struct scallop_modes *before, const
     tell(t, "end of sticking: body %d in the %s", body, phase_names[phase]);
   else if (a.at_end != b.at_end)
     tell(t, "body %d is %s the end of the %s", body, b.at_end ? "held to" : "released before", phase_names[phase]);
+  else if (a.at_start != b.at_start)
+    tell(t, "body %d %s the start of the %s", body, b.at_start ? "is held from" : "slips at", phase_names[phase]);
   else if (a.stops != b.stops)
     tell(t, "body %d sticks %s often in the %s", body, b.stops > a.stops ? "more" : "less", phase_names[phase]);
 }

@@ -4,7 +4,8 @@ set -eu
 build=$1
 scallop=$build/scallop
 sh scripts/tables.sh "$scallop" data
-sh scripts/plots.sh data "$build/plots"
+sh scripts/maps.sh "$scallop" data "$build/maps"
+sh scripts/plots.sh data "$build/plots" "$build/maps"
 
 # Rows of the ledger by the names of its columns: ledger 'PROGRAM of awk, with the cells as c["claim"]'
 ledger() {
