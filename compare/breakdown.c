@@ -208,6 +208,15 @@ static void write_radius(struct report *r, enum breakdown_quantity quantity)
   struct radius_estimate estimates[RADIUS_METHODS];
   const struct series *s = expansions_of(&r->many, quantity);
   int count = s ? radius_estimates(estimates, s, MANY, MANY_BITS) : 0;
+  if (count == 0)
+    write_row(r, &(struct row){ .what = "radius",
+                                .quantity = breakdown_quantity_text(quantity),
+                                .order = MANY,
+                                .tolerance = NAN,
+                                .T = NAN,
+                                .error = NAN,
+                                .note = !s ? "there is no derived series" : "its coefficients do not tell",
+                                .status = "-" });
   for (int i = 0; i < count; i++) {
     const struct radius_estimate *e = &estimates[i];
     char text[2 * EVENT_TEXT];
@@ -226,17 +235,14 @@ static void write_radius(struct report *r, enum breakdown_quantity quantity)
 
 /* ---- the best order ---- */
 
-/* The order with the least |error| at T, of those below MANY; *error: that. False: the exact value cannot be certified. */
-static bool best_order(const struct report *r, enum breakdown_quantity quantity, double T, slong *order, double *error)
+/* The order with the least |error| at T, of those below MANY; *error: that. False: the motion has no such value. */
+static bool best_order(const struct report *r, enum breakdown_quantity quantity, double T, const arb_t exact, slong *order,
+                       double *error)
 {
-  enum { DIGITS = 200 };
   const struct series *s = expansions_of(&r->many, quantity);
-  arb_t exact;
-  arb_init(exact);
-  bool found = exact_certified(&r->subject, quantity, T, DIGITS, exact);
   *error = INFINITY;
   *order = 0;
-  for (slong k = s->first; found && k < MANY; k++) {
+  for (slong k = s->first; arb_is_finite(exact) && k < MANY; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
     struct breakdown_series which = { FROM_DERIVED, k + 1, quantity };
@@ -248,8 +254,7 @@ static bool best_order(const struct report *r, enum breakdown_quantity quantity,
       *order = k + 1;
     }
   }
-  arb_clear(exact);
-  return found && isfinite(*error);
+  return isfinite(*error);
 }
 
 /* What more terms would do. */
@@ -263,15 +268,23 @@ static const char *beyond(const struct report *r, const struct series *s, double
   return text;
 }
 
-static void write_best(struct report *r, enum breakdown_quantity quantity)
+/* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of 2. */
+enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
+
+static double best_time(const struct report *r, int i)
 {
-  enum { BELOW = 8, ABOVE = 4 };
-  const struct series *s = expansions_of(&r->many, quantity);
   double about = r->events.count > 0 ? r->events.event[0].T : subject_natural_time(&r->subject);
-  for (int i = -BELOW; s && i <= ABOVE; i++) {
-    double T = i == 0 ? about * (1 - 1e-9) : about * exp2(i / 2.0), error;
+  return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
+}
+
+/* exact: the certified values at these times. */
+static void write_best(struct report *r, enum breakdown_quantity quantity, arb_ptr const exact[BEST])
+{
+  const struct series *s = expansions_of(&r->many, quantity);
+  for (int i = 0; s && i < BEST; i++) {
+    double T = best_time(r, i), error;
     slong order;
-    if (!best_order(r, quantity, T, &order, &error))
+    if (!best_order(r, quantity, T, exact[i] + quantity, &order, &error))
       continue;
     write_row(r, &(struct row){ .what = "best",
                                 .quantity = breakdown_quantity_text(quantity),
@@ -290,6 +303,13 @@ static void write_best(struct report *r, enum breakdown_quantity quantity)
 
 static void write_rows(struct report *r)
 {
+  enum { DIGITS = 200 };
+  arb_ptr exact[BEST];
+  for (int i = 0; i < BEST; i++) {
+    exact[i] = _arb_vec_init(BREAKDOWN_QUANTITIES);
+    if (is_wanted(r, "best"))
+      exact_certified(&r->subject, best_time(r, i), DIGITS, exact[i]);
+  }
   if (is_wanted(r, "event") && !r->options->quantity)
     write_events(r);
   for (int q = 0; q < BREAKDOWN_QUANTITIES; q++)
@@ -299,8 +319,10 @@ static void write_rows(struct report *r)
       if (is_wanted(r, "radius"))
         write_radius(r, (enum breakdown_quantity)q);
       if (is_wanted(r, "best"))
-        write_best(r, (enum breakdown_quantity)q);
+        write_best(r, (enum breakdown_quantity)q, exact);
     }
+  for (int i = 0; i < BEST; i++)
+    _arb_vec_clear(exact[i], BREAKDOWN_QUANTITIES);
 }
 
 static bool begin(struct report *r)
@@ -386,6 +408,7 @@ enum exit_code breakdown_table(const struct options *o)
     write_rows(&r);
     code = table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
   }
+  events_clear(&r.events);
   exact_cache_free(r.cache);
   expansions_clear(&r.expansions);
   expansions_clear(&r.many);

@@ -1,6 +1,7 @@
 /* What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another piece of the gait. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "compare/breakdown_parts.h"
@@ -10,9 +11,11 @@
 enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24 };
 /* Doubles tell the modes apart down to this distance from a change, and binary128 settles the rest. */
 static const double NARROW = 1e-13, WIDE = 1e-10;
+/* As near to a change as modes are proven: nearer to where a mode vanishes that takes seconds. */
+static const double PROVEN = 0x1p-40;
 
-struct place { /* where a mode begins: in which of the pieces                                      */
-  int phase, piece;
+struct place { /* where a mode begins: in which part of the phase                                  */
+  int part;
 };
 
 /* What a motion is made of: it changes where the expansion ends. */
@@ -25,25 +28,46 @@ struct signature {
 
 /* ---- the signature at T ---- */
 
-struct collector {
-  struct signature *signature;
-  const struct scallop_shape *shape;
-  int phase;
+struct finder {
+  const struct subject *subject;
+  struct events *events;
+  int *part[2]; /* of each piece of the phases: where l' goes on with the same analytic function two pieces are one part */
 };
 
-/* Where l' goes on with the same analytic function two pieces are one. */
-static int analytic_piece(const struct scallop_shape *shape, const struct scallop_piece *piece)
+static bool finder_init(struct finder *f, const struct subject *subject, struct events *events)
 {
-  int n = 0;
-  bool turned;
-  for (const struct scallop_piece *p = shape->pieces; p != piece; p++)
-    n += p->direction != p[1].direction || !scallop_piece_goes_on(p, p + 1, &turned);
-  return n;
+  *f = (struct finder){ .subject = subject, .events = events };
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &subject->crawler.gait->phase[kind];
+    f->part[kind] = calloc((size_t)shape->count, sizeof *f->part[kind]);
+    if (!f->part[kind])
+      return false;
+    for (int i = 1; i < shape->count; i++) {
+      const struct scallop_piece *p = &shape->pieces[i];
+      bool turned, goes_on = p->direction == p[-1].direction && scallop_piece_goes_on(p - 1, p, &turned);
+      f->part[kind][i] = f->part[kind][i - 1] + !goes_on;
+    }
+  }
+  return true;
 }
+
+static void finder_clear(struct finder *f)
+{
+  free(f->part[0]);
+  free(f->part[1]);
+}
+
+struct collector {
+  const struct finder *finder;
+  struct signature *signature;
+  enum scallop_phase_kind kind;
+  int phase; /* which of the subject's                                                      */
+};
 
 static void collect(void *context, const struct scallop_interval *interval)
 {
   const struct collector *c = context;
+  const struct scallop_piece *first = c->finder->subject->crawler.gait->phase[c->kind].pieces;
   struct scallop_modes *modes = &c->signature->modes[c->phase];
   int n = modes->count;
   if (n > 0 && modes->kept[n - 1].s1 == interval->mode.s1 && modes->kept[n - 1].s2 == interval->mode.s2)
@@ -51,12 +75,13 @@ static void collect(void *context, const struct scallop_interval *interval)
   if (n == SCALLOP_MODES_KEPT)
     return;
   modes->kept[n] = interval->mode;
-  c->signature->place[c->phase * SCALLOP_MODES_KEPT + n].piece = n ? analytic_piece(c->shape, interval->piece) : 0;
+  c->signature->place[c->phase * SCALLOP_MODES_KEPT + n].part = n ? c->finder->part[c->kind][interval->piece - first] : 0;
   modes->count++;
 }
 
-static bool signature_at(struct signature *out, const struct subject *s, double T)
+static bool signature_at(struct signature *out, const struct finder *f, double T)
 {
+  const struct subject *s = f->subject;
   struct exact e;
   memset(out, 0, sizeof *out); /* signatures are compared byte by byte */
   exact_in_double(s, T, &e);
@@ -68,7 +93,7 @@ static bool signature_at(struct signature *out, const struct subject *s, double 
   struct scallop_crawler c = subject_crawler(s, T);
   for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) {
     enum scallop_phase_kind kind = s->steady ? (enum scallop_phase_kind)phase : s->kind;
-    struct collector collector = { out, &c.gait->phase[kind], phase };
+    struct collector collector = { f, out, kind, phase };
     if (scallop_phase_intervals(&c, kind, phase == 0 ? out->v_start : out->v_mid, collect, &collector) < 0)
       return false;
   }
@@ -140,13 +165,12 @@ static bool certified_modes(struct scallop_modes modes[2], const struct subject 
   return done;
 }
 
-/* The modes a little below and above are proven to be these. A little: nearer to where a mode vanishes the proof takes seconds. */
+/* The modes a little below and above are proven to be these. */
 static bool is_certified(const struct subject *s, double T, const struct signature *before, const struct signature *after)
 {
-  static const double off = 0x1p-47;
   struct scallop_modes modes[2];
-  return certified_modes(modes, s, T * (1 - off)) && subject_same_modes(modes, before->modes)
-         && certified_modes(modes, s, T * (1 + off)) && subject_same_modes(modes, after->modes);
+  return certified_modes(modes, s, T * (1 - PROVEN)) && subject_same_modes(modes, before->modes)
+         && certified_modes(modes, s, T * (1 + PROVEN)) && subject_same_modes(modes, after->modes);
 }
 
 /* A body turns in another piece than before: which one, in which phase. */
@@ -156,10 +180,10 @@ static void tell_place(char *text, size_t size, const struct subject *s, const s
   static const char *const phase_text[] = { "extension", "contraction" };
   for (int i = 0; i < 2 * SCALLOP_MODES_KEPT; i++) {
     int phase = s->steady ? i / SCALLOP_MODES_KEPT : (int)s->kind, n = i % SCALLOP_MODES_KEPT;
-    if (before->place[i].piece == after->place[i].piece)
+    if (before->place[i].part == after->place[i].part)
       continue;
     snprintf(text, size, "switching time %d of the %s moves from piece %d of l' to piece %d", n, phase_text[phase],
-             before->place[i].piece + 1, after->place[i].piece + 1);
+             before->place[i].part + 1, after->place[i].part + 1);
     return;
   }
 }
@@ -182,24 +206,40 @@ static void describe(struct event *e, const struct subject *s, const struct sign
 }
 
 /* A switching time that leaves its piece: no mode shows it, so that doubles have to do. */
-static double settle_place(const struct subject *s, double low, double high, const struct signature *before)
+static double settle_place(const struct finder *f, double low, double high, const struct signature *before)
 {
   struct signature middle;
-  for (double T; (T = low + (high - low) / 2) > low && T < high && signature_at(&middle, s, T);)
+  for (double T; (T = low + (high - low) / 2) > low && T < high && signature_at(&middle, f, T);)
     *(same(&middle, before) ? &low : &high) = T;
   return low;
 }
 
-/* Something changes between low and high, which are close. Events that doubles cannot tell apart are one. */
-static void enter(struct events *events, const struct subject *s, double low, double high)
+/* Room for one more, or NULL. */
+static struct event *new_event(struct events *events)
 {
+  if (events->count == events->room) {
+    int room = events->room ? 2 * events->room : 16;
+    struct event *larger = realloc(events->event, (size_t)room * sizeof *larger);
+    if (!larger)
+      return NULL;
+    events->event = larger;
+    events->room = room;
+  }
+  return &events->event[events->count++];
+}
+
+/* Something changes between low and high, which are close. Events that doubles cannot tell apart are one. */
+static void enter(struct finder *f, double low, double high)
+{
+  struct events *events = f->events;
+  const struct subject *s = f->subject;
   struct signature before, after;
+  struct event *e;
   low *= 1 - WIDE;
   high *= 1 + WIDE;
-  if (events->count == MOST_EVENTS || (events->count > 0 && low <= events->event[events->count - 1].T)
-      || !signature_at(&before, s, low) || !signature_at(&after, s, high) || same(&before, &after))
+  if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, f, low)
+      || !signature_at(&after, f, high) || same(&before, &after) || !(e = new_event(events)))
     return;
-  struct event *e = &events->event[events->count++];
   e->status = "double";
   e->T = low + (high - low) / 2;
   e->modes[0] = after.modes[0];
@@ -207,7 +247,7 @@ static void enter(struct events *events, const struct subject *s, double low, do
   e->regime = after.regime;
   describe(e, s, &before, &after);
   if (subject_same_modes(before.modes, after.modes)) {
-    e->T = settle_place(s, low, high, &before);
+    e->T = settle_place(f, low, high, &before);
     return;
   }
   if (settle(&low, &high, s, &before, &after)) {
@@ -216,48 +256,59 @@ static void enter(struct events *events, const struct subject *s, double low, do
   }
 }
 
-static void search(struct events *events, const struct subject *s, double low, double high, const struct signature *at_low,
+static void search(struct finder *f, double low, double high, const struct signature *at_low,
                    const struct signature *at_high)
 {
   struct signature middle;
   double T = sqrt(low) * sqrt(high);
   if (same(at_low, at_high))
     return;
-  if (high - low <= NARROW * high || !(T > low && T < high) || !signature_at(&middle, s, T)) {
-    enter(events, s, low, high);
+  if (high - low <= NARROW * high || !(T > low && T < high) || !signature_at(&middle, f, T)) {
+    enter(f, low, high);
     return;
   }
-  search(events, s, low, T, at_low, &middle);
-  search(events, s, T, high, &middle, at_high);
+  search(f, low, T, at_low, &middle);
+  search(f, T, high, &middle, at_high);
 }
 
-void events_find(struct events *events, const struct subject *s, const char *limit_modes)
+/* From where the modes are those of T -> 0; false: there is nothing there. */
+static bool begin(struct finder *f, const char *limit_modes, struct signature *low)
 {
-  struct signature low, high;
   char text[2 * SCALLOP_MODES_TEXT + 4];
-  double natural = subject_natural_time(s);
-  *events = (struct events){ .from = ldexp(natural, -OCTAVES_BELOW), .until = subject_last_time(s) };
-  for (int i = 0; i < 8; i++) { /* where the modes are those of T -> 0 */
-    if (!signature_at(&low, s, events->from))
-      return;
-    subject_modes_text(s, low.modes, text);
+  struct events *events = f->events;
+  for (int i = 0; i < 8; i++) {
+    if (!signature_at(low, f, events->from))
+      return false;
+    subject_modes_text(f->subject, low->modes, text);
     if (*limit_modes == '\0' || strcmp(text, limit_modes) == 0)
       break;
     events->from = ldexp(events->from, -OCTAVES_BELOW);
   }
-  events->first[0] = low.modes[0];
-  events->first[1] = low.modes[1];
-  events->regime = low.regime;
-  long steps = (long)ceil(PER_OCTAVE * log2(events->until / events->from));
+  events->first[0] = low->modes[0];
+  events->first[1] = low->modes[1];
+  events->regime = low->regime;
+  return true;
+}
+
+void events_find(struct events *events, const struct subject *s, const char *limit_modes)
+{
+  struct finder f;
+  struct signature low, high;
+  *events = (struct events){ .from = ldexp(subject_natural_time(s), -OCTAVES_BELOW), .until = subject_last_time(s) };
+  bool going = finder_init(&f, s, events) && begin(&f, limit_modes, &low);
   double before = events->from;
-  for (long i = 1; i <= steps; i++) {
+  long steps = (long)ceil(PER_OCTAVE * log2(events->until / events->from));
+  for (long i = 1; going && i <= steps; i++) {
     double T = events->from * exp2((double)i / PER_OCTAVE);
-    if (!signature_at(&high, s, T)) {
+    going = signature_at(&high, &f, T);
+    if (going)
+      search(&f, before, T, &low, &high);
+    else
       events->until = before;
-      return;
-    }
-    search(events, s, before, T, &low, &high);
     low = high;
     before = T;
   }
+  finder_clear(&f);
 }
+
+void events_clear(struct events *events) { free(events->event); }

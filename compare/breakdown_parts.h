@@ -32,8 +32,9 @@ struct exact { /* at one T                                                      
 /* In double (low = 0), or in binary128: 25 us to 0.4 ms. */
 void exact_in_double(const struct subject *subject, double T, struct exact *exact);
 void exact_in_wide(const struct subject *subject, double T, struct exact *exact);
-/* value of the quantity as a ball with so many digits. False: it cannot be certified. */
-bool exact_certified(const struct subject *subject, enum breakdown_quantity quantity, double T, long digits, arb_t value);
+/* All of them as balls with so many digits: values[BREAKDOWN_QUANTITIES], not finite where there is none. False: they cannot be
+ * certified. */
+bool exact_certified(const struct subject *subject, double T, long digits, arb_ptr values);
 
 bool subject_has(const struct subject *subject, enum breakdown_quantity quantity);
 /* "++ -+ ++ | ++ +- ++"; text must hold 2 * SCALLOP_MODES_TEXT + 4 bytes. */
@@ -102,7 +103,7 @@ double comparison_limit(const struct comparison *c);
 
 /* ---- what ends it ---- */
 
-enum { MOST_EVENTS = 64, EVENT_TEXT = MODE_CHANGE_TEXT };
+enum { EVENT_TEXT = MODE_CHANGE_TEXT };
 
 struct event {
   double T;
@@ -115,10 +116,12 @@ struct events {
   struct scallop_modes first[2]; /* the modes below the first event                                   */
   enum scallop_regime regime;
   double from, until; /* searched: this range of T                                              */
-  int count;
-  struct event event[MOST_EVENTS];
+  int count, room;
+  struct event *event;
 };
+/* limit_modes: those for T -> 0, or "" where they are not known. */
 void events_find(struct events *events, const struct subject *subject, const char *limit_modes);
+void events_clear(struct events *events);
 
 /* ---- radius of convergence ---- */
 

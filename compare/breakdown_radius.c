@@ -330,7 +330,7 @@ static double by_pade(const struct growth *g, slong j)
 }
 
 /* From the last coefficient; and the ends of what the same says from one, two, three, an eighth and a quarter less. False: one of these
- * says nothing. */
+ * says nothing, or they contradict each other. */
 static bool set_estimate(struct radius_estimate *e, double (*estimate)(const struct growth *, slong), const struct growth *g)
 {
   slong last = g->terms->count - 1;
@@ -343,7 +343,7 @@ static bool set_estimate(struct radius_estimate *e, double (*estimate)(const str
     e->low = i == 0 ? T : fmin(e->low, T);
     e->high = i == 0 ? T : fmax(e->high, T);
   }
-  return true;
+  return e->high <= 2 * e->low;
 }
 
 static bool take_logarithms(struct growth *g)

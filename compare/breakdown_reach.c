@@ -87,12 +87,11 @@ double comparison_error(const struct comparison *c, double T)
 
 double comparison_certified_error(const struct comparison *c, double T, long digits)
 {
-  arb_t exact;
-  arb_init(exact);
-  double error = exact_certified(c->subject, c->item.which.quantity, T, digits, exact)
-                     ? comparison_error_beside(c, T, exact, BREAKDOWN_BITS)
-                     : NAN;
-  arb_clear(exact);
+  arb_ptr exact = _arb_vec_init(BREAKDOWN_QUANTITIES);
+  double error = NAN;
+  if (exact_certified(c->subject, T, digits, exact))
+    error = comparison_error_beside(c, T, exact + c->item.which.quantity, BREAKDOWN_BITS);
+  _arb_vec_clear(exact, BREAKDOWN_QUANTITIES);
   return error;
 }
 

@@ -126,8 +126,21 @@ bool series_item_next(struct series_item *item, const struct expansions *e, enum
 
 /* ---- their values ---- */
 
+/* Where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them. */
+static bool has_ends(const struct subject *s)
+{
+  const struct scallop_shape *phase = s->crawler.gait->phase;
+  bool has = true;
+  for (int kind = 0; kind < 2; kind++)
+    if (s->steady || kind == (int)s->kind)
+      has = has && phase[kind].l0 != 0 && phase[kind].lT != 0;
+  return has;
+}
+
 static bool formula_value(arb_t value, const struct series_item *item, struct expansions *e, const fmpq_t T)
 {
+  if (!has_ends(e->subject))
+    return false;
   struct series v;
   series_init(&v);
   series_set_rational(&e->symbols.value[SYMBOL_T], T);

@@ -100,21 +100,19 @@ void exact_in_wide(const struct subject *s, double T, struct exact *e)
   e->modes[0] = r.modes;
 }
 
-static bool certified_steady(const struct scallop_rational_crawler *c, enum breakdown_quantity quantity, long digits,
-                             arb_t value)
+static bool certified_steady(const struct scallop_rational_crawler *c, long digits, arb_ptr values)
 {
   struct scallop_certified_steady r;
   scallop_certified_steady_init(&r);
   bool done = scallop_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
-  const arb_struct *const values[] = { r.v_start, r.v_mid, r.displacement, r.mean_velocity };
-  if (done)
-    arb_set(value, values[quantity]);
+  const arb_struct *const all[] = { r.v_start, r.v_mid, r.displacement, r.mean_velocity };
+  for (int i = 0; done && i < STEADY_QUANTITIES; i++)
+    arb_set(values + i, all[i]);
   scallop_certified_steady_clear(&r);
   return done;
 }
 
-static bool certified_phase(const struct scallop_rational_crawler *c, const struct subject *s,
-                            enum breakdown_quantity quantity, long digits, arb_t value)
+static bool certified_phase(const struct scallop_rational_crawler *c, const struct subject *s, long digits, arb_ptr values)
 {
   struct scallop_certified_phase r;
   fmpq_t v0;
@@ -122,23 +120,24 @@ static bool certified_phase(const struct scallop_rational_crawler *c, const stru
   scallop_rational_set_double(v0, s->v0);
   scallop_certified_phase_init(&r);
   bool done = scallop_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
-  const arb_struct *const values[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
-  done = done && (r.switches || quantity > OF_DT);
-  if (done)
-    arb_set(value, values[quantity - OF_T1]);
+  const arb_struct *const all[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
+  for (int i = OF_T1; done && i < BREAKDOWN_QUANTITIES; i++)
+    if (r.switches || i > OF_DT)
+      arb_set(values + i, all[i - OF_T1]);
   scallop_certified_phase_clear(&r);
   fmpq_clear(v0);
   return done;
 }
 
-bool exact_certified(const struct subject *s, enum breakdown_quantity quantity, double T, long digits, arb_t value)
+bool exact_certified(const struct subject *s, double T, long digits, arb_ptr values)
 {
   struct scallop_crawler c = subject_crawler(s, T);
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   scallop_rational_of(&exact, &c);
-  bool done = s->steady ? certified_steady(&exact, quantity, digits, value)
-                        : certified_phase(&exact, s, quantity, digits, value);
+  for (int i = 0; i < BREAKDOWN_QUANTITIES; i++)
+    arb_indeterminate(values + i);
+  bool done = s->steady ? certified_steady(&exact, digits, values) : certified_phase(&exact, s, digits, values);
   scallop_rational_clear(&exact);
   return done;
 }
@@ -159,7 +158,10 @@ bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_mo
 {
   for (int phase = 0; phase < 2; phase++)
     if (a[phase].count != b[phase].count
-        || memcmp(a[phase].kept, b[phase].kept, (size_t)a[phase].count * sizeof *a[phase].kept) != 0)
+        || memcmp(a[phase].kept, b[phase].kept,
+                  (size_t)(a[phase].count < SCALLOP_MODES_KEPT ? a[phase].count : SCALLOP_MODES_KEPT)
+                      * sizeof *a[phase].kept)
+               != 0)
       return false;
   return true;
 }

@@ -47,7 +47,7 @@ const struct command command_breakdown = {
       "          or estimated from its coefficients (series: poles, Pade, ratio, root); error: half of the interval that\n"
       "          holds it (poles), or that estimates from fewer coefficients fill.\n"
       "  best    the order of truncation, up to 96, with the least error at this T, and that error.\n"
-      "froude: the Froude number at T. status: certified (event: the modes at T (1 -+ 2^-47) are proven; reach: the error\n"
+      "froude: the Froude number at T. status: certified (event: the modes at T (1 -+ 2^-40) are proven; reach: the error\n"
       "at T (1 -+ 2^-50) is proven to be on either side of the tolerance), binary128, double (where no mode shows it),\n"
       "exact, estimate, derived. The parameters are exactly the doubles that are read.\n"
       "\n"

@@ -55,6 +55,7 @@ static void sticking_begins_where_closed_forms_say(void **state)
                    held / c->alpha, 8 * 0x1p-53);
     CHECK_RELATIVE(time_of(&events, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
                    8 * 0x1p-53);
+    events_clear(&events);
   }
 }
 
@@ -102,6 +103,7 @@ static void events_are_where_certified_modes_change(void **state)
       assert_true(strcmp(e->status, "certified") == 0 || strstr(e->what, "switching time"));
     }
     assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
+    events_clear(&events);
   }
   assert_true(certified > 3 * all / 4);
 }
@@ -128,6 +130,7 @@ static void the_first_event_is_the_first(void **state)
     assert_true(events.event[0].T > proven * (1 - 1e-12));
     if (!strstr(ends, "corner"))
       CHECK_RELATIVE(events.event[0].T, proven, 3e-3);
+    events_clear(&events);
     scallop_rational_clear(&exact);
     arb_clear(T);
   }
@@ -153,6 +156,9 @@ static void events_scale_and_mirror(void **state)
       CHECK_RELATIVE(larger.event[k].T, 2 * one.event[k].T, 4 * 0x1p-52);
       CHECK_RELATIVE(exchanged.event[k].T, one.event[k].T, strstr(one.event[k].what, "switching") ? 1e-12 : 4 * 0x1p-52);
     }
+    events_clear(&one);
+    events_clear(&larger);
+    events_clear(&exchanged);
   }
 }
 
