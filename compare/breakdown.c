@@ -400,7 +400,8 @@ enum exit_code breakdown_table(const struct options *o)
   }
   r = (struct report){ .options = o, .subject = { .crawler = o->crawler, .steady = steady, .kind = o->phase, .v0 = o->v0 } };
   expansions_init(&r.expansions, &r.subject, o->order, BREAKDOWN_BITS);
-  expansions_init(&r.many, &r.subject, MANY, MANY_BITS);
+  bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
+  expansions_init(&r.many, &r.subject, looks_far ? MANY : 1, MANY_BITS);
   r.cache = exact_cache_new(&r.subject);
   events_find(&r.events, &r.subject, expansions_modes(&r.expansions));
   enum exit_code code = EXIT_FILE;
