@@ -423,8 +423,13 @@ static void come_to_node(struct walk *w)
     meet(w, 0, true);
 }
 
-/* The piece does not touch the end of the phase that it is anchored at. There u is good to an ulp of 1 only. */
-static inline bool is_apart(const struct scallop_piece *p) { return p->begin > 0 && p->end > 0; }
+/* The piece does not touch the end of the phase that it is anchored at, or |l'| goes to 0 at its other end: an ulp of u is more than an
+ * ulp of |l'| there. Where |l'| only rises from the anchor, concave, it never is. */
+static inline bool is_vague(const struct scallop_piece *p, real u, const struct rates *there)
+{
+  const int much = 4;
+  return (p->begin > 0 && p->end > 0) || magnitude(there->rate) * u > much * there->speed;
+}
 
 /* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next line? */
 static bool line_tells_better(const struct walk *w, int j, const struct rates *there)
@@ -449,16 +454,19 @@ static void slide(struct walk *w)
   }
   real duration = w->sense * (u - w->u), c = w->c + w->slope[w->region] * duration;
   struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
-  if (met >= 0 && !(is_apart(w->piece) && line_tells_better(w, met, &there)))
+  bool on_line = met >= 0 && is_vague(w->piece, u, &there) && line_tells_better(w, met, &there);
+  if (met >= 0 && !on_line)
     c = w->curve[met] * there.speed; /* on the curve to the last digit: the body's velocity is 0 */
   w->out->extra_impulse += w->extra[w->region] * duration;
-  go_straight(w, u, c, &there, met);
+  go_straight(w, u, c, &there, on_line ? -1 : met);
   if (met < 0)
     return;
   if (at_node)
     come_to_node(w);
   else
     meet(w, met, duration != 0);
+  if (on_line && (w->region <= met ? w->v[met] < 0 : w->v[met] > 0))
+    w->v[met] = 0; /* not on the side where it goes on, by rounding */
 }
 
 /* Where the body that is held by curve j is released, into region `to`: between here and the end, or at once if it is at its limit. */

@@ -76,4 +76,20 @@ run 0 stress --gait skewed:0.3 --T 0.5
 run 0 stress --gait trapezoidal:0.2,0.3 --family ordinary --cases 10
 [ "$(cells out gait verdict)" = 'trapezoidal:0.2,0.3 holds' ] || note "stress: $(cells out gait verdict)"
 finish "commands with gaits of all kinds"
+
+# ---- what a reviewer broke: a stroke next to a long dwell, and rows a millionth apart, where |l'| has a spike ----
+printf '0 1\n5 0\n9.9 0\n10 1\n' >dwell.txt
+for T in 0.001 0.02; do
+  run 0 stress --F1 1 --F2 4 --T $T --L 1 --alpha 0.05 --gait measured:dwell.txt
+done
+printf '0 0\n1 1\n2 2\n2.000001 3.5\n3.000001 4.5\n5.000001 5.5\n6.000001 7\n9.000001 0\n' >spike.txt
+spike='phase --v0 1 --F1 4 --F2 1.5 --m1 0.05 --T 20 --gait measured:spike.txt'
+# shellcheck disable=SC2086
+run 0 $spike
+cells out modes >double
+# shellcheck disable=SC2086
+run 0 $spike --certified
+cells out modes | cmp -s - double || note "modes: $(cat double), certified $(cells out modes)"
+finish "a short stroke beside a dwell, and rows a millionth apart"
+
 exit $failed
