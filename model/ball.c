@@ -198,17 +198,23 @@ static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
 static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const fmpq_t range)
 {
   int n = law->degree, implied = (int)law->numerator[n + 3];
-  fmpq_t others;
+  fmpq_t others, more;
   fmpq_init(others);
+  fmpq_init(more);
   for (int j = 0; j <= n; j++) {
     scallop_rational_set_double(b + j, law->numerator[j]);
     if (j != implied)
       fmpq_add(others, others, b + j);
   }
+  for (int i = 1; i < law->denominator; i++) {
+    scallop_rational_set_double(more, law->numerator[n + 4 + i]);
+    fmpq_add(b + implied, b + implied, more);
+  }
   fmpq_mul_si(b + implied, b + implied, n + 1);
   fmpq_div(b + implied, b + implied, range);
   fmpq_sub(b + implied, b + implied, others);
   fmpq_clear(others);
+  fmpq_clear(more);
 }
 
 /* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its beginning. */

@@ -278,28 +278,14 @@ static void set_common_laws(struct scallop_polynomial *g, const struct plan *pla
   set_law(&g->laws[1], g->numbers[1], n, b[1], n - implied, 0, 1, 1, 0);
 }
 
-/* l at a place, from the start of an extension */
-static long double length_at(const struct plan *plan, const struct place *place)
+/* What l covers in an extension from the place's anchor to the place, in time or back */
+static long double way_to(const struct plan *plan, const struct place *place)
 {
   long double sums[MOST + 2] = { 0 }, u = place->offset;
   for (int j = 0; j <= plan->n; j++)
     sums[j + 1] = sums[j] + plan->b[place->late][j];
-  long double way = law_bernstein(sums, plan->n + 1, u, 1 - u) / (plan->n + 1);
-  return place->late ? 1 - way : way;
+  return law_bernstein(sums, plan->n + 1, u, 1 - u) / (plan->n + 1);
 }
-
-/* What l is rounded to: so that differences are exact */
-static double quantum(const struct plan *plan)
-{
-  int exponent;
-  long double top = 1;
-  for (int i = 0; i < plan->count; i++)
-    top = fmaxl(top, fabsl(length_at(plan, &plan->places[i])));
-  frexpl(top, &exponent);
-  return ldexp(1, exponent - 53);
-}
-
-static double round_to(long double x, double unit) { return (double)rintl(x / unit) * unit; }
 
 static double speed_at(const struct plan *plan, const struct place *place)
 {
@@ -307,21 +293,23 @@ static double speed_at(const struct plan *plan, const struct place *place)
   return place->turns ? 0 : (double)law_bernstein(plan->b[place->late], plan->n, u, 1 - u);
 }
 
-/* The law of one piece, for which l' is 0 exactly where it changes its sign. */
+/* The law of one piece, for which l' is 0 exactly where it changes its sign; its way is to the last digit, however short it is. */
 static void set_own_law(struct scallop_polynomial *g, int at, const struct plan *plan, int direction, bool late,
-                        const struct place *begin, const struct place *end, double unit)
+                        const struct place *begin, const struct place *end)
 {
   const struct place *near = late ? end : begin, *far = late ? begin : end;
-  long double before[MOST + 1], after[MOST + 1], rest[MOST + 1], u = near->offset, v = far->offset;
-  double b[MOST + 1], l_near = round_to(length_at(plan, near), unit), l_far = round_to(length_at(plan, far), unit);
+  long double before[MOST + 1], after[MOST + 1], rest[MOST + 1], u = near->offset, v = far->offset, sum = 0;
+  double b[MOST + 1];
   divide(plan->b[late], plan->n, v, before, after);
   divide(before, plan->n, u / v, rest, after);
   for (int j = 0; j <= plan->n; j++)
     b[j] = (double)(direction * after[j]);
   b[0] = direction * speed_at(plan, near);
   b[plan->n] = direction * speed_at(plan, far);
-  set_law(&g->laws[at], g->numbers[at], plan->n, b, largest(b, plan->n), near->offset, far->offset, fabs(l_far - l_near),
-          direction * (l_near - (late ? 1 : 0)));
+  for (int j = 0; j <= plan->n; j++)
+    sum += b[j];
+  set_law(&g->laws[at], g->numbers[at], plan->n, b, largest(b, plan->n), near->offset, far->offset,
+          (double)(sum * (v - u) / (plan->n + 1)), (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
 }
 
 /* ---- the gait ---- */
@@ -333,15 +321,36 @@ static int direction_between(const struct plan *plan, const struct place *begin,
   return law_bernstein(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
 }
 
-static void add_pieces(struct scallop_polynomial *g, const struct plan *plan)
+static double *way_of(struct scallop_polynomial *g, int at, int n) { return &g->numbers[at][(int)g->numbers[at][n + 3]]; }
+
+/* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits. False: one is
+ * not positive, so short is its piece. */
+static bool share_amplitude(struct scallop_polynomial *g, const struct plan *plan)
 {
-  double unit = quantum(plan);
+  const struct scallop_piece *pieces = g->pieces[SCALLOP_EXTENSION];
+  int longest = 0, n = plan->n, numbers = n + 5;
+  for (int i = 0; i + 1 < plan->count; i++) {
+    if (!(*way_of(g, i, n) > 0))
+      return false;
+    if (*way_of(g, i, n) > *way_of(g, longest, n))
+      longest = i;
+  }
+  for (int i = 0; i + 1 < plan->count; i++)
+    if (i != longest)
+      g->numbers[longest][numbers++] = -pieces[longest].direction * pieces[i].direction * *way_of(g, i, n);
+  *way_of(g, longest, n) = pieces[longest].direction;
+  g->laws[longest].denominator = numbers - (n + 4);
+  return true;
+}
+
+static bool add_pieces(struct scallop_polynomial *g, const struct plan *plan)
+{
   for (int i = 0; i + 1 < plan->count; i++) {
     const struct place *begin = &plan->places[i], *end = &plan->places[i + 1];
     bool late = end->late;
     int direction = direction_between(plan, begin, end, late);
     if (plan->turns)
-      set_own_law(g, i, plan, direction, late, begin, end, unit);
+      set_own_law(g, i, plan, direction, late, begin, end);
     for (int kind = 0; kind < 2; kind++)
       g->pieces[kind][i] = (struct scallop_piece){ .begin = begin->offset,
                                                    .end = end->offset,
@@ -350,6 +359,7 @@ static void add_pieces(struct scallop_polynomial *g, const struct plan *plan)
                                                    .curve = &law_curve_bernstein,
                                                    .law = &g->laws[plan->turns ? i : late] };
   }
+  return !plan->turns || share_amplitude(g, plan);
 }
 
 /* |l'| is largest at an end of a piece, or where l'' = 0. */
@@ -387,6 +397,8 @@ static void conclude(struct scallop_polynomial *g, const struct plan *plan, int 
     shape->net += shape->pieces[i].direction * distance(&plan->places[i], &plan->places[i + 1]);
 }
 
+static const char *const too_near = "l' comes so near to 0 between the ends that its sign cannot be told from rounding";
+
 static const char *plan_of(struct plan *plan, const double *c, int degree)
 {
   while (degree > 0 && c[degree] == 0)
@@ -397,9 +409,7 @@ static const char *plan_of(struct plan *plan, const double *c, int degree)
   const char *wrong = coefficients_of(plan->b[0], c, plan->n);
   for (int j = 0; !wrong && j <= plan->n; j++)
     plan->b[1][plan->n - j] = plan->b[0][j];
-  return wrong              ? wrong
-         : !make_plan(plan) ? "l' comes so near to 0 between the ends that its sign cannot be told from rounding"
-                            : NULL;
+  return wrong ? wrong : make_plan(plan) ? NULL : too_near;
 }
 
 enum scallop_status scallop_make_polynomial(struct scallop_polynomial *g, const char *name, const double *c, int degree,
@@ -407,13 +417,14 @@ enum scallop_status scallop_make_polynomial(struct scallop_polynomial *g, const 
 {
   struct plan plan = { .n = 0 };
   const char *wrong = plan_of(&plan, c, degree);
+  if (!wrong && !plan.turns)
+    set_common_laws(g, &plan);
+  if (!wrong && !add_pieces(g, &plan))
+    wrong = too_near;
   if (wrong && why)
     *why = wrong;
   if (wrong)
     return SCALLOP_EDOMAIN;
-  if (!plan.turns)
-    set_common_laws(g, &plan);
-  add_pieces(g, &plan);
   g->gait.name = name;
   for (int kind = 0; kind < 2; kind++)
     conclude(g, &plan, kind);

@@ -37,7 +37,7 @@ struct scallop_polynomial {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][SCALLOP_POLYNOMIAL_PIECES];
   struct scallop_law laws[SCALLOP_POLYNOMIAL_PIECES];
-  double numbers[SCALLOP_POLYNOMIAL_PIECES][SCALLOP_LAW_MOST_DEGREE + 5];
+  double numbers[SCALLOP_POLYNOMIAL_PIECES][SCALLOP_LAW_MOST_DEGREE + 5 + SCALLOP_POLYNOMIAL_PIECES];
 };
 
 /* l = sum over k = 1, ..., degree of c[k] s^k / sum of c[k], s the part of the extension that has passed, and the same back in the

@@ -48,6 +48,8 @@ void law_coefficients(const struct scallop_law *law, long double *b)
     b[j] = law->numerator[j];
     others += j == implied ? 0 : b[j];
   }
+  for (int i = 1; i < law->denominator; i++)
+    b[implied] += law->numerator[n + 4 + i];
   b[implied] = (n + 1) * b[implied] / range - others;
 }
 
@@ -187,10 +189,15 @@ bool law_same(const struct scallop_law *a, const struct scallop_law *b)
   if (a == b)
     return true;
   if (a->kind != b->kind || a->degree != b->degree
-      || (a->kind == SCALLOP_LAW_POLYNOMIAL && a->denominator != b->denominator))
+      || ((a->kind == SCALLOP_LAW_POLYNOMIAL || a->kind == SCALLOP_LAW_BERNSTEIN) && a->denominator != b->denominator))
     return false;
   for (int i = 0; i < numbers_of(a); i++)
     if (a->numerator[i] != b->numerator[i])
+      return false;
+  if (a->kind != SCALLOP_LAW_BERNSTEIN)
+    return true;
+  for (int i = 1; i < a->denominator; i++)
+    if (a->numerator[a->degree + 4 + i] != b->numerator[b->degree + 4 + i])
       return false;
   return true;
 }

@@ -54,8 +54,10 @@ struct scallop_curve {
  * ramp (degree 1): (n[0] + n[1] u) / (n[2] (n[3] + n[4] + n[5])); n[6]: l at offset 0, as the piece would have it there, minus l at the anchor;
  * Bernstein: sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near), and
  *   near = n[degree + 1], far = n[degree + 2], m = n[degree + 3]. b[j] = n[j] but for j = m, where n[m] is the way from near
- *   to far instead: it is (far - near) times the mean of all b[j]. n[degree + 4]: l at near minus l at the anchor.
- * The last number of a ramp and of a Bernstein law is times the piece's direction, rounded, and for struct scallop_curve only. */
+ *   to far instead: it is (far - near) times the mean of all b[j]. The way is the sum of `denominator` numbers: n[m] and, if there are more
+ *   than that, n[degree + 5], n[degree + 6], ...; so those of all pieces can add up to 1 exactly though each is right to its last digit.
+ *   n[degree + 4]: l at near minus l at the anchor.
+ * n[6] of a ramp and n[degree + 4] of a Bernstein law are times the piece's direction, rounded, and for struct scallop_curve only. */
 enum scallop_law_kind { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_SINE, SCALLOP_LAW_RAMP, SCALLOP_LAW_BERNSTEIN };
 enum { SCALLOP_LAW_MOST_DEGREE = 15 }; /* of a Bernstein law */
 struct scallop_law {

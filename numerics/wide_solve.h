@@ -61,6 +61,8 @@ static struct bernstein bernstein_of(const struct scallop_law *law)
     f.b[j] = law->numerator[j];
     others += j == implied ? 0 : f.b[j];
   }
+  for (int i = 1; i < law->denominator; i++)
+    f.b[implied] += law->numerator[n + 4 + i];
   f.b[implied] = (n + 1) * f.b[implied] / (f.far - f.near) - others;
   return f;
 }

@@ -8,6 +8,7 @@
 #include "compare/stress.h"
 #include "model/ball.h"
 #include "numerics/certified.h"
+#include "numerics/wide.h"
 #include "tests/random_gait.h"
 
 enum { BITS = 300, PRECISION = 400, ORDER = 14 };
@@ -206,6 +207,150 @@ static void turning(void **state)
   scallop_certified_steady_clear(&wanted);
 }
 
+/* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each other: pieces
+ * of a thousandth of an ulp of l are among them, and l goes back and forth by up to 10^5 times its amplitude. */
+static const struct scallop_gait *far_turning(struct random *r, struct scallop_polynomial *g)
+{
+  enum { MOST = 8 };
+  double slope[MOST + 1] = { 0 }, c[MOST + 2] = { 0 }, root = 0;
+  int degree = 1 + random_below(r, 2), roots = 1 + random_below(r, 4);
+  slope[degree] = 1;
+  for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
+    double closeness = random_decades(r, 1e-9, 0.1), side = random_below(r, 2) ? 1 : -1;
+    const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness, root + 0.02 };
+    root = i < roots ? places[random_below(r, 5)] : 1;
+    for (int k = ++degree; k >= 0; k--)
+      slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
+  }
+  double sum = 0;
+  for (int k = 0; k <= degree; k++)
+    sum += c[k + 1] = slope[k] / (k + 1);
+  for (int k = 1; k <= degree + 1; k++)
+    c[k] = sum < 0 ? -c[k] : c[k];
+  return scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) == SCALLOP_OK ? &g->gait : far_turning(r, g);
+}
+
+/* l' has the sign that the piece says, also where all of it is next to a turn. */
+static void directions_hold(struct random *r, const struct scallop_shape *shape)
+{
+  arb_t u, speed;
+  arb_init(u);
+  arb_init(speed);
+  for (int i = 0; i < shape->count; i++)
+    for (int k = 0; k < 8; k++) {
+      const struct scallop_piece *p = &shape->pieces[i];
+      double near = random_decades(r, 1e-6, 1), part = k % 2 ? near : 1 - near;
+      double at = p->begin + (p->end - p->begin) * part;
+      if (at == p->begin || at == p->end)
+        continue;
+      ball_of(u, at);
+      scallop_ball_speed(speed, p, u, BITS);
+      assert_true(arb_is_positive(speed));
+    }
+  arb_clear(u);
+  arb_clear(speed);
+}
+
+static void check_wide(struct scallop_wide got, const arb_t wanted, double size, const struct scallop_crawler *c)
+{
+  arb_t value, low;
+  arb_init(value);
+  arb_init(low);
+  arb_set_d(value, got.high);
+  arb_set_d(low, got.low);
+  arb_add(value, value, low, PRECISION);
+  double far = apart(value, wanted);
+  arb_clear(value);
+  arb_clear(low);
+  if (far <= 1e-28 * size)
+    return;
+  print_crawler(c);
+  fail_msg("binary128: %.17g, off by %.3g", got.high, far);
+}
+
+struct precise {
+  struct scallop_rational_crawler crawler;
+  struct scallop_certified_steady steady;
+  struct scallop_certified_phase phase;
+  fmpq_t v0;
+};
+
+static void must_be_decided(enum scallop_status status, const char *why, const struct scallop_crawler *c)
+{
+  if (status == SCALLOP_OK)
+    return;
+  print_crawler(c);
+  fail_msg("%s", why);
+}
+
+/* Double and binary128 against certified, in units of what turning() says */
+static void all_agree(struct precise *e, const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, bool wide)
+{
+  struct scallop_steady_result steady;
+  struct scallop_phase_result phase;
+  struct scallop_wide_steady wide_steady;
+  struct scallop_wide_phase wide_phase;
+  const char *why = "";
+  double peak = fmax(c->gait->phase[0].peak, c->gait->phase[1].peak),
+         unit = peak * c->L / (c->T * fmin(c->alpha, 1 - c->alpha));
+  scallop_rational_of(&e->crawler, c);
+  scallop_rational_set_double(e->v0, v0);
+  must_be_decided(scallop_certified_steady(&e->crawler, 40, &e->steady, &why), why, c);
+  must_be_decided(scallop_certified_phase(&e->crawler, kind, e->v0, 40, &e->phase, &why), why, c);
+  assert_int_equal(scallop_steady(c, &steady), SCALLOP_OK);
+  assert_int_equal(scallop_phase(c, kind, v0, &phase), SCALLOP_OK);
+  check_number(steady.period.v_start, e->steady.v_start, unit, c, "v_start");
+  check_number(steady.period.v_mid, e->steady.v_mid, unit, c, "v_mid");
+  check_number(steady.period.displacement, e->steady.displacement, unit * c->T, c, "displacement");
+  check_number(phase.v_end, e->phase.v_end, unit + fabs(v0), c, "v_end");
+  check_number(phase.dxC, e->phase.dxC, (unit + fabs(v0)) * c->T, c, "dxC");
+  if (!wide || scallop_width_bits(SCALLOP_BINARY128) == 0)
+    return;
+  assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, c, &wide_steady), SCALLOP_OK);
+  assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &wide_phase), SCALLOP_OK);
+  check_wide(wide_steady.period.v_start, e->steady.v_start, unit, c);
+  check_wide(wide_steady.period.displacement, e->steady.displacement, unit * c->T, c);
+  check_wide(wide_phase.v_end, e->phase.v_end, unit + fabs(v0), c);
+}
+
+/* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all the same. */
+static void turning_far_and_hardly(void **state)
+{
+  (void)state;
+  static const char *const texts[] = { "polynomial:0,0,-60,125,-64",
+                                       "polynomial:0,330,-1420,1860,-768",
+                                       "polynomial:0,0,220,-1065,1488,-640",
+                                       "polynomial:0,135,-1690,3120,-1536",
+                                       "polynomial:0,0,-12,25,-12.8",
+                                       "polynomial:0,0,-4,9,-4.8",
+                                       "polynomial:0,0,-19.999999976000002,44.999999952000003,-23.999999976000002",
+                                       "polynomial:0,-6.0000000012000002e-10,4.0000000012000001,-3.0000000006" };
+  enum { TEXTS = sizeof texts / sizeof *texts, GAITS = 120 };
+  struct random r = { 20261214 };
+  struct precise e;
+  scallop_rational_init(&e.crawler);
+  scallop_certified_steady_init(&e.steady);
+  scallop_certified_phase_init(&e.phase);
+  fmpq_init(e.v0);
+  for (int i = 0; i < TEXTS + GAITS; i++) {
+    struct scallop_polynomial made;
+    struct scallop_crawler c = scallop_crawler_default();
+    c.gait = i < TEXTS ? gait_of_text(texts[i]).gait : far_turning(&r, &made);
+    if (i >= TEXTS)
+      c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, c.gait);
+    for (int kind = 0; kind < 2; kind++) {
+      laws_fit_together(&c.gait->phase[kind], kind);
+      directions_hold(&r, &c.gait->phase[kind]);
+    }
+    enum scallop_phase_kind kind = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    all_agree(&e, &c, kind, random_start(&r, &c, kind), i % 8 == 0);
+  }
+  fmpq_clear(e.v0);
+  scallop_certified_phase_clear(&e.phase);
+  scallop_certified_steady_clear(&e.steady);
+  scallop_rational_clear(&e.crawler);
+}
+
 /* ---- series ---- */
 
 /* The terms below T^ORDER are the certified value, up to about the next one; and the first one is the paper's (26), in which
@@ -262,8 +407,8 @@ static void derived_series(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(laws),    cmocka_unit_test(pieces_that_go_on), cmocka_unit_test(promise),
-    cmocka_unit_test(turning), cmocka_unit_test(derived_series),
+    cmocka_unit_test(laws),    cmocka_unit_test(pieces_that_go_on),      cmocka_unit_test(promise),
+    cmocka_unit_test(turning), cmocka_unit_test(turning_far_and_hardly), cmocka_unit_test(derived_series),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
