@@ -268,6 +268,17 @@ struct wide_scaled { /* as in struct scallop_scaled                             
   real fraction[2], eps, velocity, driven;
 };
 
+/* shape->net with all its digits: the ends of pieces are exact. */
+static real net_time(const struct scallop_shape *shape)
+{
+  real net = 0;
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    net += p->direction * (p->anchor == SCALLOP_FROM_START ? (real)p->end - p->begin : (real)p->begin - p->end);
+  }
+  return net;
+}
+
 static void scale(const struct scallop_crawler *c, struct wide_scaled *s)
 {
   real M = (real)c->m1 + c->m2, F = (real)c->F1 + c->F2, T = c->T, L = c->L;
@@ -275,7 +286,7 @@ static void scale(const struct scallop_crawler *c, struct wide_scaled *s)
   s->fraction[1] = 1 - (real)c->alpha;
   s->eps = T / L * T * F / M;
   s->velocity = L / T;
-  s->driven = s->fraction[0] * c->gait->phase[0].net + s->fraction[1] * c->gait->phase[1].net;
+  s->driven = s->fraction[0] * net_time(&c->gait->phase[0]) + s->fraction[1] * net_time(&c->gait->phase[1]);
   for (int kind = 0; kind < 2; kind++)
     s->phase[kind] = (struct walk_input){ .shape = &c->gait->phase[kind],
                                           .mu1 = c->m1 / M,
