@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "compare/breakdown_parts.h"
 #include "compare/with_flint.h"
@@ -10,7 +11,7 @@ static const char *const columns[] = { "what",   "quantity", "series", "order", 
                                        "froude", "error",    "modes",  "note",  "status",    NULL };
 
 /* Terms below T^MANY tell the radius of convergence and the best order. */
-enum { MANY = 96, MANY_BITS = 1024, BOUND_BITS = 128 };
+enum { MANY = 96, MANY_BITS = 1024, BOUND_BITS = 128, DOUBLE_DIGITS = 17 };
 /* Errors are known to some 1e-32. */
 static const double LEAST_TOLERANCE = 1e-20;
 
@@ -21,7 +22,17 @@ struct report {
   struct events events;
   struct exact_cache *cache;
   struct table table;
+  long rows;
+  bool shown; /* on a terminal: what is being done                                           */
 };
+
+static void show(const struct report *r, const char *what)
+{
+  if (r->shown && what)
+    fprintf(stderr, "\r\033[K%s ...", what);
+  else if (r->shown)
+    fprintf(stderr, "\r\033[K");
+}
 
 static bool is_wanted(const struct report *r, const char *what)
 {
@@ -66,7 +77,11 @@ static void write_row(struct report *r, const struct row *row)
   table_text(t, modes);
   table_text(t, row->note);
   table_text(t, row->status);
+  r->rows++;
 }
+
+/* A switching time leaves its piece; the modes stay. */
+static bool is_piece_change(const struct event *e) { return strncmp(e->what, "switching time", 14) == 0; }
 
 /* The modes at T, and whether the expansion is about the motion there. */
 static const struct scallop_modes *modes_at(const struct report *r, double T)
@@ -79,11 +94,20 @@ static const struct scallop_modes *modes_at(const struct report *r, double T)
 
 static const char *where(const struct report *r, double T)
 {
-  static char text[120];
-  if (r->events.count == 0 || T <= r->events.event[0].T)
+  static char text[200];
+  const struct event *e = r->events.event, *modes = e;
+  if (r->events.count == 0 || T <= e->T)
     return "below the first event";
-  snprintf(text, sizeof text, "above the first event, T = %.6g: from there on the series does not describe the motion",
-           r->events.event[0].T);
+  while (modes < e + r->events.count - 1 && is_piece_change(modes))
+    modes++;
+  if (modes == e)
+    snprintf(text, sizeof text, "above the first event, T = %.6g: from there on the series does not describe the motion",
+             e->T);
+  else
+    snprintf(text, sizeof text,
+             "above T = %.6g, where a body turns in another piece of l' and the series is not exact any more; the modes "
+             "change at T = %.6g",
+             e->T, modes->T);
   return text;
 }
 
@@ -262,7 +286,7 @@ static const char *beyond(const struct report *r, const struct series *s, double
 {
   static char text[160];
   slong last = MANY - 1;
-  while (last > order && series_coefficient_is_zero(s, last))
+  while (last > 0 && series_coefficient_is_zero(s, last))
     last--;
   snprintf(text, sizeof text, "%s%s", order > last ? "more terms are better still; " : "", where(r, T));
   return text;
@@ -314,6 +338,7 @@ static void write_rows(struct report *r)
     write_events(r);
   for (int q = 0; q < BREAKDOWN_QUANTITIES; q++)
     if (is_wanted_quantity(r, (enum breakdown_quantity)q)) {
+      show(r, breakdown_quantity_text((enum breakdown_quantity)q));
       if (is_wanted(r, "reach"))
         write_reaches(r, (enum breakdown_quantity)q);
       if (is_wanted(r, "radius"))
@@ -379,6 +404,22 @@ static bool options_are_sound(const struct options *o, bool steady)
     complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");
     return false;
   }
+  const char *only = o->only ? o->only : "", *idle = NULL;
+  if (strcmp(only, "event") == 0)
+    idle = o->has_tolerance ? "tol" : o->quantity ? "quantity" : o->has_source ? "source" : o->has_order ? "order" : NULL;
+  else if (strcmp(only, "radius") == 0 || strcmp(only, "best") == 0)
+    idle = o->has_tolerance                                     ? "tol"
+           : o->has_source && strcmp(o->source, "derived") != 0 ? "source"
+           : o->has_order                                       ? "order"
+                                                                : NULL;
+  if (idle) {
+    complain("breakdown", "--%s has nothing to do with --only %s", idle, only);
+    return false;
+  }
+  if (o->digits > DOUBLE_DIGITS) {
+    complain("breakdown", "--digits: %ld is more than a double has: 1 to 17", o->digits);
+    return false;
+  }
   if (o->has_tolerance && o->tolerance < LEAST_TOLERANCE) {
     complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance);
     return false;
@@ -403,11 +444,19 @@ enum exit_code breakdown_table(const struct options *o)
   bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
   expansions_init(&r.many, &r.subject, looks_far ? MANY : 1, MANY_BITS);
   r.cache = exact_cache_new(&r.subject);
+  show(&r, "events");
   events_find(&r.events, &r.subject, expansions_modes(&r.expansions));
+  show(&r, NULL);
   enum exit_code code = EXIT_FILE;
   if (r.cache && begin(&r)) {
     write_rows(&r);
-    code = table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
+    show(&r, NULL);
+    code = !table_close(&r.table) ? EXIT_FILE : r.rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
+    if (code == EXIT_UNSOLVED)
+      complain("breakdown", "no row: %s",
+               r.expansions.status != SCALLOP_OK && r.expansions.why
+                   ? r.expansions.why
+                   : "there is no such series of this quantity, or all of it is 0");
   }
   events_clear(&r.events);
   exact_cache_free(r.cache);

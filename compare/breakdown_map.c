@@ -24,7 +24,7 @@ struct map {
   double tolerances[MOST_TOLERANCES];
   char names[MOST_SERIES * (1 + MOST_TOLERANCES)][NAME]; /* of the columns of errors, then of T                     */
   /* What takes long: items. First how far the series reach, once for each crawler but for T, then the errors of each row. */
-  long reaches, rows;
+  long reaches, rows, unsolved;
   double *values; /* of the items, one after the other                                                              */
   bool *done;
   long done_count;
@@ -341,7 +341,7 @@ static void write_state(struct table *t, enum scallop_status status, const struc
   table_number(t, solved ? r->mean_velocity : NAN);
 }
 
-static void write_row(const struct map *m, struct table *t, long row)
+static void write_row(struct map *m, struct table *t, long row)
 {
   struct scallop_steady_result r;
   struct scallop_crawler c = crawler_of(m, row);
@@ -354,6 +354,7 @@ static void write_row(const struct map *m, struct table *t, long row)
   for (int i = 0; i < m->series_count * m->tolerance_count; i++)
     table_number(t, reaches[i]);
   table_text(t, scallop_status_text(status));
+  m->unsolved += status < 0;
 }
 
 static enum exit_code run(struct map *m)
@@ -373,11 +374,15 @@ static enum exit_code run(struct map *m)
     for (long row = 0; row < m->rows && !table_failed(&t); row++)
       write_row(m, &t, row);
     code = table_close(&t) ? EXIT_DONE : EXIT_FILE;
+    if (code == EXIT_DONE && m->unsolved > 0) {
+      complain("breakdown", "%ld of %ld points have no steady state: see the column status", m->unsolved, m->rows);
+      code = EXIT_UNSOLVED;
+    }
   } else {
     table_abandon(&t);
   }
   if (m->journalled)
-    journal_close(&m->journal, code == EXIT_DONE);
+    journal_close(&m->journal, code == EXIT_DONE || code == EXIT_UNSOLVED);
   return code;
 }
 

@@ -58,6 +58,7 @@ const struct command command_breakdown = {
       "--boundaries: the curves between regions with the same modes instead, each point to 1e-12 of the axis (its\n"
       "logarithm, if it is a log axis), followed from where the grid of the map shows them; the regions on both sides, "
       "what\n"
-      "changes, and at a junction which third region meets.",
+      "changes, and at a junction which third region meets. Columns: curve, point along it, the two axes, region_1 (on the\n"
+      "left), region_2, what, end (of the first and last point: open, closed, junction), meets, status.",
   .run = run,
 };

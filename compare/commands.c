@@ -4,10 +4,17 @@
 
 #include "compare/compare.h"
 
-const struct command *const commands[] = {
-  &command_phase, &command_steady, &command_trajectory, &command_series, &command_claims,
-  &command_order, &command_figure, &command_workprec,   &command_stress, &command_breakdown, NULL
-};
+const struct command *const commands[] = { &command_phase,
+                                           &command_steady,
+                                           &command_trajectory,
+                                           &command_series,
+                                           &command_claims,
+                                           &command_order,
+                                           &command_figure,
+                                           &command_workprec,
+                                           &command_stress,
+                                           &command_breakdown,
+                                           NULL };
 
 void complain(const char *command, const char *format, ...)
 {

@@ -27,7 +27,8 @@ struct rows {
   long count, room;
 };
 
-static const char *at_line(const char *file, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static const char *at_line(const char *file, long line, const char *format, ...)
+    __attribute__((format(printf, 3, 4), returns_nonnull));
 static const char *at_line(const char *file, long line, const char *format, ...)
 {
   va_list arguments;
@@ -203,7 +204,7 @@ static bool set_knots(struct scallop_knot *knots, const struct rows *rows, const
 static bool set_slopes(struct scallop_knot *knots, int count)
 {
   int n = count + 2;
-  double *x = malloc((size_t)n * sizeof *x), *y = malloc((size_t)n * sizeof *y);
+  double *x = calloc((size_t)n, sizeof *x), *y = calloc((size_t)n, sizeof *y);
   gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, (size_t)n);
   bool made = x && y && spline;
   if (made) {
@@ -266,7 +267,7 @@ const char *gait_file_read(struct gait_file *gait, const char *name, const char 
   const char *wrong = read_rows(&rows, name, unreadable);
   if (!wrong)
     wrong = look(&rows, name, &period);
-  if (!wrong)
+  if (!wrong && rows.at && rows.count >= LEAST_ROWS) /* as clang's analyzer cannot know */
     wrong = lay_spline(gait, &rows, &period, name, text);
   if (!wrong) {
     gait->L = period.L;

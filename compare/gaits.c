@@ -276,3 +276,18 @@ bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double 
   *alpha = made->file.alpha;
   return true;
 }
+
+int gait_reversals(const struct scallop_gait *gait)
+{
+  int reversals = 0;
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &gait->phase[kind];
+    int last = kind == SCALLOP_EXTENSION ? 1 : -1;
+    for (int i = 0; i < shape->count; i++) {
+      int direction = shape->pieces[i].direction;
+      reversals += direction != 0 && direction != last;
+      last = direction != 0 ? direction : last;
+    }
+  }
+  return reversals;
+}

@@ -30,6 +30,9 @@ struct gait_answer gait_of_text(const char *text);
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
 
+/* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
+int gait_reversals(const struct scallop_gait *gait);
+
 /* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no value. */
 bool gait_has_ends(const struct scallop_gait *gait);
 

@@ -229,7 +229,7 @@ static enum boundary kind_of(const struct signature *a, const struct signature *
  * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or it is of another kind. */
 static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
 {
-  double here = *moved, there = other, middle = here;
+  double here = *moved, there = other;
   struct signature first, second, at;
   if (!signature_of(s, &first))
     return false;
@@ -237,7 +237,7 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
   if (!signature_of(s, &second) || same(&first, &second))
     return false;
   for (int i = 0; i < 200; i++) {
-    middle = here + (there - here) / 2;
+    double middle = here + (there - here) / 2;
     if (middle == here || middle == there)
       break;
     *moved = middle;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "compare/compare.h"
+#include "compare/gaits.h"
 
 static const char *where(const struct table *t) { return t->options->output ? t->options->output : "standard output"; }
 
@@ -20,8 +21,22 @@ static bool leads_to_standard_output(const char *output)
          && fstat(STDOUT_FILENO, &standard) == 0 && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
 }
 
+/* The spline goes through every point of a table, noise and all. */
+static void tell_noise(const struct options *o)
+{
+  const struct scallop_gait *gait = o->crawler.gait;
+  int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
+  if (reversals > 0 && !o->quiet)
+    fprintf(
+        stderr,
+        "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the table: "
+        "the spline goes through every point\n",
+        o->command->name, gait->name + 9, reversals);
+}
+
 bool table_open(struct table *t, const struct options *options)
 {
+  tell_noise(options);
   struct stat there;
   const char *output = options->output;
   *t = (struct table){ .file = stdout, .options = options };

@@ -270,7 +270,7 @@ static void set_law(struct scallop_law *law, double *n, int degree, const double
 static void set_common_laws(struct scallop_polynomial *g, const struct plan *plan)
 {
   int n = plan->n;
-  double b[2][MOST + 1];
+  double b[2][MOST + 1] = { { 0 } };
   for (int j = 0; j <= n; j++)
     b[0][j] = b[1][n - j] = (double)plan->b[0][j];
   int implied = largest(b[0], n);
@@ -299,7 +299,7 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
 {
   const struct place *near = late ? end : begin, *far = late ? begin : end;
   long double before[MOST + 1], after[MOST + 1], rest[MOST + 1], u = near->offset, v = far->offset, sum = 0;
-  double b[MOST + 1];
+  double b[MOST + 1] = { 0 };
   divide(plan->b[late], plan->n, v, before, after);
   divide(before, plan->n, u / v, rest, after);
   for (int j = 0; j <= plan->n; j++)

@@ -86,6 +86,12 @@ refused 'order needs the derived series' --order 4 --source limit
 refused 'without --map' --x 1:2:3
 refused 'without --map' --boundaries
 refused 'without --map' --T 2
+refused 'nothing to do with --only event' --only event --tol 0.1
+refused 'nothing to do with --only best' --only best --source limit
+run 3 breakdown --quantity v_mid --source published --only reach
+grep -q 'no row' err || note "an empty table without a word: $(cat err)"
+run 0 breakdown --only best --quantity displacement
+[ "$(rows out | grep -c 'more terms are better still')" = 9 ] || note "best: $(cells out note | head -n 1)"
 run 3 breakdown --alpha 1e-300
 grep -q 'out of range' err || note "overflow: $(cat err)"
 finish "what is refused"

@@ -77,6 +77,13 @@ run 0 stress --gait trapezoidal:0.2,0.3 --family ordinary --cases 10
 [ "$(cells out gait verdict)" = 'trapezoidal:0.2,0.3 holds' ] || note "stress: $(cells out gait verdict)"
 finish "commands with gaits of all kinds"
 
+printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >noisy.txt
+run 0 steady --gait measured:noisy.txt
+grep -q "changes its sign 2 times" err || note "noise: $(cat err)"
+run 0 steady --gait measured:noisy.txt --quiet
+[ ! -s err ] || note "a note in spite of --quiet"
+finish "a table with noise is told"
+
 # ---- what a reviewer broke: a stroke next to a long dwell, and rows a millionth apart, where |l'| has a spike ----
 printf '0 1\n5 0\n9.9 0\n10 1\n' >dwell.txt
 for T in 0.001 0.02; do

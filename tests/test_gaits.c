@@ -516,8 +516,10 @@ static void a_good_file(void **state)
   (void)state;
   double L, T, alpha, l, l_later;
   struct gait_answer a = measured_text("# a comment\r\n\r\nt\tl\r\n 1 3\n2\t \t5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
-  if (!a.gait)
+  if (!a.gait) {
     fail_msg("%s", a.wrong);
+    return;
+  }
   assert_true(gait_has_own(a.gait, &L, &T, &alpha));
   CHECK_EQUAL(L, 4);
   CHECK_EQUAL(T, 10);
