@@ -5,7 +5,6 @@
 
 #include "compare/breakdown_parts.h"
 
-#include <flint/fmpq_vec.h>
 #if __FLINT_RELEASE >= 30000
 #include <flint/acb_poly.h>
 #include <flint/arb_fmpz_poly.h>

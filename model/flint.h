@@ -5,6 +5,7 @@
 #include <flint/flint.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
 #if __FLINT_RELEASE >= 30000
 #include <flint/arb.h>
 #include <flint/arb_poly.h>
