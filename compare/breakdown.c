@@ -166,8 +166,8 @@ static bool is_proven(const struct comparison *c, double T, double tolerance)
   const double off = 0x1p-50;
   const struct scallop_shape *phase = c->subject->crawler.gait->phase;
   return phase[0].count <= MOST_PIECES && phase[1].count <= MOST_PIECES
-         && fabs(comparison_certified_error(c, T * (1 - off), DIGITS)) < tolerance
-         && fabs(comparison_certified_error(c, T * (1 + off), DIGITS)) >= tolerance;
+         && comparison_certified_side(c, T * (1 - off), tolerance, DIGITS) < 0
+         && comparison_certified_side(c, T * (1 + off), tolerance, DIGITS) > 0;
 }
 
 static void write_reach(struct report *r, const struct comparison *c, double tolerance)
@@ -441,6 +441,13 @@ enum exit_code breakdown_table(const struct options *o)
   }
   r = (struct report){ .options = o, .subject = { .crawler = o->crawler, .steady = steady, .kind = o->phase, .v0 = o->v0 } };
   expansions_init(&r.expansions, &r.subject, o->order, BREAKDOWN_BITS);
+  bool only_derived = o->only && (strcmp(o->only, "radius") == 0 || strcmp(o->only, "best") == 0);
+  if (r.expansions.status != SCALLOP_OK && only_derived) {
+    complain("breakdown", "no derived series: %s",
+             r.expansions.why ? r.expansions.why : scallop_status_text(r.expansions.status));
+    expansions_clear(&r.expansions);
+    return EXIT_UNSOLVED;
+  }
   bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
   expansions_init(&r.many, &r.subject, looks_far ? MANY : 1, MANY_BITS);
   r.cache = exact_cache_new(&r.subject);

@@ -14,15 +14,11 @@ static const double NARROW = 1e-13, WIDE = 1e-10;
 /* As near to a change as modes are proven: nearer to where a mode vanishes that takes seconds. */
 static const double PROVEN = 0x1p-40;
 
-struct place { /* where a mode begins: in which part of the phase                                  */
-  int part;
-};
-
 /* What a motion is made of: it changes where the expansion ends. */
 struct signature {
   struct scallop_modes modes[2];
   enum scallop_regime regime;
-  struct place place[2 * SCALLOP_MODES_KEPT];
+  int part[2 * SCALLOP_MODES_KEPT]; /* of the phase, in which a mode begins                          */
   double v_start, v_mid;
 };
 
@@ -75,7 +71,7 @@ static void collect(void *context, const struct scallop_interval *interval)
   if (n == SCALLOP_MODES_KEPT)
     return;
   modes->kept[n] = interval->mode;
-  c->signature->place[c->phase * SCALLOP_MODES_KEPT + n].part = n ? c->finder->part[c->kind][interval->piece - first] : 0;
+  c->signature->part[c->phase * SCALLOP_MODES_KEPT + n] = n ? c->finder->part[c->kind][interval->piece - first] : 0;
   modes->count++;
 }
 
@@ -102,8 +98,7 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
 
 static bool same(const struct signature *a, const struct signature *b)
 {
-  return subject_same_modes(a->modes, b->modes) && a->regime == b->regime
-         && memcmp(a->place, b->place, sizeof a->place) == 0;
+  return subject_same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->part, b->part, sizeof a->part) == 0;
 }
 
 /* ---- one event ---- */
@@ -180,10 +175,10 @@ static void tell_place(char *text, size_t size, const struct subject *s, const s
   static const char *const phase_text[] = { "extension", "contraction" };
   for (int i = 0; i < 2 * SCALLOP_MODES_KEPT; i++) {
     int phase = s->steady ? i / SCALLOP_MODES_KEPT : (int)s->kind, n = i % SCALLOP_MODES_KEPT;
-    if (before->place[i].part == after->place[i].part)
+    if (before->part[i] == after->part[i])
       continue;
     snprintf(text, size, "switching time %d of the %s moves from piece %d of l' to piece %d", n, phase_text[phase],
-             before->place[i].part + 1, after->place[i].part + 1);
+             before->part[i] + 1, after->part[i] + 1);
     return;
   }
 }

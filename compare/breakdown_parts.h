@@ -92,9 +92,10 @@ void exact_cache_free(struct exact_cache *cache);
 
 /* series/exact - 1 at T for this exact value; nan where it has none, 0 where both are 0. */
 double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision);
-/* The error at T, by binary128; by certified values with so many digits (nan: it cannot be certified). */
+/* The error at T, by binary128. */
 double comparison_error(const struct comparison *c, double T);
-double comparison_certified_error(const struct comparison *c, double T, long digits);
+/* By certified values with so many digits: -1 if |error| < tolerance at T is proven, +1 if the contrary is, 0 if neither. */
+int comparison_certified_side(const struct comparison *c, double T, double tolerance, long digits);
 
 /* As breakdown_reach. */
 double comparison_reach(const struct comparison *c, double tolerance);

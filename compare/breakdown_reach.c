@@ -85,14 +85,27 @@ double comparison_error(const struct comparison *c, double T)
   return error_of(c, T, &e);
 }
 
-double comparison_certified_error(const struct comparison *c, double T, long digits)
+int comparison_certified_side(const struct comparison *c, double T, double tolerance, long digits)
 {
   arb_ptr exact = _arb_vec_init(BREAKDOWN_QUANTITIES);
-  double error = NAN;
-  if (exact_certified(c->subject, T, digits, exact))
-    error = comparison_error_beside(c, T, exact + c->item.which.quantity, BREAKDOWN_BITS);
+  arb_t error, limit;
+  int side = 0;
+  arb_init(error);
+  arb_init(limit);
+  arb_set_d(limit, tolerance);
+  if (exact_certified(c->subject, T, digits, exact)) {
+    arb_ptr value = exact + c->item.which.quantity;
+    series_item_value(error, &c->item, c->expansions, T, BREAKDOWN_BITS);
+    arb_sub(error, error, value, BREAKDOWN_BITS);
+    arb_abs(error, error);
+    arb_abs(value, value);
+    arb_mul(limit, limit, value, BREAKDOWN_BITS);
+    side = arb_lt(error, limit) ? -1 : arb_ge(error, limit) ? 1 : 0;
+  }
+  arb_clear(error);
+  arb_clear(limit);
   _arb_vec_clear(exact, BREAKDOWN_QUANTITIES);
-  return error;
+  return side;
 }
 
 /* Errors above this are seen well enough in double. */

@@ -92,6 +92,9 @@ run 3 breakdown --quantity v_mid --source published --only reach
 grep -q 'no row' err || note "an empty table without a word: $(cat err)"
 run 0 breakdown --only best --quantity displacement
 [ "$(rows out | grep -c 'more terms are better still')" = 9 ] || note "best: $(cells out note | head -n 1)"
+printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >turns.txt
+run 3 breakdown --only radius --gait measured:turns.txt
+grep -q 'no derived series' err || note "no series: $(cat err)"
 run 3 breakdown --alpha 1e-300
 grep -q 'out of range' err || note "overflow: $(cat err)"
 finish "what is refused"
