@@ -49,4 +49,4 @@ ledger 'c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] 
   printf "  %-24s %-7s %-13s %-11s claimed O(T^%s), proven T^%s; right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
     c["claimed_order"], c["derived_order"], c["corrected"] }
   c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] == "-" {
-  printf "  %s (section %s), %s:\n      %s\n", c["claim"], c["equation"], c["gait"], c["measured"] }'
+  printf "  %s (%s%s), %s, %s:\n      %s\n", c["claim"], c["equation"] ~ /^\(/ ? "" : "section ", c["equation"], c["gait"], c["conditions"], c["measured"] }'
