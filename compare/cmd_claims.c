@@ -58,11 +58,12 @@ const struct command command_claims = {
       "is a formula with the bodies exchanged and seen in a mirror, ':contraction' with the bodies exchanged).\n"
       "conditions: what was assumed; inside: whether the paper assumes it too. Claims in words have the figure that\n"
       "decides in 'measured'. A summary goes to standard error.\n"
-      "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected' "
-      "names\n"
-      "may not hold, either: see their verdicts. --check compares the verdicts with those of data/claims.tsv, prints\n"
-      "what differs, and then ends with exit code 1. --errors CLAIM prints what is behind a row: T (column h), the\n"
-      "error, the pairwise order, and whether the fit used it; `scallop order` reads such a table.",
+      "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
+      "names may not hold, either: see their verdicts.\n"
+      "--check: the verdicts are compared with those of data/claims.tsv; anything that differs is printed, and the exit "
+      "code is 1.\n"
+      "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
+      "`scallop order` reads such a table.",
   .defaults = &generic,
   .run = run,
 };

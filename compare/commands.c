@@ -1,7 +1,9 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "compare/commands.h"
 #include "compare/compare.h"
 
 const struct command *const commands[] = { &command_phase,
@@ -15,6 +17,22 @@ const struct command *const commands[] = { &command_phase,
                                            &command_stress,
                                            &command_breakdown,
                                            NULL };
+
+const struct command *command_named(const char *name)
+{
+  const struct command *const *c = commands;
+  while (*c && strcmp(name, (*c)->name) != 0)
+    c++;
+  return *c;
+}
+
+const char *nearest_command(const char *word)
+{
+  const char *names[sizeof commands / sizeof *commands] = { NULL };
+  for (size_t i = 0; commands[i]; i++)
+    names[i] = commands[i]->name;
+  return nearest(word, names);
+}
 
 void complain(const char *command, const char *format, ...)
 {

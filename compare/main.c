@@ -1,43 +1,24 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <gsl/gsl_errno.h>
 
+#include "compare/commands.h"
 #include "compare/compare.h"
+#include "compare/completion.h"
+#include "compare/help.h"
+#include "compare/man.h"
 
-static void help(FILE *to)
+/* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
+static int unknown(const char *what, const char *name, const char *near, const char *listed)
 {
-  fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
-        "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
-        "asymptotic series said to describe it, side by side.\n\nCommands:\n",
-        to);
-  for (const struct command *const *c = commands; *c; c++)
-    fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
-  fputs("\nscallop COMMAND --help tells what a command takes and prints. scallop --version: the version.\n"
-        "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 a computation could not be done,\n"
-        "4 a file or standard output could not be read or written. A closed pipe is such a case: scallop ... | head -n 1.\n"
-        "A run that a signal ends returns the signal's. Whatever ends it, -o FILE leaves the earlier file or the new one.\n",
-        to);
-}
-
-static int unknown(const char *name)
-{
-  if (name[0] == '-') {
-    fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
-            name, name);
-    return EXIT_USAGE;
-  }
-  enum { MOST = 32 };
-  const char *names[MOST + 1] = { NULL };
-  for (int i = 0; i < MOST && commands[i]; i++)
-    names[i] = commands[i]->name;
-  const char *near = nearest(name, names);
-  fprintf(stderr, "scallop: unknown command '%s'%s%s%s (see scallop --help)\n", name, near ? ": did you mean '" : "",
-          near ? near : "", near ? "'?" : "");
+  fprintf(stderr, "scallop: %s '%s'%s%s%s (see %s)\n", what, name, near ? ": did you mean '" : "", near ? near : "",
+          near ? "'?" : "", listed);
   return EXIT_USAGE;
 }
 
@@ -50,8 +31,8 @@ static int flushed(void)
   return EXIT_FILE;
 }
 
-/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written into it. What
- * stands there instead cannot be written to either. */
+/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written into
+ * it. What stands there instead cannot be written to either. */
 static void keep_places(void)
 {
   for (int place = STDOUT_FILENO; place <= STDERR_FILENO; place++) {
@@ -65,12 +46,77 @@ static void keep_places(void)
   }
 }
 
-static const struct command *command_named(const char *name)
+static bool is_help(const char *word)
 {
-  const struct command *const *c = commands;
-  while (*c && strcmp(name, (*c)->name) != 0)
-    c++;
-  return *c;
+  return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
+}
+
+static int give_help(const char *name)
+{
+  const struct command *command = name ? command_named(name) : NULL;
+  if (name && !command && !is_help(name))
+    return unknown("unknown command", name, nearest_command(name), "scallop --help");
+  if (command)
+    help_command(stdout, command);
+  else
+    help_program(stdout);
+  return flushed();
+}
+
+static int give_page(const char *name)
+{
+  if (!name) {
+    fputs("scallop: --man needs a page: scallop, the name of a command, or list for the names of all\n", stderr);
+    return EXIT_USAGE;
+  }
+  if (!man_page(stdout, name))
+    return unknown("--man: there is no page", name, nearest_command(man_subject(name)), "scallop --man list");
+  return flushed();
+}
+
+static int give_completion(const char *shell)
+{
+  if (!shell) {
+    fputs("scallop: --completion needs a shell: bash\n", stderr);
+    return EXIT_USAGE;
+  }
+  if (strcmp(shell, "bash") != 0) {
+    fprintf(stderr, "scallop: --completion: '%s' is not allowed here: it takes bash\n", shell);
+    return EXIT_USAGE;
+  }
+  completion_script(stdout);
+  return flushed();
+}
+
+/* Is argument option, perhaps with =VALUE? Then *value is that, and otherwise stays. */
+static bool is_request(const char *argument, const char *option, const char **value)
+{
+  size_t length = strlen(option);
+  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '='))
+    return false;
+  if (argument[length] == '=')
+    *value = argument + length + 1;
+  return true;
+}
+
+/* What does not begin with a command; value: the argument behind it, or NULL. */
+static int answer(const char *first, const char *value)
+{
+  if (is_help(first))
+    return give_help(value);
+  if (strcmp(first, "--version") == 0) {
+    puts("scallop " SCALLOP_VERSION);
+    return flushed();
+  }
+  if (is_request(first, "--man", &value))
+    return give_page(value);
+  if (is_request(first, "--completion", &value))
+    return give_completion(value);
+  if (first[0] != '-')
+    return unknown("unknown command", first, nearest_command(first), "scallop --help");
+  fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
+          first, first);
+  return EXIT_USAGE;
 }
 
 int main(int count, char **arguments)
@@ -81,29 +127,18 @@ int main(int count, char **arguments)
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   if (count < 2) {
-    help(stderr);
+    help_program(stderr);
     return EXIT_USAGE;
   }
-  const char *first = arguments[1];
-  bool asks_help = strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "help") == 0;
-  const struct command *about = asks_help && count > 2 ? command_named(arguments[2]) : NULL;
-  if (asks_help) {
-    if (about)
-      options_help(stdout, about);
-    else
-      help(stdout);
-    return flushed();
-  }
-  if (strcmp(first, "--version") == 0) {
-    puts("scallop " SCALLOP_VERSION);
-    return flushed();
-  }
-  const struct command *command = command_named(first);
+  const struct command *command = command_named(arguments[1]);
   if (!command)
-    return unknown(first);
+    return answer(arguments[1], arguments[2]);
   struct options options;
   int code;
   if (options_read(&options, command, count, arguments, &code))
-    return (int)command->run(&options);
-  return code == EXIT_DONE ? flushed() : code;
+    code = (int)command->run(&options);
+  else if (code == EXIT_DONE)
+    code = flushed();
+  options_free(&options);
+  return code;
 }

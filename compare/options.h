@@ -1,10 +1,11 @@
-/* The arguments of the command line. */
+/* The arguments of the command line, as read. What the options are: compare/option_table.h. */
 #ifndef SCALLOP_OPTIONS_H
 #define SCALLOP_OPTIONS_H
 
 #include <stdbool.h>
-#include <stdio.h>
 
+#include "compare/values.h"
+#include "compare/words.h"
 #include "model/model.h"
 
 struct command;
@@ -27,8 +28,11 @@ struct options {
   const char *source;    /* series: "published", "derived" or "limit"                        */
   long order;            /* series: terms below T^order                                      */
   bool bound, certified;
-  const char *operand;
+  const char *operand;   /* the first of them, or NULL                                         */
+  const char **operands; /* all, in the order they were given                                 */
+  int operand_count;
   const char *output; /* NULL: standard output                                           */
+  struct table *into; /* the table to continue in place of output, or NULL               */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
@@ -57,27 +61,19 @@ enum { CRAWLER_NUMBERS = 7 };
 extern const char *const crawler_parameters[];
 /* One of the numbers by its name. */
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
-/* For many points: all numbers in that order; the place of one, or CRAWLER_NUMBERS where it is none; options_set_parameter by place. */
+/* For many points: all numbers in that order; the place of one, or CRAWLER_NUMBERS where it is none; options_set_parameter
+ * by place. */
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
 int crawler_place(const char *name);
 const char *options_set_crawler_number(struct options *options, int place, const char *text);
 
-/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last parameter is set. */
+/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last
+ * parameter is set. */
 void options_complete(struct options *options);
 
 /* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
- * asked for, or the message is on stderr). */
+ * asked for, or the message is on stderr). Whichever it is, options_free ends it. */
 bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);
-
-void options_help(FILE *to, const struct command *command);
-
-/* Is word name but for upper and lower case? */
-bool likely(const char *word, const char *name);
-
-/* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
-const char *nearest(const char *word, const char *const *names);
-
-/* A finite number in C's decimal or hexadecimal notation and nothing else. */
-bool read_number(const char *text, double *value);
+void options_free(struct options *options);
 
 #endif

@@ -1,0 +1,18 @@
+/* The values of options: numbers from text, and what is said of a text that is not allowed. */
+#ifndef SCALLOP_VALUES_H
+#define SCALLOP_VALUES_H
+
+#include <stdbool.h>
+
+/* A finite number in C's decimal or hexadecimal notation and nothing else. */
+bool read_number(const char *text, double *value);
+
+/* A whole number from low to high and nothing else. */
+bool read_count(const char *text, long low, long high, long *value);
+
+/* That text is not what is allowed. The message lives until the next call of this or of no_number. */
+const char *not_allowed(const char *text, const char *allowed);
+/* The same for a number, with what is the matter where the text nearly is one. */
+const char *no_number(const char *text, const char *allowed);
+
+#endif
