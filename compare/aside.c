@@ -22,15 +22,24 @@ static int folder_length(const struct aside *a)
   return slash ? (int)(slash + 1 - a->target) : 0;
 }
 
-/* ---- the file that has a name, and signals ---- */
+/* ---- files that have a name, and signals ---- */
 
-/* The unfinished file, for a signal that ends the process. */
-static const char *volatile unfinished;
+/* The names of unfinished files, for a signal that ends the process; NULL: the place is free. */
+static const char *volatile unfinished[ASIDE_NAMED];
+
+static const char *volatile *find_place(const char *name)
+{
+  for (int i = 0; i < ASIDE_NAMED; i++)
+    if (unfinished[i] == name)
+      return &unfinished[i];
+  return NULL;
+}
 
 static void give_up(int signal_number)
 {
-  if (unfinished)
-    unlink(unfinished);
+  for (int i = 0; i < ASIDE_NAMED; i++)
+    if (unfinished[i])
+      unlink(unfinished[i]);
   signal(signal_number, SIG_DFL);
   raise(signal_number);
 }
@@ -38,7 +47,7 @@ static void give_up(int signal_number)
 static void intercept(int signal_number)
 {
   struct sigaction before, ours = { .sa_handler = give_up };
-  sigfillset(&ours.sa_mask); /* a second signal waits until the file is gone */
+  sigfillset(&ours.sa_mask); /* a second signal waits until the files are gone */
   /* What is ignored stays so: under nohup the terminal may go. So does another's handler, of a sanitizer for one. */
   if (sigaction(signal_number, NULL, &before) == 0 && before.sa_handler == SIG_DFL)
     sigaction(signal_number, &ours, NULL);
@@ -110,11 +119,15 @@ static bool create(struct aside *a)
 
 static bool open_named(struct aside *a)
 {
+  const char *volatile *place = find_place(NULL);
   sigset_t before;
+  errno = EMFILE;
+  if (!place)
+    return false;
   hold_signals(&before);
   bool made = make_named(a, create);
   if (made) {
-    unfinished = a->name;
+    *place = a->name;
     intercept_all();
   }
   release_signals(&before);
@@ -215,7 +228,9 @@ static bool put_named(struct aside *a)
 
 static void forget(struct aside *a)
 {
-  unfinished = NULL;
+  const char *volatile *place = a->name ? find_place(a->name) : NULL;
+  if (place)
+    *place = NULL;
   if (a->unnamed >= 0)
     close(a->unnamed);
   free(a->target);

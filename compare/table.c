@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,7 +12,10 @@
 #include "compare/compare.h"
 #include "compare/gaits.h"
 
-static const char *where(const struct table *t) { return t->options->output ? t->options->output : "standard output"; }
+static const char *where(const struct table *t) { return t->output ? t->output : "standard output"; }
+
+/* The one that has the file, or, when its columns were refused, a place from which nothing is written */
+static struct table *base(struct table *t) { return t->into && !t->refused ? t->into : t; }
 
 /* A link to the file that standard output goes to, as /dev/stdout is: a new file in its place would take what it held before. */
 static bool leads_to_standard_output(const char *output)
@@ -34,12 +38,10 @@ static void tell_noise(const struct options *o)
         o->command->name, gait->name + 9, reversals);
 }
 
-bool table_open(struct table *t, const struct options *options)
+bool table_open_at(struct table *t, const struct options *options, const char *output)
 {
-  tell_noise(options);
   struct stat there;
-  const char *output = options->output;
-  *t = (struct table){ .file = stdout, .options = options };
+  *t = (struct table){ .file = stdout, .options = options, .output = output };
   if (output && !leads_to_standard_output(output)) {
     t->is_aside = stat(output, &there) != 0 || S_ISREG(there.st_mode);
     if (!t->is_aside) /* a pipe or a device: nothing to put in its place */
@@ -55,6 +57,26 @@ bool table_open(struct table *t, const struct options *options)
   return true;
 }
 
+static bool go_on_in(struct table *t, const struct options *options, struct table *into)
+{
+  *t = (struct table){ .file = into->file,
+                       .options = options,
+                       .output = into->output,
+                       .watched = into->watched,
+                       .into = into,
+                       .is_later = into->is_continued };
+  into->is_continued = true;
+  return true;
+}
+
+bool table_open(struct table *t, const struct options *options)
+{
+  struct table *into = options->into;
+  if (!into || !into->is_continued)
+    tell_noise(options);
+  return into ? go_on_in(t, options, into) : table_open_at(t, options, options->output);
+}
+
 /* The first error is the one to tell of. */
 static void note_error(struct table *t, bool failed)
 {
@@ -64,7 +86,7 @@ static void note_error(struct table *t, bool failed)
 
 static void flush_text(struct table *t)
 {
-  if (t->used > 0)
+  if (t->used > 0 && !t->refused)
     note_error(t, fwrite(t->text, 1, t->used, t->file) < t->used);
   t->used = 0;
 }
@@ -77,8 +99,9 @@ static char *room(struct table *t, size_t size)
   return t->text + t->used;
 }
 
-static void put(struct table *t, const char *text, size_t length)
+static void put(struct table *table, const char *text, size_t length)
 {
+  struct table *t = base(table);
   while (length > 0) {
     size_t part = length < TABLE_TEXT ? length : TABLE_TEXT;
     memcpy(room(t, part), text, part);
@@ -88,8 +111,9 @@ static void put(struct table *t, const char *text, size_t length)
   }
 }
 
-static void put_char(struct table *t, char c)
+static void put_char(struct table *table, char c)
 {
+  struct table *t = base(table);
   *room(t, 1) = c;
   t->used++;
 }
@@ -100,18 +124,24 @@ static void end_line(struct table *t)
 {
   put_char(t, '\n');
   if (t->watched)
-    flush_text(t);
+    flush_text(base(t));
+}
+
+/* In JSON there are none. Those before the rows of a later continuation are not said again. */
+static bool takes_notes(const struct table *t)
+{
+  return t->options->format != FORMAT_JSON && !t->refused && (!t->is_later || t->in_rows);
 }
 
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
-  if (t->options->format == FORMAT_JSON)
+  if (!takes_notes(t))
     return;
   put(t, "# ", 2);
-  flush_text(t);
+  flush_text(base(t));
   va_start(arguments, format);
-  note_error(t, vfprintf(t->file, format, arguments) < 0);
+  note_error(base(t), vfprintf(t->file, format, arguments) < 0);
   va_end(arguments);
   end_line(t);
 }
@@ -123,11 +153,15 @@ size_t number_text(char text[NUMBER_TEXT], double x, long digits)
   return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
 }
 
-static void put_number(struct table *t, double x, long digits) { t->used += number_text(room(t, NUMBER_TEXT), x, digits); }
+static void put_number(struct table *table, double x, long digits)
+{
+  struct table *t = base(table);
+  t->used += number_text(room(t, NUMBER_TEXT), x, digits);
+}
 
 void table_parameters(struct table *t, const struct options *o)
 {
-  if (o->format == FORMAT_JSON)
+  if (!takes_notes(t))
     return;
   put_text(t, "# parameters:");
   for (const char *const *name = crawler_parameters; *name; name++) {
@@ -148,26 +182,165 @@ void table_columns(struct table *t, const char *const *names)
     t->columns[t->count++] = *names++;
 }
 
+void table_lead(struct table *t, const char *const *names, int count)
+{
+  t->lead_names = names;
+  t->leads = count;
+}
+
+void table_lead_values(struct table *t, const double *numbers, const char *const *texts)
+{
+  t->lead_numbers = numbers;
+  t->lead_texts = texts;
+}
+
+/* The names of the columns, each with a tab after it, to be freed; NULL: out of memory */
+static char *joined_names(const struct table *t)
+{
+  size_t length = 1;
+  for (int i = 0; i < t->count; i++)
+    length += strlen(t->columns[i]) + 1;
+  char *names = malloc(length), *end = names;
+  for (int i = 0; names && i < t->count; i++)
+    end += sprintf(end, "%s\t", t->columns[i]);
+  if (names)
+    *end = '\0';
+  return names;
+}
+
+enum { SHOWN_NAME = 80 };
+
+/* The first of joined names, for a message */
+static void show_name(char text[SHOWN_NAME], const char *names)
+{
+  int length = (int)strcspn(names, "\t");
+  snprintf(text, SHOWN_NAME, length > 0 ? "'%.*s'" : "missing", length, names);
+}
+
+static void complain_of_columns(const struct table *t, const char *names, const char *earlier)
+{
+  char name[SHOWN_NAME], earlier_name[SHOWN_NAME];
+  int column = 1;
+  for (size_t length; length = strcspn(names, "\t") + 1, strncmp(names, earlier, length) == 0; column++) {
+    names += length;
+    earlier += length;
+  }
+  show_name(name, names);
+  show_name(earlier_name, earlier);
+  complain(t->options->command->name,
+           "cannot write %s: column %d is %s, and %s in the rows before: a table has the same columns throughout", where(t),
+           column, name, earlier_name);
+}
+
+/* The first continuation of a table says what its columns are, later ones have the same or are refused. True: it is the
+ * first. */
+static bool sets_columns(struct table *t)
+{
+  char *names = joined_names(t), *earlier = t->into->names;
+  if (names && !earlier) {
+    t->into->names = names;
+    return true;
+  }
+  if (names && strcmp(names, earlier) != 0) {
+    complain_of_columns(t, names, earlier);
+    t->refused = true;
+  }
+  errno = ENOMEM;
+  note_error(t->into, !names);
+  free(names);
+  return false;
+}
+
+static void put_heading(struct table *t, const char *name, bool is_first)
+{
+  if (!is_first)
+    put_char(t, '\t');
+  put_text(t, name);
+}
+
 void table_begin_rows(struct table *t)
 {
-  if (t->options->format == FORMAT_JSON)
+  bool has_heading = !t->into || sets_columns(t);
+  t->in_rows = true;
+  if (!has_heading || t->options->format == FORMAT_JSON)
     return;
-  for (int i = 0; i < t->count; i++) {
-    if (i > 0)
-      put_char(t, '\t');
-    put_text(t, t->columns[i]);
-  }
+  const struct table *lead = base(t);
+  for (int i = 0; i < lead->leads; i++)
+    put_heading(t, lead->lead_names[i], i == 0);
+  for (int i = 0; i < t->count; i++)
+    put_heading(t, t->columns[i], lead->leads + i == 0);
   end_line(t);
+}
+
+/* What comes before the value of a cell */
+static void introduce(struct table *t, const char *name, bool is_first)
+{
+  if (t->options->format == FORMAT_JSON) {
+    put_text(t, is_first ? "{\"" : ", \"");
+    put_text(t, name);
+    put(t, "\": ", 3);
+  } else if (!is_first)
+    put_char(t, '\t');
+}
+
+static void put_value(struct table *t, double value)
+{
+  if (t->options->format == FORMAT_JSON && !isfinite(value))
+    put_text(t, isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
+  else
+    put_number(t, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
+}
+
+/* How many characters at the head of text stand for themselves */
+static size_t plain_length(const char *text, bool json)
+{
+  size_t n = 0;
+  while (text[n] >= 0x20 && text[n] <= 0x7e && !(json && (text[n] == '"' || text[n] == '\\')))
+    n++;
+  return n;
+}
+
+static void put_string(struct table *t, const char *text)
+{
+  bool json = t->options->format == FORMAT_JSON;
+  if (json)
+    put_char(t, '"');
+  for (;;) {
+    size_t plain = plain_length(text, json);
+    put(t, text, plain);
+    text += plain;
+    if (*text == '\0')
+      break;
+    unsigned char c = (unsigned char)*text++;
+    char quoted[] = { '\\', (char)c };
+    if (c < 0x20)
+      put_char(t, ' ');
+    else if (c > 0x7e) /* somebody's bytes in a message: not to make the table unreadable */
+      put_char(t, '?');
+    else
+      put(t, quoted, 2);
+  }
+  if (json)
+    put_char(t, '"');
+}
+
+static void put_lead(struct table *t, const struct table *lead)
+{
+  for (int i = 0; i < lead->leads; i++) {
+    introduce(t, lead->lead_names[i], i == 0);
+    if (lead->lead_texts && lead->lead_texts[i])
+      put_string(t, lead->lead_texts[i]);
+    else
+      put_value(t, lead->lead_numbers[i]);
+  }
 }
 
 static void begin_cell(struct table *t)
 {
-  if (t->options->format == FORMAT_JSON) {
-    put_text(t, t->at == 0 ? "{\"" : ", \"");
-    put_text(t, t->columns[t->at]);
-    put(t, "\": ", 3);
-  } else if (t->at > 0)
-    put_char(t, '\t');
+  const struct table *lead = base(t);
+  if (t->at == 0)
+    put_lead(t, lead);
+  introduce(t, t->columns[t->at], lead->leads + t->at == 0);
 }
 
 static void end_cell(struct table *t)
@@ -183,10 +356,7 @@ static void end_cell(struct table *t)
 void table_number(struct table *t, double value)
 {
   begin_cell(t);
-  if (t->options->format == FORMAT_JSON && !isfinite(value))
-    put_text(t, isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
-  else
-    put_number(t, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
+  put_value(t, value);
   end_cell(t);
 }
 
@@ -211,42 +381,14 @@ void table_rounded(struct table *t, double value, const char *format)
   end_cell(t);
 }
 
-/* How many characters at the head of text stand for themselves */
-static size_t plain_length(const char *text, bool json)
-{
-  size_t n = 0;
-  while (text[n] >= 0x20 && text[n] <= 0x7e && !(json && (text[n] == '"' || text[n] == '\\')))
-    n++;
-  return n;
-}
-
 void table_text(struct table *t, const char *text)
 {
-  bool json = t->options->format == FORMAT_JSON;
   begin_cell(t);
-  if (json)
-    put_char(t, '"');
-  for (;;) {
-    size_t plain = plain_length(text, json);
-    put(t, text, plain);
-    text += plain;
-    if (*text == '\0')
-      break;
-    unsigned char c = (unsigned char)*text++;
-    char quoted[] = { '\\', (char)c };
-    if (c < 0x20)
-      put_char(t, ' ');
-    else if (c > 0x7e) /* somebody's bytes in a message: not to make the table unreadable */
-      put_char(t, '?');
-    else
-      put(t, quoted, 2);
-  }
-  if (json)
-    put_char(t, '"');
+  put_string(t, text);
   end_cell(t);
 }
 
-bool table_failed(const struct table *t) { return t->error != 0; }
+bool table_failed(const struct table *t) { return t->refused || (t->into ? t->into : t)->error != 0; }
 
 /* Of some file systems only this tells that the quota is full; another descriptor's does it too, and standard output stays open. */
 static bool closes(int descriptor)
@@ -257,6 +399,9 @@ static bool closes(int descriptor)
 
 bool table_close(struct table *t)
 {
+  if (t->into)
+    return !table_failed(t);
+  free(t->names);
   flush_text(t);
   note_error(t, fflush(t->file) != 0);
   if (t->is_aside && t->error != 0)
@@ -272,6 +417,9 @@ bool table_close(struct table *t)
 
 void table_abandon(struct table *t)
 {
+  if (t->into)
+    return;
+  free(t->names);
   if (t->is_aside)
     aside_drop(&t->aside);
   else {

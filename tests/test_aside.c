@@ -5,9 +5,8 @@
 #define _GNU_SOURCE /* O_TMPFILE */
 #endif
 #include "compare/aside.h"
-#include "tests/check.h"
+#include "tests/scratch_folder.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -82,41 +81,7 @@ int linkat(int from_folder, const char *from, int to_folder, const char *to, int
 
 /* ---- the folder ---- */
 
-static char folder[] = "/tmp/scallop-aside-XXXXXX";
 static bool is_unnamed; /* what the last file was */
-
-static void write_text(const char *name, const char *text)
-{
-  FILE *file = fopen(name, "w");
-  assert_non_null(file);
-  fputs(text, file);
-  fclose(file);
-}
-
-static void assert_holds(const char *name, const char *text)
-{
-  char got[40] = "";
-  FILE *file = fopen(name, "r");
-  assert_non_null(file);
-  assert_true(fgets(got, sizeof got, file) || *text == '\0');
-  fclose(file);
-  assert_string_equal(got, text);
-}
-
-static int entries(bool to_remove)
-{
-  DIR *here = opendir(".");
-  int count = 0;
-  assert_non_null(here);
-  for (struct dirent *d; (d = readdir(here));)
-    if (strcmp(d->d_name, ".") != 0 && strcmp(d->d_name, "..") != 0) {
-      count++;
-      if (to_remove && unlink(d->d_name) != 0)
-        rmdir(d->d_name);
-    }
-  closedir(here);
-  return count;
-}
 
 static void fresh(const char *earlier)
 {
@@ -125,13 +90,6 @@ static void fresh(const char *earlier)
   if (earlier)
     write_text("table", earlier);
   calls[0] = '\0';
-}
-
-static int lowest_free(void)
-{
-  int fd = dup(0);
-  close(fd);
-  return fd;
 }
 
 static void open_and_write(struct aside *a, const char *name)
@@ -469,19 +427,6 @@ static int either_way(void **state)
   return set_way(false);
 }
 
-static int make_folder(void **state)
-{
-  (void)state;
-  return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-  (void)state;
-  entries(true);
-  return chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
-}
-
 int main(void)
 {
 #define BOTH(test) \
@@ -502,5 +447,5 @@ int main(void)
     BOTH(an_ignored_signal_stays_ignored),
     BOTH(a_signal_on_the_way),
   };
-  return cmocka_run_group_tests(tests, make_folder, remove_folder);
+  return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

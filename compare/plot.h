@@ -1,0 +1,32 @@
+/* Pictures of finished tables, drawn by gnuplot in a process of its own.
+ *
+ * Without a script of its own a plot has curves of its y columns over its x column, whose names label the axes. The rows are
+ * read here: gnuplot gets numbers and quoted names, and no name or path can be taken for a command. With a script gnuplot
+ * runs that one, with the variables table, output_file and kind (svg, png or pdf), terminal and output set, tabs between
+ * columns, and plot_common.gp, where there is one beside the script, loaded first. */
+#ifndef SCALLOP_PLOT_H
+#define SCALLOP_PLOT_H
+
+#include <stdbool.h>
+
+struct plot {
+  const char *table;    /* a file, in TSV                                                   */
+  const char *file;     /* the picture, by its ending .svg, .png or .pdf                    */
+  const char *script;   /* for gnuplot, or NULL                                             */
+  const char *title;    /* or NULL                                                          */
+  const char *x;        /* columns by their names; with a script they are not looked at     */
+  const char *const *y; /* NULL-terminated, 1 to PLOT_QUANTITIES                            */
+  const char *by;       /* a curve for each value of this column, PLOT_VALUES at most; or NULL */
+  bool log_x, log_y;
+};
+
+enum { PLOT_QUANTITIES = 16, PLOT_VALUES = 24 };
+
+/* What a file is by its ending: "svg", "png", "pdf", or NULL: nothing that can be drawn. */
+const char *plot_kind(const char *file);
+
+/* Draws the picture; it is written aside and has its name when it is complete (compare/aside.h). False: the message, in the
+ * name of a command, is on stderr, and an earlier picture stays. */
+bool plot_draw(const struct plot *plot, const char *command);
+
+#endif
