@@ -189,6 +189,11 @@ static void store(const struct scallop_steady_states *states, long i, enum scall
     states->status[i] = status;
 }
 
+static struct scallop_crawler crawler_at(const struct scallop_crawlers *c, long i)
+{
+  return (struct scallop_crawler){ c->m1[i], c->m2[i], c->F1[i], c->F2[i], c->L[i], c->T[i], c->alpha[i], c->gait[i] };
+}
+
 /* True: there is an answer. */
 static bool solve_one(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long i)
 {
@@ -199,7 +204,7 @@ static bool solve_one(const struct scallop_crawlers *c, const struct scallop_ste
     .v_low = NAN,
     .v_high = NAN
   };
-  const struct scallop_crawler one = { c->m1[i], c->m2[i], c->F1[i], c->F2[i], c->L[i], c->T[i], c->alpha[i], c->gait[i] };
+  const struct scallop_crawler one = crawler_at(c, i);
   struct scallop_steady_result result;
   enum scallop_status status = scallop_steady(&one, &result);
   store(states, i, status, status < 0 ? &none : &result);
@@ -241,16 +246,82 @@ static long solve_block(const struct scallop_crawlers *c, const struct scallop_s
   return failed;
 }
 
-long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads)
+static void store_phase(const struct scallop_phases *phases, long i, enum scallop_status status,
+                        const struct scallop_phase_result *r)
 {
-  long count = crawlers->count, failed = 0;
+  put(phases->t1, i, r->t1);
+  put(phases->dT, i, r->dT);
+  put(phases->v_end, i, r->v_end);
+  put(phases->dx1, i, r->dx1);
+  put(phases->dx2, i, r->dx2);
+  put(phases->dxC, i, r->dxC);
+  if (phases->regime && status >= 0)
+    phases->regime[i] = r->regime;
+  if (phases->modes)
+    put_modes(&phases->modes[i], &r->modes);
+  if (phases->status)
+    phases->status[i] = status;
+}
+
+/* states are for solve_states, phases, v0 and kind for solve_phases; solve returns how many of count have no answer. */
+struct job {
+  long (*solve)(const struct job *job, long first, int count);
+  const struct scallop_crawlers *crawlers;
+  const struct scallop_steady_states *states;
+  const struct scallop_phases *phases;
+  const double *v0;
+  enum scallop_phase_kind kind;
+};
+
+static long solve_states(const struct job *job, long first, int count)
+{
+  return solve_block(job->crawlers, job->states, first, count);
+}
+
+static long solve_phases(const struct job *job, long first, int count)
+{
+  static const struct scallop_phase_result none = { .t1 = NAN, .dT = NAN, .v_end = NAN, .dx1 = NAN, .dx2 = NAN, .dxC = NAN };
+  long failed = 0;
+  for (long i = first; i < first + count; i++) {
+    const struct scallop_crawler one = crawler_at(job->crawlers, i);
+    struct scallop_phase_result result;
+    enum scallop_status status = scallop_phase(&one, job->kind, job->v0[i], &result);
+    store_phase(job->phases, i, status, status < 0 ? &none : &result);
+    failed += status < 0;
+  }
+  return failed;
+}
+
+/* The block that begins at first: of BLOCK crawlers, or of those that are left. */
+static long solve_next(const struct job *job, long first)
+{
+  long left = job->crawlers->count - first;
+  return job->solve(job, first, left < BLOCK ? (int)left : BLOCK);
+}
+
+static long solve_all(const struct job *job, int threads)
+{
+  long count = job->crawlers->count, failed = 0;
   if (threads <= 1) { /* without the runtime of OpenMP, which may allocate */
     for (long first = 0; first < count; first += BLOCK)
-      failed += solve_block(crawlers, states, first, count - first < BLOCK ? (int)(count - first) : BLOCK);
+      failed += solve_next(job, first);
     return failed;
   }
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
   for (long first = 0; first < count; first += BLOCK)
-    failed += solve_block(crawlers, states, first, count - first < BLOCK ? (int)(count - first) : BLOCK);
+    failed += solve_next(job, first);
   return failed;
+}
+
+long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads)
+{
+  const struct job job = { .solve = solve_states, .crawlers = crawlers, .states = states };
+  return solve_all(&job, threads);
+}
+
+long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
+                         const struct scallop_phases *phases, int threads)
+{
+  const struct job job = { .solve = solve_phases, .crawlers = crawlers, .phases = phases, .v0 = v0, .kind = kind };
+  return solve_all(&job, threads);
 }

@@ -134,6 +134,20 @@ struct scallop_steady_states {
  * forbids it) the last bits may differ. Returns how many have a negative status. Allocates nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
 
+/* What is wanted of one phase of many crawlers, as in struct scallop_phase_result: arrays of count, each NULL where it is not
+ * wanted. Where there is no answer the numbers are nan, the modes none and the regime is untouched. */
+struct scallop_phases {
+  double *t1, *dT, *v_end, *dx1, *dx2, *dxC;
+  enum scallop_regime *regime;
+  struct scallop_modes *modes;
+  enum scallop_status *status;
+};
+
+/* That phase of many crawlers from the start velocities v0, count of them: bit for bit what scallop_phase gives for each,
+ * with fused multiplications and additions too. Threads, return value and memory as scallop_steady_batch. */
+long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
+                         const struct scallop_phases *phases, int threads);
+
 /* ---- trajectories ---------------------------------------------------------------------------- */
 
 struct scallop_sample {

@@ -21,8 +21,17 @@ struct results {
   enum scallop_status status[MOST];
 };
 
+struct phases {
+  double t1[MOST], dT[MOST], v_end[MOST], dx1[MOST], dx2[MOST], dxC[MOST];
+  enum scallop_regime regime[MOST];
+  struct scallop_modes modes[MOST];
+  enum scallop_status status[MOST];
+};
+
 static struct columns in;
+static double v0[MOST];
 static struct results out, again;
+static struct phases phase_out, phase_again;
 
 static struct scallop_crawlers crawlers(long count)
 {
@@ -33,6 +42,11 @@ static struct scallop_steady_states everything(struct results *r)
 {
   return (struct scallop_steady_states){ r->froude, r->v_start, r->v_mid,  r->displacement, r->mean_velocity, r->multiplier,
                                          r->v_low,  r->v_high,  r->regime, r->modes,        r->status };
+}
+
+static struct scallop_phases every_column(struct phases *p)
+{
+  return (struct scallop_phases){ p->t1, p->dT, p->v_end, p->dx1, p->dx2, p->dxC, p->regime, p->modes, p->status };
 }
 
 static struct scallop_crawler crawler(long i)
@@ -200,11 +214,154 @@ static void only_what_is_wanted(void **state)
   assert_memory_equal(displacement, out.displacement, sizeof displacement);
 }
 
+/* ---- one phase ---- */
+
+static void check_phase(long i, enum scallop_phase_kind kind)
+{
+  const struct scallop_crawler c = crawler(i);
+  const struct phases *p = &phase_out;
+  struct scallop_phase_result r;
+  enum scallop_status status = scallop_phase(&c, kind, v0[i], &r);
+  assert_int_equal(p->status[i], status);
+  if (status < 0) {
+    assert_true(isnan(p->t1[i]) && isnan(p->dT[i]) && isnan(p->v_end[i]));
+    assert_true(isnan(p->dx1[i]) && isnan(p->dx2[i]) && isnan(p->dxC[i]));
+    assert_int_equal(p->modes[i].count, 0);
+    return;
+  }
+  assert_true(same(p->t1[i], r.t1) && same(p->dT[i], r.dT) && same(p->v_end[i], r.v_end));
+  assert_true(same(p->dx1[i], r.dx1) && same(p->dx2[i], r.dx2) && same(p->dxC[i], r.dxC));
+  assert_int_equal(p->regime[i], r.regime);
+  check_modes(&p->modes[i], &r.modes);
+}
+
+static void every_family_of_phases(void **state)
+{
+  (void)state;
+  struct random r = { 20261122 };
+  long counts[3] = { 0 };
+  for (int which = 0; which < FAMILIES; which++)
+    for (int kind = SCALLOP_EXTENSION; kind <= SCALLOP_CONTRACTION; kind++) {
+      for (long i = 0; i < MOST; i++) {
+        struct scallop_crawler c = random_crawler(&r, (enum family)which, every_gait[i % ALL_GAITS]);
+        put(i, &c);
+        v0[i] = random_start(&r, &c, (enum scallop_phase_kind)kind);
+      }
+      struct scallop_crawlers c = crawlers(MOST);
+      struct scallop_phases p = every_column(&phase_out);
+      (void)scallop_phase_batch(&c, (enum scallop_phase_kind)kind, v0, &p, 1);
+      for (long i = 0; i < MOST; i++) {
+        check_phase(i, (enum scallop_phase_kind)kind);
+        if (phase_out.status[i] >= 0)
+          counts[phase_out.regime[i]]++;
+      }
+    }
+  assert_true(counts[SCALLOP_SLIDING] > 1000 && counts[SCALLOP_STICK_SLIP] > 1000 && counts[SCALLOP_AT_REST] > 10);
+}
+
+/* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
+static void every_length_of_phases(void **state)
+{
+  (void)state;
+  struct random r = { 19 };
+  for (long i = 0; i < 300; i++) {
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, every_gait[i % ALL_GAITS]);
+    put(i, &c);
+    v0[i] = random_start(&r, &c, SCALLOP_CONTRACTION);
+  }
+  for (long n = 0; n < 300; n = n < 140 ? n + 1 : n + 37) {
+    struct scallop_crawlers c = crawlers(n);
+    struct scallop_phases p = every_column(&phase_out);
+    memset(&phase_out, 0xff, sizeof phase_out);
+    assert_int_equal(scallop_phase_batch(&c, SCALLOP_CONTRACTION, v0, &p, 1), 0);
+    for (long i = 0; i < n; i++)
+      check_phase(i, SCALLOP_CONTRACTION);
+    assert_true(isnan(phase_out.t1[n]) && isnan(phase_out.dxC[n]) && phase_out.modes[n].count == -1);
+    assert_true((int)phase_out.status[n] == -1 && (int)phase_out.regime[n] == -1);
+  }
+}
+
+static void threads_do_not_matter_to_phases(void **state)
+{
+  (void)state;
+  struct random r = { 23 };
+  for (long i = 0; i < MOST; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
+    put(i, &c);
+    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
+  }
+  for (int threads = 1; threads <= 5; threads++) {
+    struct scallop_crawlers c = crawlers(MOST);
+    struct phases *to = threads == 1 ? &phase_out : &phase_again;
+    struct scallop_phases p = every_column(to);
+    memset(to, 0, sizeof *to);
+    assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &p, threads), 0);
+    if (threads > 1)
+      assert_memory_equal(&phase_out, &phase_again, sizeof phase_out);
+  }
+}
+
+/* Bad crawlers and bad start velocities among good ones: each keeps its own status, and its regime is not touched. */
+static void failures_of_phases_stay_where_they_are(void **state)
+{
+  (void)state;
+  struct random r = { 29 };
+  long bad = 0, out_of_range = 0;
+  for (long i = 0; i < 1000; i++) {
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, &scallop_gait_quadratic);
+    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
+    v0[i] = i % 13 == 7 ? NAN : v0[i];
+    c.m2 = i % 7 == 3 ? 0 : c.m2;
+    c.T = i % 11 == 5 ? INFINITY : c.T;
+    c.L = i % 17 == 9 ? DBL_MIN : c.L;
+    c.gait = i % 19 == 2 ? NULL : c.gait;
+    put(i, &c);
+  }
+  struct scallop_crawlers c = crawlers(1000);
+  struct scallop_phases p = every_column(&phase_out);
+  memset(phase_out.regime, 0xff, sizeof phase_out.regime);
+  long failed = scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &p, 1);
+  for (long i = 0; i < 1000; i++) {
+    check_phase(i, SCALLOP_EXTENSION);
+    bad += phase_out.status[i] < 0;
+    out_of_range += phase_out.status[i] == SCALLOP_ERANGE;
+    assert_true((phase_out.status[i] < 0) == ((int)phase_out.regime[i] == -1));
+  }
+  assert_int_equal(failed, bad);
+  assert_true(bad > 300 && out_of_range > 30);
+}
+
+/* What is not wanted is not touched. */
+static void only_the_columns_that_are_wanted(void **state)
+{
+  (void)state;
+  struct random r = { 31 };
+  double dxC[200];
+  for (long i = 0; i < 200; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
+    put(i, &c);
+    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
+  }
+  in.T[100] = -1;
+  struct scallop_crawlers c = crawlers(200);
+  struct scallop_phases nothing = { .status = NULL }, one = { .dxC = dxC }, all = every_column(&phase_out);
+  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &nothing, 2), 1);
+  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &one, 2), 1);
+  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &all, 1), 1);
+  assert_memory_equal(dxC, phase_out.dxC, sizeof dxC);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_family), cmocka_unit_test(every_length),
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_family),
+                                      cmocka_unit_test(every_length),
                                       cmocka_unit_test(threads_do_not_matter),
                                       cmocka_unit_test(failures_stay_where_they_are),
-                                      cmocka_unit_test(only_what_is_wanted) };
+                                      cmocka_unit_test(only_what_is_wanted),
+                                      cmocka_unit_test(every_family_of_phases),
+                                      cmocka_unit_test(every_length_of_phases),
+                                      cmocka_unit_test(threads_do_not_matter_to_phases),
+                                      cmocka_unit_test(failures_of_phases_stay_where_they_are),
+                                      cmocka_unit_test(only_the_columns_that_are_wanted) };
   return cmocka_run_group_tests_name("batch", tests, NULL, NULL);
 }

@@ -1,0 +1,388 @@
+"""Exact crawling-scallop motions from Python, with NumPy arrays in and out.
+
+    import numpy, scallop
+    state = scallop.steady(F1=numpy.linspace(1.1, 40, 1000), T=0.5, gait="sinusoidal")
+    state.displacement          # 1000 numbers
+    state.modes[0]              # '++ -+ ++ | ++ +- ++'
+
+steady() and phase() solve many crawlers in one call of the C library: parameters are numbers or arrays that broadcast
+together, and the results have their common shape. What comes back is bit for bit what `scallop steady` and `scallop
+phase` give. float64 arrays in C order that have the common shape are handed over where they are; everything else is
+copied.
+
+A parameter outside its domain is a ValueError that names the first bad row; nothing is returned then. A row that is
+well posed and has no answer in doubles is nan, and its status says why.
+
+The library, libscallop.so.0 or libscallop-core.so.0 (which has no threads), is looked for at the first call, in this
+order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file,
+and where the system's loader looks. This module is written for version 0 of the binary interface, the number after
+.so, and refuses libraries of another one.
+
+ctypes releases the global interpreter lock while the library computes, so that other threads of Python run meanwhile;
+they must leave the arrays alone that are being read. Needs Python 3.9 or later and NumPy.
+"""
+
+import collections
+import ctypes
+import difflib
+import itertools
+import math
+import reprlib
+
+import numpy
+
+import scallop_library as c
+from scallop_library import load
+
+__all__ = ["Gait", "Phase", "Steady", "Trajectory", "formulas", "load", "minimum_jerk", "phase", "polynomial", "published",
+           "skewed", "steady", "trapezoidal", "trajectory"]
+
+KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
+
+
+class Gait:
+    """A gait made by trapezoidal(), skewed(), polynomial() or minimum_jerk(): a value for the parameter gait. Its
+    name is what the option --gait of the command calls it."""
+
+    __slots__ = ("name", "_bytes", "_memory")
+
+    def __init__(self, name, memory):
+        self.name, self._bytes, self._memory = name, name.encode(), memory
+
+    def __repr__(self):
+        return f"<Gait {self.name}>"
+
+
+def _numbers_text(numbers):
+    return ",".join(repr(float(x))[:-2] if float(x).is_integer() and abs(x) < 1e15 else repr(float(x)) for x in numbers)
+
+
+def _pair(name, value):
+    """A number for both phases, or one for the extension and one for the contraction."""
+    numbers = _column(name, value)
+    if numbers.shape not in ((), (2,)):
+        raise ValueError(f"{name}: one number, or two for extension and contraction, not {reprlib.repr(value)}")
+    return [float(x) for x in numpy.broadcast_to(numbers, 2)]
+
+
+def trapezoidal(up=0.25, down=0.25):
+    """|l'| rises for a fraction `up` of the phase, stays, and falls for `down`: from 2^-100, up + down at most 1.
+    Each is a number, or a pair for extension and contraction."""
+    up, down = _pair("up", up), _pair("down", down)
+    numbers = [up[0], down[0], up[1], down[1]]
+    gait = Gait("trapezoidal:" + _numbers_text(numbers[:2] if numbers[:2] == numbers[2:] else numbers), c.Straight())
+    two = ctypes.c_double * 2
+    if c.library().scallop_make_trapezoidal(ctypes.byref(gait._memory), gait._bytes, two(*up), two(*down)) < 0:
+        raise ValueError(f"up = {up}, down = {down}: from 2^-100, and up + down at most 1 in both phases")
+    return gait
+
+
+def skewed(beta=0.25):
+    """|l'| rises for a fraction `beta` of the phase and falls for the rest: from 2^-100, below 1. A number, or a pair
+    for extension and contraction."""
+    beta = _pair("beta", beta)
+    gait = Gait("skewed:" + _numbers_text(beta[:1] if beta[0] == beta[1] else beta), c.Straight())
+    if c.library().scallop_make_skewed(ctypes.byref(gait._memory), gait._bytes, (ctypes.c_double * 2)(*beta)) < 0:
+        raise ValueError(f"beta = {beta}: from 2^-100, below 1")
+    return gait
+
+
+def polynomial(coefficients):
+    """l/L = (C1 s + C2 s^2 + ...)/(C1 + C2 + ...), s being the part of the extension that has passed, and the same
+    backward in the contraction. coefficients: C1, C2, ..., Cn with n from 3 to 16, such that l' = 0 at both ends."""
+    numbers = _column("coefficients", coefficients)
+    if numbers.ndim != 1 or not 3 <= numbers.size <= c.DEGREE:
+        raise ValueError(f"coefficients: a sequence of 3 to {c.DEGREE} numbers, not {reprlib.repr(coefficients)}")
+    gait, why = Gait("polynomial:" + _numbers_text(numbers), c.Polynomial()), ctypes.c_char_p()
+    padded = (ctypes.c_double * (numbers.size + 1))(0, *numbers)
+    if c.library().scallop_make_polynomial(ctypes.byref(gait._memory), gait._bytes, padded, numbers.size, why) < 0:
+        raise ValueError(f"coefficients = {numbers.tolist()}: {(why.value or b'no gait').decode()}")
+    return gait
+
+
+def minimum_jerk():
+    """polynomial([0, 0, 10, -15, 6])"""
+    gait = polynomial([0, 0, 10, -15, 6])
+    gait.name = "minimum-jerk"
+    return gait
+
+
+def _address(gait):
+    """Of a gait, or of one of the library's by its name."""
+    if isinstance(gait, Gait):
+        return ctypes.addressof(gait._memory)
+    address = c.library().scallop_gait_named(gait.encode()) if isinstance(gait, str) else None
+    if not address:
+        raise _no_gait(gait)
+    return address
+
+
+def _no_gait(gait):
+    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by trapezoidal(), skewed(), "
+                      "polynomial() or minimum_jerk()")
+
+
+def _addresses(gait):
+    gaits = numpy.asarray(gait)
+    listed = gaits.ravel().tolist()
+    try:
+        address = {each: _address(each) for each in dict.fromkeys(listed)}
+    except TypeError:  # unhashable
+        raise _no_gait(gait) from None
+    return numpy.array([address[each] for each in listed], numpy.uintp).reshape(gaits.shape)
+
+
+def _column(name, value):
+    """The value as float64, itself where it is that already."""
+    try:
+        array = numpy.asarray(value)
+        if array.dtype == numpy.float64:
+            return array
+        if array.dtype.kind in "fiub":
+            return array.astype(numpy.float64)
+        if array.dtype.kind == "O":  # fractions and the like; astype would make nan of None
+            return numpy.array([float(each) for each in array.flat], float).reshape(array.shape)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise ValueError(f"{name}: real numbers are wanted, not {reprlib.repr(value)}")
+
+
+def _spread(array, shape):
+    """The array in that shape as the library reads it, in order and without gaps: itself where it is so already."""
+    if array.shape == shape and array.flags.c_contiguous and array.flags.aligned:
+        return array
+    full = numpy.empty(shape, array.dtype)
+    full[...] = array
+    return full
+
+
+def _together(numbers, gait):
+    """The columns of numbers, {name: value}, and the gait, all in their common shape."""
+    columns = {name: _column(name, value) for name, value in numbers.items()}
+    columns["gait"] = _addresses(gait)
+    try:
+        shape = numpy.broadcast(*columns.values()).shape
+    except ValueError:
+        shapes = ", ".join(f"{name} {column.shape}" for name, column in columns.items() if column.shape)
+        raise ValueError(f"these do not broadcast together: {shapes}") from None
+    return {name: _spread(column, shape) for name, column in columns.items()}, shape
+
+
+def _count(name, value):
+    if isinstance(value, bool) or not isinstance(value, (int, numpy.integer)) or not 1 <= value < 2**31:
+        raise ValueError(f"{name} = {value!r}: a whole number from 1 to 2147483647")
+    return int(value)
+
+
+def _kind(kind):
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise ValueError(f"kind = {kind!r}: 'extension' or 'contraction'")
+    return KINDS[kind]
+
+
+def _crawler(columns, row):
+    values = {name: column.reshape(-1)[row].item() for name, column in columns.items()}
+    return c.Crawler(*(values[name] for name in c.PARAMETERS + ("gait",))), values
+
+
+def _complain(columns, shape, row):
+    """Raises what is wrong with that row of the columns, if anything is."""
+    crawler, values = _crawler(columns, row)
+    complaint = c.Complaint()
+    place = tuple(map(int, numpy.unravel_index(row, shape)))
+    where = f"row {place[0] if len(shape) == 1 else place}: " if shape else ""
+    if c.library().scallop_crawler_check(ctypes.byref(crawler), ctypes.byref(complaint)) < 0:
+        raise ValueError(f"{where}{complaint.name.decode()} = {complaint.given!r}: {complaint.allowed.decode()}")
+    if not math.isfinite(values.get("v0", 0)):
+        raise ValueError(f"{where}v0 = {values['v0']!r}: a finite number")
+
+
+def _texts(codes, text_of):
+    """text_of each code, called once for each that is different."""
+    different, which = numpy.unique(codes, return_inverse=True)
+    return numpy.array([text_of(code) for code in different], dtype=str)[which].reshape(codes.shape)[()]
+
+
+class _Solution:
+    """Arrays of one shape, or numbers and texts where every parameter was a number."""
+
+    def __init__(self, names, shape, phases):
+        self._arrays = {name: numpy.empty(shape) for name in names}
+        self._regime, self._status = numpy.empty(shape, numpy.int32), numpy.empty(shape, numpy.int32)
+        self._modes = numpy.zeros(shape, numpy.dtype((numpy.void, phases * ctypes.sizeof(c.Modes))))
+
+    def _addresses(self):
+        return [array.ctypes.data for array in (*self._arrays.values(), self._regime, self._modes, self._status)]
+
+    def _publish(self):
+        for name, array in self._arrays.items():
+            setattr(self, name, array[()])
+        return self
+
+    @property
+    def solved(self):
+        """Where there is an answer: true or false."""
+        return (self._status >= 0)[()]
+
+    @property
+    def status(self):
+        """'ok', or what there is to know of the answer, or why there is none."""
+        return _texts(self._status, lambda code: c.library().scallop_status_text(int(code)).decode())
+
+    @property
+    def regime(self):
+        """'sliding', 'stick-slip' or 'at-rest', and '-' where there is no answer."""
+        codes = numpy.where(self._status >= 0, self._regime, -1)
+        return _texts(codes, lambda code: "-" if code < 0 else c.library().scallop_regime_text(int(code)).decode())
+
+    @property
+    def modes(self):
+        """Directions of body 1 and body 2 in turn, 0 stuck: '++ -+ ++'; | parts the phases of a period; '-' where there is
+        no answer."""
+        texts = _texts(self._modes, _modes_text)
+        return numpy.where(self._status >= 0, texts, "-")[()]
+
+    def __repr__(self):
+        names = (*self._arrays, "regime", "modes", "status")
+        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
+
+
+def _modes_text(lists):
+    text = ctypes.create_string_buffer(3 * c.MODES_KEPT + 8)  # SCALLOP_MODES_TEXT
+    parts = []
+    for modes in (c.Modes * (len(lists.tobytes()) // ctypes.sizeof(c.Modes))).from_buffer_copy(lists):
+        c.library().scallop_modes_text(ctypes.byref(modes), text)
+        parts.append(text.value.decode())
+    return " | ".join(parts)
+
+
+class Steady(_Solution):
+    """froude, v_start, v_mid, displacement, mean_velocity, multiplier, v_low, v_high; solved, status, regime, modes."""
+
+
+class Phase(_Solution):
+    """t1, dT, v_end, dx1, dx2, dxC; solved, status, regime, modes. t1 and dT are nan where the mode does not change."""
+
+
+def _refuse(solution, columns, shape):
+    """Raises what is wrong with the first row that has a parameter outside its domain, if there is one."""
+    bad = numpy.flatnonzero(solution._status == c.DOMAIN)
+    if bad.size:
+        _complain(columns, shape, int(bad[0]))
+
+
+def _crawlers(columns):
+    gait = columns["gait"]
+    return c.Crawlers(gait.size, *(columns[name].ctypes.data for name in c.PARAMETERS), gait.ctypes.data)
+
+
+def steady(m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", threads=1):
+    """The periodic steady states of crawlers: a Steady.
+
+    froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity at the start of the extension and of the
+    contraction; displacement of the centre (x1 + x2)/2 over a period, and mean_velocity = displacement / T;
+    multiplier, the derivative of the period map; v_low and v_high, between which all v_start are steady, the same
+    number but for gaits whose l' jumps.
+
+    m1, m2, F1, F2, L, T > 0 and finite, 0 < alpha < 1. gait: 'quadratic', 'sinusoidal', a Gait, or an array of these.
+    threads: on how many the library may run, which does not change a bit of the result; libscallop-core runs on one.
+    """
+    threads = _count("threads", threads)
+    columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha), gait)
+    solution = Steady(c.STEADY_NUMBERS, shape, 2)
+    failed = c.library().scallop_steady_batch(_crawlers(columns), c.SteadyStates(*solution._addresses()), threads)
+    if failed:
+        _refuse(solution, columns, shape)
+    return solution._publish()
+
+
+def phase(kind, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", threads=1):
+    """One phase, 'extension' or 'contraction', of crawlers that start with velocity v0: a Phase.
+
+    t1, the first change of mode after the start; dT, from the last change of mode to the end of the phase; v_end, the
+    velocity of both bodies at the end; dx1, dx2, dxC, displacements of body 1, body 2 and the centre. T is the
+    period: the phase lasts alpha T or (1 - alpha) T. v0 is finite; the other parameters are as for steady().
+    """
+    threads, kind = _count("threads", threads), _kind(kind)
+    columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)
+    solution = Phase(c.PHASE_NUMBERS, shape, 1)
+    failed = c.library().scallop_phase_batch(_crawlers(columns), kind, columns["v0"].ctypes.data,
+                                             c.Phases(*solution._addresses()), threads)
+    if failed:
+        _refuse(solution, columns, shape)
+    return solution._publish()
+
+
+Trajectory = collections.namedtuple("Trajectory", c.SAMPLE)
+
+
+def trajectory(v0=0, periods=1, samples=100, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic"):
+    """The motion of one crawler that starts with velocity v0: a Trajectory of the arrays t, x1, x2, xC, v1, v2, l, at
+    `samples` equally spaced times in each period and once more at the end. Parameters as for phase(), but numbers.
+    ArithmeticError: it cannot be computed."""
+    periods, samples = _count("periods", periods), _count("samples", samples)
+    columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)
+    if shape:
+        raise ValueError("a trajectory is that of one crawler: its parameters are numbers")
+    crawler, values = _crawler(columns, 0)
+    table = numpy.empty((periods * samples + 1, len(c.SAMPLE)))
+    rows, error = iter(range(table.ctypes.data, table.ctypes.data + table.nbytes, table.strides[0])), []
+
+    def keep(_, sample):
+        try:
+            ctypes.memmove(next(rows), sample, table.strides[0])
+            return True
+        except BaseException as what:  # an interrupt, which would be lost in C
+            error.append(what)
+            return False
+
+    status = c.library().scallop_trajectory(ctypes.byref(crawler), values["v0"], periods, samples, c.Sampler(keep), None)
+    if error:
+        raise error[0]
+    if status < 0:
+        _complain(columns, shape, 0)
+        raise ArithmeticError(c.library().scallop_status_text(status).decode())
+    return Trajectory(*numpy.ascontiguousarray(table.T))
+
+
+def _published():
+    table = ctypes.pointer(c.Formula.in_dll(c.library(), "scallop_published"))
+    entries = itertools.takewhile(lambda formula: formula.name, map(table.__getitem__, itertools.count()))
+    return {formula.name.decode(): formula for formula in entries}
+
+
+def formulas():
+    """{name: (equation, formula)} of the paper's formulas, in its order; asymptotics/asymptotics.h says what they are of."""
+    return {name: (formula.equation.decode(), formula.text.decode()) for name, formula in _published().items()}
+
+
+def published(name, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", t1=numpy.nan, dT=numpy.nan,
+              x_switch=numpy.nan):
+    """A formula of the paper as printed, mistakes included: 'rest_xC_end' is equation (21). T is the period, as
+    everywhere here.
+
+    A formula for one phase is that of the extension or of the contraction that it was printed for, from rest or from
+    v0. t1, dT and x_switch are for formulas that take these as given. Where a gait has l'' = 0 at the start or end of
+    a phase most formulas are not finite. Called in Python row by row: some microseconds for each.
+    """
+    known = _published()
+    if not isinstance(name, str) or name not in known:
+        near = difflib.get_close_matches(str(name), known, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise ValueError(f"name = {name!r}: a formula that formulas() lists{hint}")
+    formula, library = known[name], c.library()
+    columns, shape = _together(
+        dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0, t1=t1, dT=dT, x_switch=x_switch), gait)
+    kind = KINDS["contraction" if formula.setting == c.MOVING_CONTRACTION else "extension"]
+    values = []
+    for *numbers, start, first, last, place, address in zip(*(column.ravel().tolist() for column in columns.values())):
+        crawler = c.Crawler(*numbers, address)
+        if library.scallop_crawler_check(crawler, None) < 0 or not math.isfinite(start):
+            _complain(columns, shape, len(values))
+        if formula.setting == c.STEADY:
+            values.append(formula.steady(crawler))
+        else:
+            point = library.scallop_phase_point(crawler, kind, 0 if formula.setting == c.AT_REST_START else start)
+            point.t1, point.dT, point.x_switch = first, last, place
+            values.append(formula.phase(point))
+    return numpy.array(values, float).reshape(shape)[()]
