@@ -1,20 +1,26 @@
 # The crawling-scallop toolkit. `make help` lists the targets. All output goes to build/, tables to data/.
-CC      ?= cc
-CFLAGS  ?= -O2 -g
-LDLIBS  ?= -lgsl -lgslcblas -lm
+# The choices of a build are in config.mk, libraries and installation in library.mk.
+include config.mk
 WARN     = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-# OpenMP: many steady states on all cores (scallop_steady_batch). make WITH_OPENMP=0, or a compiler without it: on one.
-WITH_OPENMP ?= $(shell printf 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo 1 || echo 0)
-WITH_OPENMP := $(WITH_OPENMP)
+# OpenMP: scallop_steady_batch on all cores, and maps
+has_openmp = $(shell printf 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo 1 || echo 0)
+override WITH_OPENMP := $(if $(filter auto,$(WITH_OPENMP)),$(has_openmp),$(WITH_OPENMP))
+openmp   = $(if $(filter 0,$(WITH_OPENMP)),-fopenmp-simd,-fopenmp)
 # No contraction to fused multiply-add: the tables in data/ must not depend on the processor. No care for traps, which are off:
 # vector instructions compute what is then not used.
-ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) $(CFLAGS) \
-             $(if $(filter 0,$(WITH_OPENMP)),-fopenmp-simd,-fopenmp)
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) $(CFLAGS) $(openmp)
 B       ?= build
+# What threads are used in. The command asks for one at a time, and does without their library.
+threaded := numerics/batch
+without_threads = $(patsubst -fopenmp,-fopenmp-simd,$(ALL_CFLAGS))
+
+# Of GSL and libconfig the programs take what they use out of the archives, so that nothing is looked for when they start.
+archive   = $(shell $(CC) -print-file-name=lib$(1).a)
+linked    = $(if $(filter 0,$(STATIC)),-l$(1),$(if $(findstring /,$(archive)),$(archive),-l$(1)))
+LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
-# (compare/with_flint.h). make WITH_FLINT=0 leaves it out.
-WITH_FLINT ?= 1
+# (compare/with_flint.h).
 flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_family claims_peak claims_steady claims_table claims_read certified_rows flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c compare/breakdown*.c compare/map*.c))
@@ -24,10 +30,9 @@ flint_tests := certified certified_edges certified_laws claims series series_ter
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
 
-# SUNDIALS: one more rival for `workprec`, where its headers are found (Debian: libsundials-dev; where they need MPI's, give
-# them CPPFLAGS and LDLIBS). make WITH_SUNDIALS=0 leaves it out.
+# SUNDIALS: one more rival for `workprec`
 sundials      := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nSUNDIALS_VERSION_MAJOR' | $(CC) $(CPPFLAGS) -E -P - 2>/dev/null | tail -n 1))
-WITH_SUNDIALS ?= $(if $(sundials),1,0)
+override WITH_SUNDIALS := $(if $(filter auto,$(WITH_SUNDIALS)),$(if $(sundials),1,0),$(WITH_SUNDIALS))
 sundials_parts = numerics/cvode numerics/cvode_absent
 cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
@@ -38,6 +43,7 @@ parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare,$(cal
 objects  = $(patsubst %,$(B)/%.o,$(1))
 core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts) $(sundials_parts),$(parts)))
 alone   := $(core) $(call objects,compare/hand_over)
+one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
 full    := $(core) $(call objects,$(flint_parts) $(cvode)) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 # Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
@@ -60,14 +66,14 @@ link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
-## all:        build the command, build/scallop; WITH_FLINT=0 leaves FLINT out, and what needs it
+## all:        build the command, build/scallop, and the libraries; config.mk has the choices
 all: setup-build
 	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint
-	@$(MAKE) --no-print-directory $(programs)
+	@$(MAKE) --no-print-directory $(programs) $(libraries)
 
 ## help:       this list
 help:
-	@sed -n 's/^## //p' Makefile
+	@sed -n 's/^## //p' Makefile library.mk
 
 setup-build:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build
@@ -76,7 +82,8 @@ setup-check:
 setup-plots:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build plots
 
-$(B)/scallop: $(B)/compare/main.o $(alone)
+$(B)/scallop: private openmp = -fopenmp-simd
+$(B)/scallop: $(B)/compare/main.o $(filter-out $(call objects,$(threaded)),$(alone)) $(one_thread)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 
@@ -88,10 +95,15 @@ $(B)/scallop-flint: $(B)/compare/main.o $(full)
 $(chosen):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
-$(B)/%.o: %.c Makefile
+$(B)/%.o: %.c Makefile config.mk
 	@mkdir -p $(@D)
 	@echo "  CC $<"
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(B)/single/%.o: %.c Makefile config.mk
+	@mkdir -p $(@D)
+	@echo "  CC $< (one thread)"
+	@$(CC) $(CPPFLAGS) $(without_threads) -MMD -MP -c -o $@ $<
 
 # Who judges rounds the same way whatever CFLAGS allow the judged
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
@@ -116,21 +128,22 @@ $(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(alone)
 	@echo "  LD $@"
 	@$(link) $(FUZZER) $(LDLIBS)
 
+include library.mk
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
 
 ## check:      build with warnings as errors and run every test, the commands included
 check: setup-check
-	@$(MAKE) --no-print-directory $(programs) $(tests) $(fuzz)
-	@WITH_FLINT=$(WITH_FLINT) scripts/check.sh $(B) $(tests) $(fuzz)
+	@$(MAKE) --no-print-directory $(programs) $(libraries) $(tests) $(fuzz)
+	@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" scripts/check.sh $(B) $(tests) $(fuzz)
 
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 reproduce: setup-plots
 	@$(MAKE) --no-print-directory $(programs)
 	@sh scripts/reproduce.sh $(B)
 
-## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers
+## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: setup-build
-	@$(MAKE) --no-print-directory $(B)/scallop-bench
+	@$(MAKE) --no-print-directory $(B)/scallop-bench $(B)/nothing $(B)/scallop
 	@$(B)/scallop-bench
 
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
@@ -138,9 +151,12 @@ instructions: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@sh scripts/instructions.sh $(B)
 
-$(B)/scallop-bench: $(call objects,$(basename $(call rooms,bench))) $(alone)
+$(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call rooms,bench)))) $(alone)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
+
+$(B)/nothing: $(B)/bench/nothing.o
+	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
 
 # With the sanitizers gcc 12 warns of regions and texts that cannot be too small
 no_false_alarms = -Wno-stringop-overflow -Wno-stringop-overread -Wno-format-truncation
@@ -179,7 +195,7 @@ sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(fo
 ## lint:       clang-tidy, cppcheck and clang-format
 lint:
 	@scripts/setup.sh build tests lint
-	clang-format --dry-run -Werror $(sources) $(foreach r,model asymptotics numerics compare tests tests/fuzz,$(wildcard $(r)/*.h))
+	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	clang-tidy --quiet $(sources) -- -std=c11 -D_XOPEN_SOURCE=700 -I.
 

@@ -9,6 +9,10 @@
 
 #include "model/model.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What the formulas for one phase are functions of. T is the duration of the PHASE here, as in the
  * paper's sections 4.3.1 and 4.3.2 and its appendices. Any consistent units. */
 struct scallop_phase_point {
@@ -123,5 +127,9 @@ double B_v2_end(const struct scallop_phase_point *p);          /* (B.10) last te
 double B_x2_end(const struct scallop_phase_point *p);          /* (B.11) + O(T^4)                                   */
 double B_vC_end(const struct scallop_phase_point *p);          /* (B.12) last term printed without T^2, + O(T^3)    */
 double B_xC_end(const struct scallop_phase_point *p);          /* (B.13) + O(T^4)                                   */
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

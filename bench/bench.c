@@ -5,6 +5,8 @@
  * the median and the quartiles of the batches, in nanoseconds for one period (or one steady state). The
  * rival's memory is made beforehand. Its tolerance is the one that takes the fewest evaluations among
  * those that reach the wanted error on every crawler of the set: it is given its best. */
+#include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,6 +14,7 @@
 #include <string.h>
 
 #include "bench/floor.h"
+#include "bench/start.h"
 #include "compare/stopwatch.h"
 #include "numerics/numerics.h"
 #include "numerics/odeiv.h"
@@ -401,6 +404,29 @@ static void bench_small_T(const struct scallop_gait *gait)
     print_row("steady", "small T", &m[k], m);
 }
 
+/* The command beside a program that does nothing, both in the folder of this one. */
+static void bench_start(const char *own_path)
+{
+  enum { NOTHING, STEADY, PROGRAMS };
+  static const char *const names[PROGRAMS] = { "nothing", "scallop" };
+  static char paths[PROGRAMS][PATH_MAX], steady[] = "steady";
+  char *const nothing_arguments[] = { paths[NOTHING], NULL }, *const steady_arguments[] = { paths[STEADY], steady, NULL };
+  char *const *const arguments[PROGRAMS] = { nothing_arguments, steady_arguments };
+  const char *base = strrchr(own_path, '/');
+  struct stopwatch_spread s[PROGRAMS];
+  for (int k = 0; k < PROGRAMS; k++)
+    snprintf(paths[k], PATH_MAX, "%.*s%s", base ? (int)(base + 1 - own_path) : 0, own_path, names[k]);
+  if (!start_measure(arguments, PROGRAMS, s)) {
+    fprintf(stderr, "bench: cannot run %s and %s: %s\n", paths[NOTHING], paths[STEADY], strerror(errno));
+    exit(3);
+  }
+  for (int k = 0; k < PROGRAMS; k++)
+    printf("start\t-\t-\t%s\t%.4g\t%.4g\t%.4g\tnan\t%.3g\tnan\n", k == STEADY ? "scallop steady" : names[k],
+           1e9 * s[k].median, 1e9 * s[k].q1, 1e9 * s[k].q3, s[k].median / s[NOTHING].median);
+  printf("# scallop steady, from its start to its end: %.2f ms, %.2f times a program that does nothing\n",
+         1e3 * s[STEADY].median, s[STEADY].median / s[NOTHING].median);
+}
+
 static void print_head(void)
 {
   struct stopwatch_clock clock = stopwatch_clock();
@@ -415,6 +441,7 @@ static void print_head(void)
   printf("#        difference from exact); period: largest relative difference of v_end and displacement from exact\n");
   printf("# ratio: of the medians, to the floor; period: to exact in the same case and gait, or to the quadratic one; small "
          "T: to T=1\n");
+  printf("# start: a process from being made to its end, %d times; ratio: to one that does nothing\n", START_RUNS);
   printf("# tolerance: GSL's, the cheapest of 1e-2, 3e-3 ... 1e-15 with error <= 1e-12, or 1e-6 as said\n");
   printf("# quadratic: x1'' is constant in a mode, so Runge-Kutta steps of any length are exact\n");
   printf("what\tcrawlers\tgait\tmethod\tns_median\tns_q1\tns_q3\terror\tratio\ttolerance\n");
@@ -459,5 +486,6 @@ int main(int count, char **arguments)
     }
   for (int i = 0; i < 2; i++)
     bench_small_T(gaits[i]);
+  bench_start(arguments[0]);
   return 0;
 }

@@ -12,6 +12,10 @@
 #include "model/flint.h"
 #include "model/model.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct scallop_rational_crawler {
   fmpq_t m1, m2, F1, F2, L, T, alpha; /* domains as in struct scallop_crawler */
   const struct scallop_gait *gait;
@@ -69,5 +73,9 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
  * False: there are no such coefficients. */
 bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piece *piece, const fmpq_t u, slong length,
                                    const fmpq_t pi_squared);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 
 #include "model/model.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- of straight pieces ---------------------------------------------------------------------- */
 
 struct scallop_straight {
@@ -75,5 +79,9 @@ int scallop_spline_pieces(const int count[2]);
  * (length gained)/(time passed), Fritsch & Carlson's condition (SIAM J. Numer. Anal. 17, 1980). */
 enum scallop_status scallop_make_spline(struct scallop_spline *spline, const char *name,
                                         const struct scallop_knot *const knots[2], const int count[2]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

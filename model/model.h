@@ -10,7 +10,11 @@
 
 #include <stdbool.h>
 
-#define SCALLOP_VERSION "0.1.0"
+#include "model/version.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* What every call that can fail returns. Below zero: failed, and the outputs are untouched.
  * Above zero: done, and there is something to know. */
@@ -174,5 +178,9 @@ enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct 
  * minus that of a contraction, whose l_0 and l_T have the other sign.
  * L for the quadratic gait, pi^2 L / 8 for the sinusoidal one. */
 double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

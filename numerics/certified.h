@@ -13,6 +13,10 @@
 #include "model/ball.h"
 #include "numerics/numerics.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* 1 <= digits <= this. */
 enum { SCALLOP_MOST_DIGITS = 100000 };
 
@@ -51,5 +55,9 @@ void scallop_certified_steady_clear(struct scallop_certified_steady *steady);
  * its phases: others are SCALLOP_EDOMAIN. Accuracy and statuses as above. */
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,
                                              struct scallop_certified_steady *steady, const char **why);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

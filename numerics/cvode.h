@@ -6,6 +6,10 @@
 
 #include "numerics/rival.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Whether this program was built with SUNDIALS; without it there is no such rival. */
 bool scallop_has_cvode(void);
 
@@ -15,5 +19,9 @@ bool scallop_has_cvode(void);
  * the displacement; tests/test_cvode.c holds both to a bound.
  * NULL: a bad tolerance, memory is short, or the program was built without SUNDIALS. */
 struct scallop_rival *scallop_cvode_rival(double tolerance);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,6 +15,10 @@
 
 #include "numerics/rival.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* steps equal steps a phase, 1 <= steps <= 2^53. NULL: an argument outside of that, or memory is short. Patience is
  * asked every 256 steps. evaluations: of l'. Never SCALLOP_ECONVERGE.
  * First order, and that from the crossings alone: in the step in which a body turns, friction has the sign of the end
@@ -23,5 +27,9 @@
  * T^2 (F1 + F2)/(M L); tests/test_moreau.c holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps,
  * and overtakes that at about 1e8 steps. 3 ns a step where l' is linear, 13 ns for the sinusoidal gait. */
 struct scallop_rival *scallop_moreau_rival(long steps);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

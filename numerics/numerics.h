@@ -14,6 +14,10 @@
 
 #include "model/model.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- what a motion looked like --------------------------------------------------------------- */
 
 enum { SCALLOP_MODES_KEPT = 24, SCALLOP_MODES_TEXT = 3 * SCALLOP_MODES_KEPT + 8 };
@@ -65,6 +69,7 @@ struct scallop_phase_result {
   double dx1, dx2, dxC; /* displacements of body 1, body 2 and the geometric centre (x1 + x2)/2  */
   enum scallop_regime regime;
   struct scallop_modes modes;
+  struct scallop_work work; /* periods: 0                                                           */
 };
 
 /* Each solve can also be asked how wrong it is: wide.h.
@@ -166,5 +171,9 @@ typedef bool scallop_sampler(void *context, const struct scallop_sample *sample)
  * the samples before, where a position overflows. */
 enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,6 +15,10 @@
 
 #include "numerics/rival.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Embedded Runge-Kutta pairs, Fehlberg 4(5), 6 evaluations a step, and Prince-Dormand 8(9), 13; and Adams's multistep method of
  * variable order 1 to 12, which starts anew after each event. A multistep method cannot take a step again that is
  * already in its memory: where an event is located Prince-Dormand takes the step, as the step control allows. */
@@ -49,5 +53,9 @@ enum scallop_status scallop_odeiv_period(const struct scallop_crawler *crawler, 
 /* The same as a rival, which asks for patience at each step. NULL: memory is short, or stepper or tolerance is not what the calls
  * above allow. */
 struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, double tolerance);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

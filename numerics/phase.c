@@ -102,6 +102,7 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
     .regime = motion.never_moved[0] || motion.never_moved[1] ? SCALLOP_AT_REST
               : motion.sticks                                ? SCALLOP_STICK_SLIP
                                                              : SCALLOP_SLIDING,
+    .work = motion.work,
   };
   motion_modes(&motion, kind, &answer.modes);
   bool has_switch = !isnan(motion.first_switch);

@@ -10,6 +10,10 @@
 
 #include "numerics/numerics.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Asked before each step and each period while a rival works; false: it gives up with SCALLOP_ESTOPPED. NULL instead of it: it may
  * take as long as it takes. */
 struct scallop_patience {
@@ -70,5 +74,9 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
  * v_start and displacement nan while not both ends are known. Others as above. */
 enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler, double tolerance,
                                        const struct scallop_patience *patience, struct scallop_rival_steady *steady);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

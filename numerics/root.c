@@ -2,47 +2,20 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdalign.h>
-#include <stddef.h>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include "numerics/itp.h"
 
-enum { STEPS = 12, BRENT_STEPS = 200, BRENT_STATE = 128 };
+enum { STEPS = 12 };
 
 struct problem {
   root_function *f;
   const void *context;
 };
 
-static double value(double u, void *params)
+static double value(const struct problem *p, double u)
 {
-  const struct problem *p = params;
   double slope;
   return p->f(p->context, u, &slope);
-}
-
-/* GSL's Brent solver on a state of our own, so that nothing is allocated. */
-static double brent(struct problem *problem, double a, double b)
-{
-  alignas(max_align_t) unsigned char state[BRENT_STATE];
-  double lo = a < b ? a : b, hi = a < b ? b : a;
-  gsl_function f = { value, problem };
-  gsl_root_fsolver solver = { .type = gsl_root_fsolver_brent, .state = state };
-  double f_lo = value(lo, problem), f_hi = value(hi, problem);
-  if ((f_lo > 0) == (f_hi > 0)) /* one of them is 0 but for rounding */
-    return fabs(f_lo) < fabs(f_hi) ? lo : hi;
-  if (gsl_root_fsolver_brent->size > sizeof state || gsl_root_fsolver_set(&solver, &f, lo, hi) != GSL_SUCCESS)
-    return lo; /* GCOVR_EXCL_LINE: another version of GSL, with a larger state */
-  for (int i = 0; i < BRENT_STEPS; i++) {
-    if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS)
-      break; /* GCOVR_EXCL_LINE: only where the function is not finite */
-    lo = gsl_root_fsolver_x_lower(&solver);
-    hi = gsl_root_fsolver_x_upper(&solver);
-    if (gsl_root_test_interval(lo, hi, 0, 1e-15) == GSL_SUCCESS)
-      break;
-  }
-  return gsl_root_fsolver_root(&solver);
 }
 
 /* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. Written so that no power of f is formed,
@@ -71,10 +44,10 @@ static double clamp(double u, double a, double b)
 
 /* The first of u a few ulp, 16 times that, and so on towards far at which f has no longer the sign that it has at u: the root may be so near to 0
  * that halving the whole interval would not get there. */
-static double beyond_root(struct problem *problem, double u, double f, double far)
+static double beyond_root(const struct problem *problem, double u, double f, double far)
 {
   for (double step = copysign(4 * DBL_EPSILON * fmax(fabs(u), DBL_MIN), far - u); fabs(step) < fabs(far - u); step *= 16)
-    if ((value(u + step, problem) > 0) != (f > 0))
+    if ((value(problem, u + step) > 0) != (f > 0))
       return u + step;
   return far;
 }
@@ -82,14 +55,14 @@ static double beyond_root(struct problem *problem, double u, double f, double fa
 /* Between u and far f changes its sign. Where they are of different orders of magnitude the root is looked for by these first: where f has
  * hardly a slope at 0 it may be as near to that as a square root, and halving would be slow. Returns the end opposite to *u, which
  * becomes the end where f has the sign of f_u. */
-static double same_magnitude(struct problem *problem, double *u, double f_u, double far)
+static double same_magnitude(const struct problem *problem, double *u, double f_u, double far)
 {
   const double far_apart = 0x1p40;
   if (!(fmax(*u, far) > far_apart * fmax(fmin(*u, far), DBL_MIN)))
     return far;
   while (fmax(*u, far) > 16 * fmax(fmin(*u, far), DBL_MIN)) {
     double middle = sqrt(*u > DBL_MIN ? *u : DBL_MIN) * sqrt(far > DBL_MIN ? far : DBL_MIN);
-    *((value(middle, problem) > 0) == (f_u > 0) ? u : &far) = middle;
+    *((value(problem, middle) > 0) == (f_u > 0) ? u : &far) = middle;
   }
   return far;
 }
@@ -118,11 +91,11 @@ double root_between(root_function *f, const void *context, struct root_end a, st
   }
   if (p.f == 0)
     return p.u;
-  struct problem problem = { f, context };
+  const struct problem problem = { f, context };
   double far = (p.f > 0) == (a.f > 0) ? b.u : a.u;
   far = beyond_root(&problem, p.u, p.f, far);
   far = same_magnitude(&problem, &p.u, p.f, far);
-  p.u = brent(&problem, p.u, far);
+  p.u = itp_root(f, context, p.u, far);
   p.f = f(context, p.u, &p.slope);
   return p.slope != 0 ? clamp(p.u - p.f / p.slope, a.u, b.u) : p.u;
 }

@@ -15,7 +15,7 @@ struct root_end {
  * change of curvature between a and b, f(a) and f(b) of opposite sign or zero.
  * Method: a Newton step from the end where f f'' > 0, from which it cannot overshoot; then cubic
  * interpolation of the inverse function through the last two points and their slopes. Where f is nearly
- * flat at the root (grazing) and this is slow, GSL's Brent solver, and a last Newton step. */
+ * flat at the root (grazing) and this is slow, the ITP method (itp.h), and a last Newton step. */
 double root_between(root_function *f, const void *context, struct root_end a, struct root_end b);
 
 /* A step of Newton's method so small beside the root x, at least one inflection or end of x away, that the next would show only rounding:

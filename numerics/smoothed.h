@@ -10,6 +10,10 @@
 
 #include "numerics/rival.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* GSL's implicit steppers: backward differentiation of order 1 to 5, the Bader-Deuflhard extrapolation of the
  * semi-implicit midpoint rule, and the Gauss method of order 4. */
 enum scallop_smoothed_stepper { SCALLOP_SMOOTHED_MSBDF, SCALLOP_SMOOTHED_BSIMP, SCALLOP_SMOOTHED_RK4IMP };
@@ -54,5 +58,9 @@ struct scallop_rival *scallop_smoothed_rival(enum scallop_smoothed_stepper stepp
 enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
                                            enum scallop_phase_kind kind, double v0, const struct scallop_patience *patience,
                                            const double *times, int count, scallop_sampler *sampler, void *context);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 
 #include "numerics/numerics.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum scallop_width { SCALLOP_LONG_DOUBLE, SCALLOP_BINARY128 };
 /* Bits of a number: 64 and 113 on x86. 53 where long double is no wider than double; 0: not available. */
 int scallop_width_bits(enum scallop_width width);
@@ -68,5 +72,9 @@ enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, 
                                          const struct scallop_period_result *result, struct scallop_period_error *error);
 enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler, const struct scallop_steady_result *result,
                                          struct scallop_steady_error *error);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

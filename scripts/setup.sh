@@ -12,6 +12,7 @@ look() { # PURPOSE...: what is missing
   for purpose in "$@"; do
     case $purpose in
       build)    has_header gsl/gsl_roots.h || need libgsl-dev
+                has_header libconfig.h || need libconfig-dev
                 if [ "${WITH_FLINT:-1}" != 0 ]; then
                   has_header gmp.h || need libgmp-dev
                   if ! has_header flint/fmpq.h; then
@@ -22,6 +23,7 @@ look() { # PURPOSE...: what is missing
                 fi ;;
       plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core" ;;
       tests)    has_header cmocka.h || need libcmocka-dev
+                command -v pkg-config >/dev/null 2>&1 || need pkgconf
                 /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath" ;;
       lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
                 command -v clang-format >/dev/null 2>&1 || need clang-format

@@ -3,6 +3,7 @@
 
 #include <float.h>
 
+#include "numerics/itp.h"
 #include "numerics/root.h"
 
 struct power { /* f = sign (u - root)^n + lift */
@@ -60,12 +61,88 @@ static void flat_roots(void **state)
   }
 }
 
+/* ---- the ITP method alone ---- */
+
+struct counted { /* a function that counts how often it is asked */
+  double (*value)(double u, double root);
+  double root;
+  int *count;
+};
+
+static double counted(const void *context, double u, double *slope)
+{
+  const struct counted *c = context;
+  ++*c->count;
+  *slope = NAN;
+  return c->value(u, c->root);
+}
+
+static double line(double u, double root) { return u - root; }
+static double parabola(double u, double root) { return (u - root) * (u + root); }
+static double cube(double u, double root) { return pow(u - root, 3); }
+static double flat(double u, double root) { return pow(u / root - 1, 31); }
+static double root_of_magnitude(double u, double root) { return copysign(sqrt(fabs(u - root)), u - root); }
+static double jump(double u, double root) { return u < root ? -1 : 1e300; }
+static double pole(double u, double root) { return u == root ? 1 : 1 / (root - u); }
+static double steep(double u, double root) { return expm1(300 * (u / root - 1)); }
+static double tiny(double u, double root) { return 1e-310 * (u / root - 1); }
+
+static double (*const functions[])(double,
+                                   double) = { line, parabola, cube, flat, root_of_magnitude, jump, pole, steep, tiny };
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+/* The evaluations of one search, which ends at a zero or beside a change of sign */
+static int evaluations(double (*value)(double, double), double root, double from, double to)
+{
+  int count = 0;
+  const struct counted c = { value, root, &count };
+  double u = itp_root(counted, &c, from, to);
+  assert_true(value(u, root) == 0 || (value(nextafter(u, 0), root) > 0) != (value(nextafter(u, 2 * to + from), root) > 0));
+  assert_true(count <= itp_most(from, to));
+  return count;
+}
+
+/* To the last digit, in no more evaluations than are promised, whatever the function and the bracket */
+static void itp_keeps_its_count(void **state)
+{
+  (void)state;
+  static const double begins[] = { 0, 1e-310, 1e-30, 0.2385 };
+  for (int f = 0; f < FUNCTIONS; f++)
+    for (int i = 0; i < 4; i++)
+      for (int k = 1; k <= 40; k++) {
+        double begin = begins[i], root = begin + (1 - begin) * pow(0.7, k);
+        evaluations(functions[f], root, begin, 1);
+        evaluations(functions[f], root, 1, begin);
+      }
+}
+
+/* And a quarter of that where the function is nearly straight */
+static void itp_is_fast(void **state)
+{
+  (void)state;
+  for (int k = 1; k < 200; k++)
+    assert_true(evaluations(parabola, 0.2 + 0.004 * k, 0.2, 1) <= itp_most(0.2, 1) / 4);
+}
+
+/* What is no bracket: the end that is nearer to a root. */
+static void itp_without_a_bracket(void **state)
+{
+  (void)state;
+  int count = 0;
+  const struct counted c = { line, 0.25, &count };
+  CHECK_EQUAL(itp_root(counted, &c, 0.5, 1), 0.5);
+  CHECK_EQUAL(itp_root(counted, &c, 0.125, 0), 0.125);
+  CHECK_EQUAL(itp_root(counted, &c, 0.25, 1), 0.25);
+  CHECK_EQUAL(itp_root(counted, &c, 0, 0.25), 0.25);
+  CHECK_EQUAL(itp_root(counted, &c, 0.5, 0.5), 0.5);
+  assert_true(count == 10 && itp_most(0.5, 0.5) == 2);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(at_the_ends),
-    cmocka_unit_test(simple_roots),
-    cmocka_unit_test(flat_roots),
+    cmocka_unit_test(at_the_ends),         cmocka_unit_test(simple_roots), cmocka_unit_test(flat_roots),
+    cmocka_unit_test(itp_keeps_its_count), cmocka_unit_test(itp_is_fast),  cmocka_unit_test(itp_without_a_bracket),
   };
   return cmocka_run_group_tests_name("root", tests, NULL, NULL);
 }

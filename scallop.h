@@ -1,0 +1,42 @@
+/* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls them together; their
+ * exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core` says how to compile.
+ *
+ *     struct scallop_crawler crawler = scallop_crawler_default();
+ *     struct scallop_steady_result steady;
+ *     crawler.F1 = 3;
+ *     if (scallop_steady(&crawler, &steady) >= 0)
+ *       printf("%.17g\n", steady.mean_velocity);
+ *
+ * Each header begins with what it is for. In libscallop-core, which needs C's library only, and in libscallop:
+ *     model/model.h               crawlers, gaits, phases; scallop_status, which every call that can fail returns
+ *     model/gaits.h               gaits made to measure: trapezoidal, skewed, polynomial, splines through data
+ *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
+ *     numerics/wide.h             the same in wider arithmetic: an estimate of the error of each number
+ *     asymptotics/asymptotics.h   the formulas of the paper as published
+ * In libscallop alone, and not included here:
+ *     numerics/certified.h        any number of proven digits (FLINT), with model/ball.h for exact parameters
+ *     numerics/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
+ *
+ * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either. All of it
+ * can be called from several threads at once. */
+#ifndef SCALLOP_H
+#define SCALLOP_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "asymptotics/asymptotics.h"
+#include "model/gaits.h"
+#include "model/model.h"
+#include "model/version.h"
+#include "numerics/numerics.h"
+#include "numerics/wide.h"
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
