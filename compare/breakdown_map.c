@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include "compare/breakdown.h"
+#include "compare/exact.h"
+#include "compare/counts.h"
 #include "compare/journal.h"
 #include "compare/map.h"
 #include "compare/with_flint.h"
@@ -141,7 +143,7 @@ static void compute(const struct map *m, long item, double *values)
   struct scallop_steady_result r;
   bool is_reach = item < m->reaches;
   struct scallop_crawler c = crawler_of(m, is_reach ? row_of_reach(m, item) : item - m->reaches);
-  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : scallop_steady(&c, &r) >= 0;
+  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : counted_steady(&c, &r) >= 0;
   for (int i = 0; i < item_width(m, item); i++) {
     const struct breakdown_series *series = &m->series[is_reach ? i / m->tolerance_count : i];
     values[i] = !exists    ? NAN
@@ -262,14 +264,6 @@ static enum exit_code open_journal(struct map *m)
 
 /* ---- the table ---- */
 
-void map_modes_text(const struct scallop_modes modes[2], char text[MAP_MODES_TEXT])
-{
-  scallop_modes_text(&modes[0], text);
-  size_t length = strlen(text);
-  memcpy(text + length, " | ", sizeof " | ");
-  scallop_modes_text(&modes[1], text + length + 3);
-}
-
 static void note_axis(struct table *t, const char *which, const struct axis *a)
 {
   char from[NUMBER_TEXT], to[NUMBER_TEXT];
@@ -330,10 +324,10 @@ static void write_parameters(const struct map *m, struct table *t, const struct 
 
 static void write_state(struct table *t, enum scallop_status status, const struct scallop_steady_result *r)
 {
-  char modes[MAP_MODES_TEXT];
+  char modes[PERIOD_MODES_TEXT];
   bool solved = status >= 0;
   if (solved)
-    map_modes_text(r->period.modes, modes);
+    period_modes_text(modes, r->period.modes);
   table_text(t, solved ? modes : "-");
   table_text(t, solved ? scallop_regime_text(r->period.regime) : "-");
   table_number(t, solved ? r->period.v_start : NAN);
@@ -345,7 +339,7 @@ static void write_row(struct map *m, struct table *t, long row)
 {
   struct scallop_steady_result r;
   struct scallop_crawler c = crawler_of(m, row);
-  enum scallop_status status = scallop_steady(&c, &r);
+  enum scallop_status status = counted_steady(&c, &r);
   const double *errors = item_values(m, m->reaches + row), *reaches = item_values(m, reach_of_row(m, row));
   write_parameters(m, t, &c, row);
   write_state(t, status, &r);

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "compare/breakdown_parts.h"
+#include "compare/counts_flint.h"
+#include "compare/exact.h"
 #include "numerics/certified.h"
 
 const char *breakdown_quantity_text(enum breakdown_quantity quantity)
@@ -39,7 +41,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
   forget(e);
   if (s->steady) {
     struct scallop_steady_result r;
-    e->status = scallop_steady(&c, &r);
+    e->status = counted_steady(&c, &r);
     if (e->status < 0)
       return;
     e->value[OF_V_START].high = r.period.v_start;
@@ -52,7 +54,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
     return;
   }
   struct scallop_phase_result r;
-  e->status = scallop_phase(&c, s->kind, s->v0, &r);
+  e->status = counted_phase(&c, s->kind, s->v0, &r);
   if (e->status < 0)
     return;
   const double values[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
@@ -66,7 +68,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
 static void keep_zeros(const struct scallop_crawler *c, struct exact *e)
 {
   struct scallop_steady_result r;
-  if (scallop_steady(c, &r) >= 0 && r.period.displacement == 0)
+  if (counted_steady(c, &r) >= 0 && r.period.displacement == 0)
     e->value[OF_DISPLACEMENT] = e->value[OF_MEAN_VELOCITY] = (struct scallop_wide){ 0, 0 };
 }
 
@@ -104,7 +106,7 @@ static bool certified_steady(const struct scallop_rational_crawler *c, long digi
 {
   struct scallop_certified_steady r;
   scallop_certified_steady_init(&r);
-  bool done = scallop_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
+  bool done = counted_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
   const arb_struct *const all[] = { r.v_start, r.v_mid, r.displacement, r.mean_velocity };
   for (int i = 0; done && i < STEADY_QUANTITIES; i++)
     arb_set(values + i, all[i]);
@@ -119,7 +121,7 @@ static bool certified_phase(const struct scallop_rational_crawler *c, const stru
   fmpq_init(v0);
   scallop_rational_set_double(v0, s->v0);
   scallop_certified_phase_init(&r);
-  bool done = scallop_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
+  bool done = counted_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
   const arb_struct *const all[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
   for (int i = OF_T1; done && i < BREAKDOWN_QUANTITIES; i++)
     if (r.switches || i > OF_DT)
@@ -144,14 +146,10 @@ bool exact_certified(const struct subject *s, double T, long digits, arb_ptr val
 
 void subject_modes_text(const struct subject *s, const struct scallop_modes modes[2], char *text)
 {
-  char one[SCALLOP_MODES_TEXT], other[SCALLOP_MODES_TEXT];
-  scallop_modes_text(&modes[0], one);
-  if (!s->steady) {
-    sprintf(text, "%s", one);
-    return;
-  }
-  scallop_modes_text(&modes[1], other);
-  sprintf(text, "%s | %s", one, other);
+  if (s->steady)
+    period_modes_text(text, modes);
+  else
+    scallop_modes_text(&modes[0], text);
 }
 
 bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])

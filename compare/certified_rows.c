@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "compare/counts_flint.h"
 #include "compare/decimal.h"
+#include "compare/exact.h"
 #include "compare/points.h"
 #include "compare/with_flint.h"
 #include "numerics/certified.h"
@@ -96,7 +98,7 @@ const char *certified_phase_row(struct table *table, const struct options *point
   parameters(table, point);
   table_text(table, point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
   write_parameter(table, point->written_v0, point->v0);
-  enum scallop_status status = scallop_certified_phase(&crawler, point->phase, v0, solve, &p, &why);
+  enum scallop_status status = counted_certified_phase(&crawler, point->phase, v0, solve, &p, &why);
   if (status == SCALLOP_OK) {
     const arb_struct *numbers[] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
     for (int i = 0; i < 6; i++)
@@ -122,21 +124,18 @@ const char *certified_steady_row(struct table *table, const struct options *poin
   struct scallop_rational_crawler crawler;
   struct scallop_certified_steady s;
   const char *why = NULL;
-  char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4];
+  char modes[PERIOD_MODES_TEXT];
   scallop_rational_init(&crawler);
   scallop_certified_steady_init(&s);
   decimal_options(&crawler, NULL, point);
   parameters(table, point);
-  enum scallop_status status = scallop_certified_steady(&crawler, solve, &s, &why);
+  enum scallop_status status = counted_certified_steady(&crawler, solve, &s, &why);
   if (status == SCALLOP_OK) {
     const arb_struct *numbers[] = { s.froude, s.v_start, s.v_mid, s.displacement, s.mean_velocity, s.multiplier };
     for (int i = 0; i < 6; i++)
       write_ball(table, numbers[i], digits);
     table_text(table, scallop_regime_text(s.regime));
-    for (int phase = 0; phase < 2; phase++)
-      scallop_modes_text(&s.modes[phase], modes[phase]);
-    snprintf(both, sizeof both, "%s | %s", modes[0], modes[1]);
-    table_text(table, both);
+    table_text(table, period_modes_text(modes, s.modes));
     table_text(table, "certified");
   }
   const char *unsolved = status == SCALLOP_OK ? NULL : write_no_answer(table, status, why);

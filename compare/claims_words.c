@@ -5,6 +5,8 @@
 
 #include <gsl/gsl_qrng.h>
 
+#include "compare/counts.h"
+
 #include "compare/claims_words.h"
 
 enum { RANDOM_CRAWLERS = 400 };
@@ -56,7 +58,7 @@ static void enter(const struct words *l, const char *claim, const char *section,
 struct scallop_steady_result words_steady(const struct scallop_crawler *c)
 {
   struct scallop_steady_result r;
-  if (scallop_steady(c, &r) < 0)
+  if (counted_steady(c, &r) < 0)
     return (struct scallop_steady_result){ .mean_velocity = NAN,
                                            .period = { .v_start = NAN, .displacement = NAN, .multiplier = NAN } };
   return r;
@@ -216,7 +218,7 @@ static struct scallop_phase_result extension(const struct scallop_crawler *crawl
   c.F1 = ratio * c.F2;
   c.alpha = 0.5;
   c.T = 2 * T;
-  if (scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
+  if (counted_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
     return (struct scallop_phase_result){ .dxC = NAN, .v_end = NAN, .regime = SCALLOP_AT_REST };
   return r;
 }

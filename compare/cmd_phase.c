@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "compare/counts.h"
 #include "compare/points.h"
 #include "compare/with_flint.h"
 #include "numerics/wide.h"
@@ -32,7 +33,7 @@ static const char *row(struct table *table, const struct options *point, const c
     return certified_phase_row(table, point);
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : scallop_phase(&point->crawler, point->phase, point->v0, &r);
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : counted_phase(&point->crawler, point->phase, point->v0, &r);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   point_parameters(table, point, refused);
   table_text(table, refused ? "-" : point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");

@@ -2,6 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/counts.h"
+#include "compare/exact.h"
 #include "compare/points.h"
 #include "compare/with_flint.h"
 #include "numerics/wide.h"
@@ -43,25 +45,6 @@ struct state {
   const struct scallop_modes *modes; /* of both phases */
 };
 
-static void write_modes(struct table *table, const struct scallop_modes *modes)
-{
-  char both[2 * SCALLOP_MODES_TEXT + 4];
-  scallop_modes_text(&modes[0], both);
-  size_t length = strlen(both);
-  memcpy(both + length, " | ", sizeof " | ");
-  scallop_modes_text(&modes[1], both + length + 3);
-  table_text(table, both);
-}
-
-static void write_interval(struct table *table, double v_low, double v_high)
-{
-  char low[NUMBER_TEXT], high[NUMBER_TEXT], interval[160];
-  number_text(low, v_low, 0);
-  number_text(high, v_high, 0);
-  snprintf(interval, sizeof interval, "interval of steady states: v_start from %s to %s", low, high);
-  table_text(table, interval);
-}
-
 /* refused as in points.h. Returns why, the reason. */
 static const char *write_none(struct table *table, const struct scallop_crawler *crawler, const char *refused,
                               const char *why)
@@ -85,11 +68,10 @@ static const char *write_row(struct table *table, const struct scallop_crawler *
   for (int i = 0; i < s->error_count; i++)
     table_rounded(table, rounded_up * s->errors[i], "%.3g");
   table_text(table, scallop_regime_text(s->regime));
-  write_modes(table, s->modes);
-  if (s->status == SCALLOP_INTERVAL)
-    write_interval(table, s->v_low, s->v_high);
-  else
-    table_text(table, "ok");
+  char modes[PERIOD_MODES_TEXT];
+  table_text(table, period_modes_text(modes, s->modes));
+  char interval[STEADY_STATUS];
+  table_text(table, steady_status_text(interval, s->status, s->v_low, s->v_high));
   return NULL;
 }
 
@@ -110,7 +92,7 @@ static const char *row(struct table *table, const struct options *point, const c
   if (point->certified)
     return certified_steady_row(table, point);
   struct scallop_steady_result r;
-  struct state s = { .status = scallop_steady(&point->crawler, &r) };
+  struct state s = { .status = counted_steady(&point->crawler, &r) };
   if (s.status >= 0)
     s = (struct state){ .status = s.status,
                         .numbers = { r.froude, r.period.v_start, r.period.v_mid, r.period.displacement, r.mean_velocity,
@@ -164,7 +146,7 @@ static long rows(struct table *table, const struct options *options, const struc
                                                 .modes = a.modes,
                                                 .status = a.status };
   long unsolved = 0;
-  scallop_steady_batch(&block->crawlers, &wanted, 1); /* text in and out is nearly all of the time */
+  counted_steady_batch(&block->crawlers, &wanted, 1); /* text in and out is nearly all of the time */
   for (long i = 0; i < block->crawlers.count; i++) {
     const struct scallop_crawler crawler = crawler_at(&block->crawlers, i);
     const struct state state = state_at(&a, i);

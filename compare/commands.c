@@ -16,6 +16,7 @@ const struct command *const commands[] = { &command_phase,
                                            &command_workprec,
                                            &command_stress,
                                            &command_breakdown,
+                                           &command_run,
                                            NULL };
 
 const struct command *command_named(const char *name)

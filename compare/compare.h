@@ -25,7 +25,7 @@ struct command {
 };
 
 extern const struct command command_phase, command_steady, command_trajectory, command_series, command_claims, command_order,
-    command_figure, command_workprec, command_stress, command_breakdown;
+    command_figure, command_workprec, command_stress, command_breakdown, command_run;
 /* All commands, NULL-terminated. */
 extern const struct command *const commands[];
 

@@ -1,6 +1,11 @@
 #include "compare/exact.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/counts.h"
+#include "compare/table.h"
 
 /* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
 struct turning {
@@ -23,21 +28,34 @@ static void note_turning(void *context, const struct scallop_interval *i)
   t->started = true;
 }
 
-enum scallop_status exact_phase_solve(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+enum scallop_status exact_phase_start(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
                                       struct exact_phase *exact)
 {
-  double front = kind == SCALLOP_EXTENSION ? c->m2 : c->m1;
-  struct turning t = {
-    .mu_front = front / (c->m1 + c->m2), .stroke = kind == SCALLOP_EXTENSION ? 1 : -1, .first = NAN, .last = NAN
-  };
-  enum scallop_status status = scallop_phase(c, kind, v0, &exact->phase);
-  if (status == SCALLOP_OK)
-    status = scallop_phase_intervals(c, kind, v0, note_turning, &t);
+  enum scallop_status status = counted_phase(c, kind, v0, &exact->phase);
   exact->kind = kind;
   exact->v0 = v0;
+  exact->at_first = exact->at_last = NAN;
+  return status;
+}
+
+enum scallop_status exact_phase_turnings(const struct scallop_crawler *c, struct exact_phase *exact)
+{
+  bool extension = exact->kind == SCALLOP_EXTENSION;
+  struct turning t = {
+    .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
+  };
+  count_add(COUNT_PHASES, 1);
+  enum scallop_status status = scallop_phase_intervals(c, exact->kind, exact->v0, note_turning, &t);
   exact->at_first = t.first * c->L;
   exact->at_last = t.last * c->L;
   return status;
+}
+
+enum scallop_status exact_phase_solve(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+                                      struct exact_phase *exact)
+{
+  enum scallop_status status = exact_phase_start(c, kind, v0, exact);
+  return status == SCALLOP_OK ? exact_phase_turnings(c, exact) : status;
 }
 
 double exact_quantity(const struct exact_phase *e, enum scallop_quantity quantity)
@@ -68,6 +86,7 @@ double published_value(const struct scallop_formula *formula, const struct scall
   p.x_switch = exact->at_last;
   if (formula->setting == SCALLOP_AT_REST_START && exact->kind == SCALLOP_CONTRACTION)
     p = scallop_exchanged(&p);
+  count_add(COUNT_FORMULAS, 1);
   return formula->phase(&p);
 }
 
@@ -81,4 +100,24 @@ const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_
   if (f->setting == SCALLOP_STEADY)
     return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
   return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];
+}
+
+const char *period_modes_text(char text[PERIOD_MODES_TEXT], const struct scallop_modes modes[2])
+{
+  scallop_modes_text(&modes[0], text);
+  size_t length = strlen(text);
+  memcpy(text + length, " | ", sizeof " | ");
+  scallop_modes_text(&modes[1], text + length + 3);
+  return text;
+}
+
+const char *steady_status_text(char text[STEADY_STATUS], enum scallop_status status, double v_low, double v_high)
+{
+  char low[NUMBER_TEXT], high[NUMBER_TEXT];
+  if (status != SCALLOP_INTERVAL)
+    return "ok";
+  number_text(low, v_low, 0);
+  number_text(high, v_high, 0);
+  snprintf(text, STEADY_STATUS, "interval of steady states: v_start from %s to %s", low, high);
+  return text;
 }

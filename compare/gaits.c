@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/counts.h"
 #include "compare/gait_file.h"
 #include "compare/options.h"
 #include "model/gaits.h"
@@ -73,6 +74,7 @@ static struct made *find(const char *text)
 
 static void keep(struct made *made)
 {
+  count_add(COUNT_GAITS, 1);
   if (made_count++ == 0)
     atexit(free_all);
   struct made **bucket = &buckets[bucket_of(made->text)];

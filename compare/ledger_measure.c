@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/counts_flint.h"
+#include "compare/exact.h"
 #include "compare/ledger.h"
 #include "numerics/certified.h"
 
@@ -20,15 +22,11 @@ static long digits_at(int k, double decades) { return 40 + (long)(10 * (0.602 * 
 
 static bool same_modes(const struct ledger_sample *s, const struct ledger_case *c)
 {
-  char text[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4];
-  if (c->setting != SCALLOP_STEADY) {
-    scallop_modes_text(&s->phase.modes, text[0]);
-    return strcmp(text[0], c->motion->phase.modes) == 0;
-  }
-  scallop_modes_text(&s->steady.modes[0], text[0]);
-  scallop_modes_text(&s->steady.modes[1], text[1]);
-  snprintf(both, sizeof both, "%s | %s", text[0], text[1]);
-  return strcmp(both, c->motion->steady.modes) == 0;
+  char text[PERIOD_MODES_TEXT];
+  if (c->setting == SCALLOP_STEADY)
+    return strcmp(period_modes_text(text, s->steady.modes), c->motion->steady.modes) == 0;
+  scallop_modes_text(&s->phase.modes, text);
+  return strcmp(text, c->motion->phase.modes) == 0;
 }
 
 static void take_sample(struct ledger_sample *s, const struct ledger_case *c)
@@ -40,11 +38,11 @@ static void take_sample(struct ledger_sample *s, const struct ledger_case *c)
   scallop_rational_copy(&crawler, &c->crawler);
   fmpq_set(crawler.T, s->T);
   if (c->setting == SCALLOP_STEADY)
-    s->solved = scallop_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
+    s->solved = counted_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
   else {
     scallop_rational_fraction(fraction, &crawler, c->kind);
     fmpq_div(crawler.T, s->T, fraction);
-    s->solved = scallop_certified_phase(&crawler, c->kind, c->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
+    s->solved = counted_certified_phase(&crawler, c->kind, c->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
   }
   s->solved = s->solved && same_modes(s, c);
   scallop_rational_clear(&crawler);

@@ -5,10 +5,6 @@
 #include "compare/axis.h"
 #include "compare/compare.h"
 
-/* "++ -+ ++ | ++ +- ++", extension and contraction */
-enum { MAP_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };
-void map_modes_text(const struct scallop_modes modes[2], char text[MAP_MODES_TEXT]);
-
 /* The '#' lines: version, command, axes, parameters. about: what else the command line says, or "". */
 void map_begin(struct table *table, const struct options *options, const struct axis axes[2], const char *about);
 

@@ -4,6 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "compare/exact.h"
+#include "compare/counts.h"
 #include "compare/map.h"
 #include "compare/mode_change.h"
 #include "compare/with_flint.h"
@@ -69,7 +71,7 @@ static bool solve(const struct scallop_crawler *c, struct region *r)
 {
   struct scallop_steady_result plain;
   struct scallop_wide_steady wide;
-  if (scallop_steady(c, &plain) < 0)
+  if (counted_steady(c, &plain) < 0)
     return false;
   bool widely = is_uncertain(c, &plain.period) && scallop_wide_steady(SCALLOP_BINARY128, c, &wide) >= 0;
   memcpy(r->modes, widely ? wide.period.modes : plain.period.modes, sizeof r->modes);
@@ -204,12 +206,12 @@ static const char *end_text(enum map_end end)
   return texts[end];
 }
 
-static void modes_of(const struct boundaries *b, int region, char text[MAP_MODES_TEXT])
+static void modes_of(const struct boundaries *b, int region, char text[PERIOD_MODES_TEXT])
 {
   if (region == MAP_NOWHERE)
     memcpy(text, "-", 2);
   else
-    map_modes_text(b->regions[region].modes, text);
+    period_modes_text(text, b->regions[region].modes);
 }
 
 static const char *what_changes(const struct boundaries *b, const struct map_curve *c, char text[MODE_CHANGE_TEXT])
@@ -231,7 +233,7 @@ static const char *status_text(const struct checked *k)
 static void write_curve(const struct boundaries *b, struct table *t, long number, const struct map_curve *c,
                         const struct checked *checked)
 {
-  char left[MAP_MODES_TEXT], right[MAP_MODES_TEXT], third[MAP_MODES_TEXT], what[MODE_CHANGE_TEXT];
+  char left[PERIOD_MODES_TEXT], right[PERIOD_MODES_TEXT], third[PERIOD_MODES_TEXT], what[MODE_CHANGE_TEXT];
   modes_of(b, c->left, left);
   modes_of(b, c->right, right);
   what_changes(b, c, what);

@@ -97,6 +97,7 @@ static const char *set_format(struct options *o, const char *name, const char *t
   if (strcmp(text, "tsv") != 0 && strcmp(text, "json") != 0)
     return not_allowed(text, "tsv or json");
   o->format = *text == 't' ? FORMAT_TSV : FORMAT_JSON;
+  o->has_format = true;
   return NULL;
 }
 
@@ -104,8 +105,11 @@ static const char *set_file(struct options *o, const char *name, const char *tex
 {
   if (*text == '\0')
     return not_allowed(text, "a file name");
+  o->has_output |= strcmp(name, "output") == 0;
   if (strcmp(name, "output") == 0)
     o->output = strcmp(text, "-") == 0 ? NULL : text;
+  else if (strcmp(name, "into") == 0)
+    o->folder = text;
   else
     *(strcmp(name, "points") == 0 ? &o->points : &o->from) = text;
   return NULL;
@@ -180,10 +184,18 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
   const struct {
     const char *name;
     bool *flag;
-  } flags[] = { { "bound", &o->bound }, { "certified", &o->certified },
-                { "quick", &o->quick }, { "summary", &o->summary },
-                { "full", &o->full },   { "stiff", &o->stiff },
-                { "error", &o->error }, { "boundaries", &o->boundaries } };
+  } flags[] = { { "bound", &o->bound },
+                { "certified", &o->certified },
+                { "quick", &o->quick },
+                { "summary", &o->summary },
+                { "full", &o->full },
+                { "stiff", &o->stiff },
+                { "error", &o->error },
+                { "boundaries", &o->boundaries },
+                { "check-only", &o->check_only },
+                { "explain", &o->explain },
+                { "stats", &o->stats },
+                { "no-plots", &o->no_plots } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
       *flags[i].flag = true;
@@ -245,6 +257,11 @@ static const struct option_description descriptions[] = {
   { "format", "F", "tsv or json, one object a line (tsv)", set_format },
   { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
   { "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", set_file },
+  { "check-only", NULL, "read and check the scenes, and do nothing", set_flag },
+  { "explain", NULL, "the plan, instead of the work", set_flag },
+  { "stats", NULL, "afterwards, on standard error, what was done: the counters of the plan's stages", set_flag },
+  { "no-plots", NULL, "tables only", set_flag },
+  { "into", "FOLDER", "the folder for files that a scene names without one starting with / (this one)", set_file },
   { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
 };
 

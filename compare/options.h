@@ -32,24 +32,27 @@ struct options {
   const char **operands; /* all, in the order they were given                                 */
   int operand_count;
   const char *output; /* NULL: standard output                                           */
+  const char *folder; /* run: where files without a folder go, or NULL                      */
   struct table *into; /* the table to continue in place of output, or NULL               */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  const char *from;        /* workprec: a table to summarise, or NULL                              */
-  const char *family;      /* stress: the only family, or NULL                                    */
-  long cases, seed;        /* stress: of each family, 0: as many as is usual; of their parameters   */
-  bool full, stiff, error; /* stress; steady and phase                                          */
-  const char *quantity;    /* breakdown: the only one, or NULL                                     */
-  const char *only;        /* breakdown: the only kind of rows, or NULL                            */
-  const char *map[2];      /* breakdown: what varies along x and along y, or NULL                  */
-  const char *range[2];    /* breakdown: FROM:TO:COUNT of x and of y, or NULL                      */
-  bool boundaries;         /* breakdown: the curves between the regions of a map                    */
-  double limit;            /* workprec: seconds for each setting; 0: not given                   */
-  bool quick, summary;     /* workprec                                                       */
-  bool unreadable;         /* the file of a measured gait                                     */
-  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, has_tolerance, quiet;
+  const char *from;                          /* workprec: a table to summarise, or NULL                              */
+  const char *family;                        /* stress: the only family, or NULL                                    */
+  long cases, seed;                          /* stress: of each family, 0: as many as is usual; of their parameters   */
+  bool full, stiff, error;                   /* stress; steady and phase                                          */
+  const char *quantity;                      /* breakdown: the only one, or NULL                                     */
+  const char *only;                          /* breakdown: the only kind of rows, or NULL                            */
+  const char *map[2];                        /* breakdown: what varies along x and along y, or NULL                  */
+  const char *range[2];                      /* breakdown: FROM:TO:COUNT of x and of y, or NULL                      */
+  bool boundaries;                           /* breakdown: the curves between the regions of a map                    */
+  double limit;                              /* workprec: seconds for each setting; 0: not given                   */
+  bool quick, summary;                       /* workprec                                                       */
+  bool check_only, explain, stats, no_plots; /* run                                                      */
+  bool unreadable;                           /* the file of a measured gait                                     */
+  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, has_tolerance, has_output, has_format,
+      quiet;
 };
 
 /* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "asymptotics/derived.h"
+#include "compare/counts_flint.h"
 #include "compare/decimal.h"
+#include "compare/exact.h"
 #include "compare/with_flint.h"
 #include "numerics/certified.h"
 
@@ -120,8 +122,8 @@ static enum scallop_status expand(struct motion *m, const struct report *r, long
   enum { TRIES = 6 };
   enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
-    status = m->steady ? scallop_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
-                       : scallop_expand_phase(&r->crawler, m->kind, m->v0, order, precision, NULL, &m->phase_expansion, why);
+    status = m->steady ? counted_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
+                       : counted_expand_phase(&r->crawler, m->kind, m->v0, order, precision, NULL, &m->phase_expansion, why);
     list_quantities(m);
     if (status == SCALLOP_EDOMAIN || (status == SCALLOP_OK && is_precise(m, order, r->digits)))
       break;
@@ -131,13 +133,11 @@ static enum scallop_status expand(struct motion *m, const struct report *r, long
 
 static void compare_modes(struct motion *m)
 {
-  char text[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4];
+  char both[PERIOD_MODES_TEXT];
   const char *limit = m->steady ? m->steady_expansion.modes : m->phase_expansion.modes;
-  if (m->steady) {
-    scallop_modes_text(&m->steady_exact.modes[0], text[0]);
-    scallop_modes_text(&m->steady_exact.modes[1], text[1]);
-    snprintf(both, sizeof both, "%s | %s", text[0], text[1]);
-  } else
+  if (m->steady)
+    period_modes_text(both, m->steady_exact.modes);
+  else
     scallop_modes_text(&m->phase_exact.modes, both);
   if (strcmp(both, limit) == 0)
     snprintf(m->status, sizeof m->status, "ok");
@@ -150,8 +150,8 @@ static bool solve(struct motion *m, const struct report *r, long digits)
 {
   const char *why = NULL;
   enum scallop_status status = m->steady
-                                   ? scallop_certified_steady(&r->crawler, digits, &m->steady_exact, &why)
-                                   : scallop_certified_phase(&r->crawler, m->kind, m->v0, digits, &m->phase_exact, &why);
+                                   ? counted_certified_steady(&r->crawler, digits, &m->steady_exact, &why)
+                                   : counted_certified_phase(&r->crawler, m->kind, m->v0, digits, &m->phase_exact, &why);
   if (status == SCALLOP_OK)
     compare_modes(m);
   else

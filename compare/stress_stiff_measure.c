@@ -1,4 +1,6 @@
 /* The scenes of the stiff way, certified; and single runs and series of them, judged. */
+#include "compare/counts_flint.h"
+#include "compare/exact.h"
 #include "compare/stress_stiff.h"
 
 #include <float.h>
@@ -126,21 +128,19 @@ static void middle_of(fmpq_t middle, const arb_t x)
 static enum scallop_status solve_period(struct stiff_scene *scene, const struct scallop_rational_crawler *exact,
                                         struct scallop_certified_phase phase[2], fmpq_t v, const char **why)
 {
-  char modes[2][SCALLOP_MODES_TEXT];
   scallop_rational_set_double(v, scene->v_start);
-  enum scallop_status status = scallop_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
+  enum scallop_status status = counted_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
   if (status != SCALLOP_OK)
     return status;
   middle_of(v, phase[0].v_end);
-  status = scallop_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
+  status = counted_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
   if (status != SCALLOP_OK)
     return status;
   certified_value(&scene->v_end, phase[1].v_end);
   arb_add(phase[1].dxC, phase[0].dxC, phase[1].dxC, 4 * REFERENCE_DIGITS);
   certified_value(&scene->displacement, phase[1].dxC);
-  for (int i = 0; i < 2; i++)
-    scallop_modes_text(&phase[i].modes, modes[i]);
-  snprintf(scene->modes, sizeof scene->modes, "%s | %s", modes[0], modes[1]);
+  const struct scallop_modes modes[2] = { phase[0].modes, phase[1].modes };
+  period_modes_text(scene->modes, modes);
   return SCALLOP_OK;
 }
 
@@ -156,7 +156,7 @@ static enum scallop_status certify(struct stiff_scene *scene, const char **why)
   for (int i = 0; i < 2; i++)
     scallop_certified_phase_init(&phase[i]);
   scallop_rational_of(&exact, &scene->crawler);
-  enum scallop_status status = scallop_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
+  enum scallop_status status = counted_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
   if (status == SCALLOP_OK) {
     middle_of(v, steady.v_start);
     scene->v_start = fmpq_is_zero(v) ? 0 : arf_get_d(arb_midref(steady.v_start), ARF_RND_NEAR);
@@ -232,6 +232,7 @@ static enum scallop_status solve_period_smoothed(const struct stiff_scene *scene
 {
   const struct scallop_crawler *c = &scene->crawler;
   struct scallop_rival_period period;
+  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = rival->period(rival, c, scene->v_start, patience, &period);
   if (status != SCALLOP_OK)
     return status;

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/counts_flint.h"
 #include "compare/workprec.h"
 
 enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
@@ -36,7 +37,7 @@ const char *point_init(struct point *point, const struct scallop_crawler *crawle
     point->eps = scaled.eps;
     point->digits = digits_for(scaled.eps);
     scallop_rational_of(&point->exact, crawler);
-    status = scallop_certified_steady(&point->exact, point->digits, &point->steady, &why);
+    status = counted_certified_steady(&point->exact, point->digits, &point->steady, &why);
   }
   if (status != SCALLOP_OK)
     return why ? why : scallop_status_text(status);

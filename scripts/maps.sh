@@ -4,7 +4,7 @@
 set -eu
 scallop=$1 tables=$2 maps=$3
 mkdir -p "$maps"
-"$scallop" breakdown --map F1/F2 alpha --x 0.01:100:40 --y 0.01:0.99:40 --digits 6 -o "$tables/map_reach.tsv"
+"$scallop" run data/scenes/map_reach.cfg --into "$tables" --quiet --no-plots
 # An even number of values: none at F1 = F2 or alpha = 1/2, where the modes are others
 for map in "froude_alpha froude alpha --x 0.01:100:90 --y 0.01:0.99:90" "ratio_froude F1/F2 froude --x 0.1:10:90 --y 0.003:100:90"; do
   name=${map%% *}

@@ -48,7 +48,7 @@ finish "--man=PAGE, --man COMMAND"
 for command in $commands; do
   [ -n "$(help_options "help_$command")" ] || note "no options in the help of $command"
   for option in $(help_options "help_$command"); do
-    says "^\\\\fB\\\\-\\\\-$option\\\\fR" "man1/scallop-$command.1"
+    says "^\\\\fB\\\\-\\\\-$(printf %s "$option" | sed 's/-/\\\\-/g')\\\\fR" "man1/scallop-$command.1"
   done
   sed -n '1s/^Example: //p' "help_$command" | sed 's/-/\\-/g' >example
   [ -s example ] || note "$command has no example"

@@ -29,7 +29,7 @@ columns 'formula equation phase quantity remainder published exact error' series
 columns 'h err pairwise use' order square.txt
 columns 'kinematics t_over_T x1_over_L x2_over_L xC_over_L l_over_L' figure 2
 columns 't_over_T x1_over_L x2_over_L v1_T_over_L v2_T_over_L' figure 3
-columns 'F1_over_F2 T dxC_over_L series_dxC_over_L dvC_T_over_L series_dvC_T_over_L' figure 4
+columns 'F1_over_F2 T dxC_over_L series_dxC_over_L dvC_T_over_L series_dvC_T_over_L onset' figure 4
 columns 'panel alpha F2 F1_over_F2 mean_velocity series_mean_velocity v_start regime' figure 5
 
 # ---- header lines, and the same bytes ----

@@ -1,0 +1,249 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "compare/compare.h"
+#include "compare/scene_run.h"
+#include "compare/shipped.h"
+#include "compare/with_flint.h"
+
+static const char *const accepts[] = { "m1",    "m2",     "F1",         "F2",      "L",     "T",
+                                       "alpha", "gait",   "check-only", "explain", "stats", "no-plots",
+                                       "into",  "output", "format",     "digits",  "quiet", NULL };
+
+enum { MOST_SCENES = 64 };
+
+struct scenes {
+  int count;
+  struct scene *scene[MOST_SCENES];
+  struct plan *plan[MOST_SCENES];
+  struct scene_outputs outputs[MOST_SCENES];
+  char *owned[MOST_SCENES][2 * SCENE_WANTS]; /* paths of tables and plots                              */
+};
+
+/* ---- where tables go ---- */
+
+static int tables_of(const struct scenes *all)
+{
+  int tables = 0;
+  for (int i = 0; i < all->count; i++)
+    tables += all->scene[i]->wants;
+  return tables;
+}
+
+static const char *in_folder(char **owned, const char *folder, const char *file)
+{
+  size_t room = strlen(folder) + strlen(file) + 2;
+  if (!folder[0] || file[0] == '/')
+    return file;
+  *owned = malloc(room);
+  if (*owned)
+    snprintf(*owned, room, "%s/%s", folder, file);
+  return *owned;
+}
+
+/* False: no memory. */
+static bool place_tables(struct scenes *all, const struct options *o, bool to_output)
+{
+  bool named = to_output || (o->has_output && !o->explain);
+  for (int i = 0; i < all->count; i++)
+    for (int w = 0; w < all->scene[i]->wants; w++) {
+      const char *file = named ? o->output : all->scene[i]->want[w].file;
+      const char *folder = o->folder && !named ? o->folder : "";
+      const char *plot = !to_output && !o->no_plots && file && all->scene[i]->want[w].has_plot
+                             ? all->scene[i]->want[w].plot.file
+                             : NULL;
+      all->outputs[i].file[w] = file ? in_folder(&all->owned[i][w], folder, file) : NULL;
+      all->outputs[i].plot[w] = plot ? in_folder(&all->owned[i][SCENE_WANTS + w], folder, plot) : NULL;
+      if ((file && !all->outputs[i].file[w]) || (plot && !all->outputs[i].plot[w]))
+        return false;
+    }
+  return true;
+}
+
+/* Two tables in one place would be one after the other, or one instead of the other. */
+static bool check_places(const struct scenes *all, const char *command)
+{
+  const char *seen[MOST_SCENES * SCENE_WANTS];
+  int count = 0;
+  for (int i = 0; i < all->count; i++)
+    for (int w = 0; w < all->scene[i]->wants; w++) {
+      const char *file = all->outputs[i].file[w];
+      for (int k = 0; k < count; k++)
+        if ((!file && !seen[k]) || (file && seen[k] && strcmp(file, seen[k]) == 0)) {
+          complain(command, "two tables would go to %s: give each want a file of its own", file ? file : "standard output");
+          return false;
+        }
+      seen[count++] = file;
+    }
+  return true;
+}
+
+/* ---- what the user sees of the plan ---- */
+
+static const char *const plan_columns[] = { "scene", "stage", "work", "known", "seconds", "why", NULL };
+
+/* What is done first, then what is left out. */
+static enum exit_code explain(const struct scenes *all, const struct options *o)
+{
+  static struct table table;
+  if (!table_open(&table, o))
+    return EXIT_FILE;
+  table_note(&table, "scallop " SCALLOP_VERSION);
+  table_note(&table, "command: run --explain");
+  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, to a factor of some");
+  table_columns(&table, plan_columns);
+  table_begin_rows(&table);
+  for (int i = 0; i < all->count; i++)
+    for (int left_out = 0; left_out < 2; left_out++)
+      for (int k = 0; k < COUNTS; k++) {
+        const struct plan_stage *s = &all->plan[i]->stage[k];
+        if ((s->known == PLAN_LEFT_OUT) != (left_out == 1))
+          continue;
+        table_text(&table, all->scene[i]->name);
+        table_text(&table, count_name((enum count)k));
+        table_rounded(&table, s->work, "%.15g");
+        table_text(&table, plan_known_text(s->known));
+        table_rounded(&table, s->seconds, "%.2g");
+        table_text(&table, s->why);
+      }
+  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+}
+
+static void print_stats(void)
+{
+  struct rusage usage;
+  fputs("# what was done\nstage\tcount\n", stderr);
+  for (int k = 0; k < COUNTS; k++)
+    fprintf(stderr, "%s\t%ld\n", count_name((enum count)k), count_of((enum count)k));
+  if (getrusage(RUSAGE_SELF, &usage) == 0)
+    fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
+}
+
+/* ---- the run ---- */
+
+static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
+{
+  for (int i = 0; i < count; i++) {
+    struct scene *scene = malloc(sizeof *scene);
+    struct plan *plan = malloc(sizeof *plan);
+    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o) : EXIT_UNSOLVED;
+    if (code != EXIT_DONE) {
+      if (!scene || !plan)
+        complain(o->command->name, "out of memory");
+      free(scene);
+      free(plan);
+      return code;
+    }
+    plan_make(plan, scene);
+    all->scene[i] = scene;
+    all->plan[i] = plan;
+    all->count++;
+  }
+  return EXIT_DONE;
+}
+
+static void free_all(struct scenes *all)
+{
+  for (int i = 0; i < all->count; i++) {
+    scene_free(all->scene[i]);
+    free(all->scene[i]);
+    free(all->plan[i]);
+    for (int w = 0; w < 2 * SCENE_WANTS; w++)
+      free(all->owned[i][w]);
+  }
+}
+
+static bool needs_flint(const struct scenes *all)
+{
+  for (int i = 0; i < all->count; i++)
+    if (all->plan[i]->needs_flint)
+      return true;
+  return false;
+}
+
+static enum exit_code run_all(struct scenes *all, const struct options *o, bool to_output)
+{
+  enum exit_code code = EXIT_DONE;
+  if (o->has_output && !o->explain && tables_of(all) > 1) {
+    complain(o->command->name, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
+             tables_of(all));
+    return EXIT_USAGE;
+  }
+  if (!place_tables(all, o, to_output)) {
+    complain(o->command->name, "out of memory");
+    return EXIT_UNSOLVED;
+  }
+  if (!check_places(all, o->command->name))
+    return EXIT_USAGE;
+  if (o->explain)
+    return explain(all, o);
+  if (o->check_only) {
+    for (int i = 0; i < all->count && !o->quiet; i++)
+      fprintf(stderr, "scallop %s: %s: fine, %ld points, %d tables\n", o->command->name, all->scene[i]->name,
+              scene_points(all->scene[i]), all->scene[i]->wants);
+    return EXIT_DONE;
+  }
+  if (needs_flint(all) && !has_flint(o, "this scene"))
+    return EXIT_UNSOLVED;
+  for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
+    enum exit_code one = scene_run(all->scene[i], all->plan[i], &all->outputs[i], o);
+    code = one > code ? one : code;
+  }
+  if (o->stats)
+    print_stats();
+  return code;
+}
+
+enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count, bool to_output)
+{
+  struct scenes *all = calloc(1, sizeof *all);
+  if (!all || count > MOST_SCENES) {
+    complain(o->command->name, all ? "%d scenes: %d at a time" : "out of memory", count, MOST_SCENES);
+    free(all);
+    return EXIT_USAGE;
+  }
+  enum exit_code code = read_all(all, o, sources, count);
+  if (code == EXIT_DONE)
+    code = run_all(all, o, to_output);
+  free_all(all);
+  free(all);
+  return code;
+}
+
+static enum exit_code run(const struct options *o)
+{
+  struct scene_source sources[MOST_SCENES];
+  int count = o->operand_count < MOST_SCENES ? o->operand_count : MOST_SCENES;
+  if (o->operand_count > MOST_SCENES) {
+    complain("run", "%d scenes: %d at a time", o->operand_count, MOST_SCENES);
+    return EXIT_USAGE;
+  }
+  if (o->folder && o->has_output) {
+    complain("run", "--into and -o exclude each other");
+    return EXIT_USAGE;
+  }
+  for (int i = 0; i < count; i++)
+    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_scene(o->operands[i]) };
+  return run_scenes(o, sources, count, false);
+}
+
+const struct command command_run = {
+  .name = "run",
+  .summary = "what a scene asks for and nothing else",
+  .example = "scallop run data/scenes/figure5.cfg --explain",
+  .operand = "SCENE.cfg...",
+  .accepts = accepts,
+  .about =
+      "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "
+      "steady\n"
+      "states, series, errors, orders, or the tables of other commands. docs/scenes.md has the language. Each want is a "
+      "table\n"
+      "with a file and a format of its own, and may have a plot. A name without .cfg or folder is that of a scene that "
+      "comes\n"
+      "with the tool: figure2 to figure5 are. Parameters given here take the place of the scene's.\n"
+      "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
+      "exactly, at most, about, at least, or left out; seconds: about; why.",
+  .run = run,
+};

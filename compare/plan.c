@@ -1,0 +1,517 @@
+#include "compare/plan.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *plan_known_text(enum plan_known known)
+{
+  static const char *const text[] = { "left out", "exactly", "at most", "about", "at least" };
+  return text[known];
+}
+
+/* ---- what the wants need ---- */
+
+/* What a point needs, gathered from all columns of all wants */
+struct needed {
+  bool used[MOST_QUANTITIES];
+  bool steady, phase, turnings, onset, v0;
+  bool certified_steady, certified_phase, steady_series, phase_series;
+  bool errors;
+  double formulas, sums; /* evaluations at a point                                               */
+  const char *for_steady, *for_phase, *for_certified; /* the first quantity that needs it              */
+};
+
+struct planning {
+  const struct scene *scene;
+  struct plan *plan;
+  struct needed n;
+};
+
+static const struct quantity *quantity_at(const struct planning *p, int place) { return &p->scene->quantities.item[place]; }
+
+static void need(bool *what, const char **for_what, const char *name)
+{
+  *what = true;
+  if (for_what && !*for_what)
+    *for_what = name;
+}
+
+static void need_v0(struct planning *p, const char *name)
+{
+  if (p->scene->start == START_STEADY && !p->scene->varies_v0)
+    need(&p->n.steady, &p->n.for_steady, name);
+}
+
+static void need_phase(struct planning *p, const char *name)
+{
+  need(&p->n.phase, &p->n.for_phase, name);
+  need_v0(p, name);
+}
+
+static void need_solution(struct planning *p, bool of_phase, const char *name)
+{
+  if (of_phase)
+    need_phase(p, name);
+  else
+    need(&p->n.steady, &p->n.for_steady, name);
+}
+
+static void need_certified(struct planning *p, bool of_phase, const char *name)
+{
+  need(of_phase ? &p->n.certified_phase : &p->n.certified_steady, &p->n.for_certified, name);
+  if (of_phase)
+    need_v0(p, name);
+}
+
+/* The formula of the paper with what it takes as given, in double or certified */
+static void need_formula(struct planning *p, const struct quantity *q, bool certified)
+{
+  const struct scallop_formula *f = q->formula;
+  p->n.formulas++;
+  if (f->setting == SCALLOP_STEADY)
+    return;
+  need_v0(p, q->name);
+  if (!formula_takes_given(f))
+    return;
+  if (certified)
+    need_certified(p, true, q->name);
+  else {
+    need_phase(p, q->name);
+    p->n.turnings |= strstr(f->text, "x_switch") != NULL;
+  }
+}
+
+static void need_derived(struct planning *p, const struct quantity *q)
+{
+  bool of_phase = q->which >= STEADY_VALUES;
+  long order = q->kind == QUANTITY_DERIVED ? q->order : of_phase ? 8 : 1; /* some begin with T^3 */
+  long *most = of_phase ? &p->plan->needs.phase_order : &p->plan->needs.steady_order;
+  *most = order > *most ? order : *most;
+  *(of_phase ? &p->n.phase_series : &p->n.steady_series) = true;
+  p->n.sums++;
+  if (of_phase)
+    need_v0(p, q->name);
+}
+
+static void need_quantity(struct planning *p, int place);
+
+/* What a series should be, and what it is beside that. */
+static void need_comparison(struct planning *p, const struct quantity *q)
+{
+  const struct quantity *series = quantity_at(p, q->of);
+  bool of_phase = quantity_is_of_phase(&p->scene->quantities, series), certified = p->plan->needs.certified_errors;
+  for (int i = 0; i < p->scene->quantities.count; i++) /* compared once, whoever asks */
+    if (&p->scene->quantities.item[i] != q && p->n.used[i] && p->scene->quantities.item[i].of == q->of)
+      return;
+  if (certified) {
+    need_certified(p, of_phase, q->name);
+    if (series->kind == QUANTITY_PUBLISHED)
+      need_formula(p, series, true);
+    else
+      need_derived(p, series);
+    return;
+  }
+  need_solution(p, of_phase, q->name);
+  if (series->kind == QUANTITY_PUBLISHED)
+    p->n.turnings |= series->formula->quantity == SCALLOP_REAR_AT_FIRST || series->formula->quantity == SCALLOP_REAR_AT_LAST;
+  need_quantity(p, q->of);
+}
+
+static void need_quantity(struct planning *p, int place)
+{
+  const struct quantity *q = quantity_at(p, place);
+  if (p->n.used[place])
+    return;
+  p->n.used[place] = true;
+  switch (q->kind) {
+  case QUANTITY_V0: need_v0(p, q->name); break;
+  case QUANTITY_ONSET: p->n.onset = true; break;
+  case QUANTITY_STEADY: need(&p->n.steady, &p->n.for_steady, q->name); break;
+  case QUANTITY_PHASE: need_phase(p, q->name); break;
+  case QUANTITY_PUBLISHED: need_formula(p, q, false); break;
+  case QUANTITY_DERIVED:
+  case QUANTITY_LIMIT: need_derived(p, q); break;
+  case QUANTITY_CERTIFIED: need_certified(p, q->which >= STEADY_VALUES, q->name); break;
+  case QUANTITY_EXACT:
+  case QUANTITY_ERROR:
+  case QUANTITY_RELATIVE: need_comparison(p, q); break;
+  default: break; /* a parameter, a label, a sample, status */
+  }
+}
+
+/* Applies visit to each quantity of the columns and orders of a want. */
+static void each_quantity(const struct scene_want *w, void visit(struct planning *, int), struct planning *p)
+{
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS], count = 0;
+    if (w->column[i].quantity >= 0)
+      visit(p, w->column[i].quantity);
+    else
+      count = arithmetic_places(&w->column[i].formula, places);
+    for (int k = 0; k < count; k++)
+      visit(p, places[k]);
+  }
+  for (int i = 0; i < w->series; i++)
+    visit(p, w->of[i]);
+}
+
+static void note_error(struct planning *p, int place)
+{
+  enum quantity_kind kind = quantity_at(p, place)->kind;
+  p->n.errors |= kind == QUANTITY_ERROR || kind == QUANTITY_RELATIVE || kind == QUANTITY_EXACT;
+}
+
+/* To how many digits certified values are wanted, and errors against what. */
+static void find_accuracy(struct planning *p)
+{
+  static const double of_doubles = 1e-10;
+  struct scene_needs *needs = &p->plan->needs;
+  needs->accuracy = of_doubles;
+  for (int i = 0; i < p->scene->wants; i++) {
+    const struct scene_want *w = &p->scene->want[i];
+    bool before = p->n.errors;
+    p->n.errors = false;
+    each_quantity(w, note_error, p);
+    if (p->n.errors) {
+      needs->certified_errors |= w->is_certified || w->accuracy < of_doubles;
+      needs->accuracy = fmin(needs->accuracy, w->accuracy);
+    }
+    p->n.errors |= before;
+    if (w->kind == WANT_ROWS)
+      needs->digits = w->digits > needs->digits ? w->digits : needs->digits;
+  }
+  if (needs->digits == 0)
+    needs->digits = 17;
+}
+
+/* ---- how often ---- */
+
+/* How often something is found anew that does not depend on T, and is kept where only T changes: the runs of points with the same
+ * other parameters. */
+static double runs_but_T(const struct scene *s)
+{
+  double runs = 0;
+  for (int i = 0; i < s->products; i++) {
+    const struct scene_product *product = &s->product[i];
+    int last = -1;
+    for (int g = 0; g < product->groups; g++)
+      for (int v = 0; v < product->group[g].variables; v++) {
+        const struct scene_variable *variable = &product->group[g].variable[v];
+        bool only_T = variable->target == TARGET_FROUDE || variable->target == TARGET_LABEL
+                      || (variable->target == TARGET_NUMBER && strcmp(variable->name, "T") == 0);
+        if (!only_T && variable->count > 1)
+          last = g;
+      }
+    double product_runs = 1;
+    for (int g = 0; g <= last; g++)
+      product_runs *= (double)product->group[g].count;
+    runs += product_runs;
+  }
+  return runs;
+}
+
+/* Points at which the range of an inner variable needs the onset: one for each combination of what is set further out. */
+static double onsets_of_ranges(const struct scene *s)
+{
+  double onsets = 0;
+  for (int i = 0; i < s->products; i++) {
+    double outer = 1;
+    for (int g = 0; g < s->product[i].groups; g++) {
+      const struct scene_group *group = &s->product[i].group[g];
+      bool needs = false;
+      for (int v = 0; v < group->variables; v++)
+        needs |= group->variable[v].needs_onset;
+      if (needs) {
+        onsets += outer;
+        break;
+      }
+      outer *= (double)group->count;
+    }
+  }
+  return onsets;
+}
+
+/* ---- stages ---- */
+
+static struct plan_stage *stage(struct planning *p, enum count count, double work, enum plan_known known, double each,
+                                const char *format, ...) __attribute__((format(printf, 6, 7)));
+
+static struct plan_stage *stage(struct planning *p, enum count count, double work, enum plan_known known, double each,
+                                const char *format, ...)
+{
+  struct plan_stage *s = &p->plan->stage[count];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(s->why, sizeof s->why, format, arguments);
+  va_end(arguments);
+  s->work = work;
+  s->known = work > 0 || known == PLAN_AT_LEAST ? known : PLAN_LEFT_OUT;
+  s->seconds = work * each;
+  return s;
+}
+
+/* No closed form of the whole phase is at hand: the pieces are walked through. */
+static bool is_walked(const struct scallop_gait *gait) { return !gait->phase[0].ramps || !gait->phase[1].ramps; }
+
+static bool shape_is_linear(const struct scallop_shape *shape)
+{
+  for (int i = 0; i < shape->count; i++)
+    if (!shape->pieces[i].linear)
+      return false;
+  return true;
+}
+
+static bool gait_is_linear(const struct scallop_gait *gait)
+{
+  return shape_is_linear(&gait->phase[0]) && shape_is_linear(&gait->phase[1]);
+}
+
+/* Every gait that the scene goes through, and how many of them are to be made. */
+static bool gaits_are_linear(const struct scene *s, double *made, bool *walked)
+{
+  struct options probe = s->base;
+  const struct scallop_gait *seen[64];
+  int count = 0;
+  bool linear = true, varied = false;
+  *made = 0;
+  *walked = false;
+  for (int i = 0; i < s->products; i++)
+    for (int g = 0; g < s->product[i].groups; g++)
+      for (int v = 0; v < s->product[i].group[g].variables; v++) {
+        const struct scene_variable *variable = &s->product[i].group[g].variable[v];
+        for (long k = 0; variable->target == TARGET_GAIT && k < variable->count; k++) {
+          options_set_parameter(&probe, "gait", variable->texts[k]);
+          varied = true;
+          linear &= gait_is_linear(probe.crawler.gait);
+          *walked |= is_walked(probe.crawler.gait);
+          int at = 0;
+          while (at < count && seen[at] != probe.crawler.gait)
+            at++;
+          if (at == count && count < 64)
+            seen[count++] = probe.crawler.gait;
+        }
+      }
+  if (!varied) {
+    linear = gait_is_linear(s->base.crawler.gait);
+    *walked = is_walked(s->base.crawler.gait);
+    seen[count++] = s->base.crawler.gait;
+  }
+  for (int i = 0; i < count; i++)
+    *made += seen[i] != &scallop_gait_quadratic && seen[i] != &scallop_gait_sinusoidal;
+  return linear;
+}
+
+/* Nominal seconds, measured on one core of one machine (`make bench`), good to a factor of some */
+static const double POINT = 5e-7, GAIT = 1e-6, ONSET = 2e-5, STEADY_LINEAR = 2e-7, STEADY_CURVED = 3e-6,
+                    PHASE_LINEAR = 1.5e-7, PHASE_CURVED = 1e-6, FORMULA = 3e-8, SUM = 5e-6, EXPANSION = 3e-3,
+                    CERTIFIED = 1e-3, SAMPLE = 2e-7, ORDER = 2e-6, CELL = 1.2e-7, PLOT = 0.1;
+
+static double command_seconds(const struct scene_want *w)
+{
+  static const struct {
+    const char *what;
+    double seconds;
+  } all[] = { { "terms", 0.01 },   { "bounds", 0.1 },         { "breakdown", 1 },
+              { "stability", 60 }, { "work-precision", 420 }, { "claims", 4 } };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(w->what, all[i].what) == 0)
+      return all[i].seconds;
+  return 1;
+}
+
+static void plan_points(struct planning *p, double points)
+{
+  const struct scene *s = p->scene;
+  char text[PLAN_WHY] = "";
+  size_t used = 0;
+  for (int i = 0; i < s->products && used < sizeof text; i++) {
+    used += (size_t)snprintf(text + used, sizeof text - used, "%s", i > 0 ? " + " : "");
+    for (int g = 0; g < s->product[i].groups && used < sizeof text; g++) {
+      const struct scene_group *group = &s->product[i].group[g];
+      used += (size_t)snprintf(text + used, sizeof text - used, "%s%ld", g > 0 ? " x " : "", group->count);
+      for (int v = 0; v < group->variables && used < sizeof text; v++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s", v > 0 ? ", " : " ", group->variable[v].name);
+    }
+  }
+  stage(p, COUNT_POINTS, points, PLAN_EXACTLY, POINT, "%s", *text ? text : "nothing varies");
+}
+
+static void plan_solutions(struct planning *p, double points, bool linear, bool walked)
+{
+  const struct needed *n = &p->n;
+  const struct scene *s = p->scene;
+  bool has_commands = p->plan->stage[COUNT_COMMANDS].work > 0;
+  double traced = p->plan->stage[COUNT_TRAJECTORIES].work, steady = n->steady ? points : 0;
+  double phases = (n->phase ? points : 0) + (n->turnings ? points : 0), onsets = onsets_of_ranges(s);
+  double solved = steady + phases;
+  if (n->onset)
+    onsets = fmax(onsets, runs_but_T(s));
+  const char *nothing = solved == 0 && traced == 0 && !has_commands && p->plan->stage[COUNT_CERTIFIED].work == 0
+                            ? "series only: no period is solved"
+                            : NULL;
+  stage(p, COUNT_ONSETS, onsets, PLAN_EXACTLY, ONSET,
+        onsets > 0 ? "sticking_onset, by bisection to the last bit; not anew where only T changes"
+                   : "nobody asked when bodies begin to stick");
+  if (steady > 0)
+    stage(p, COUNT_STEADY, steady, PLAN_EXACTLY, linear ? STEADY_LINEAR : STEADY_CURVED,
+          "for %s; one for each point, whoever asks", n->for_steady);
+  else
+    stage(p, COUNT_STEADY, 0, PLAN_EXACTLY, 0, "%s", nothing ? nothing : "nothing of the steady state in doubles is wanted");
+  if (phases > 0 || onsets > 0)
+    stage(p, COUNT_PHASES, phases + 110 * onsets, onsets > 0 ? PLAN_ABOUT : PLAN_EXACTLY,
+          linear ? PHASE_LINEAR : PHASE_CURVED, "%s%s%s%s%s", n->for_phase ? "for " : "", n->for_phase ? n->for_phase : "",
+          n->turnings ? ", twice for where the body turns" : "", n->for_phase && onsets > 0 ? "; " : "",
+          onsets > 0 ? "some 110 for each onset of sticking" : "");
+  else
+    stage(p, COUNT_PHASES, 0, PLAN_EXACTLY, 0, "%s", nothing ? nothing : "nothing of a phase alone is wanted");
+  bool searched = !linear && (solved > 0 || onsets > 0);
+  if (searched) {
+    stage(p, COUNT_ROOT_ITERATIONS, 10 * steady + 4 * phases + 400 * onsets, PLAN_ABOUT, 0,
+          "l' is curved: switching times are roots");
+    stage(p, COUNT_GAIT_EVALUATIONS, 20 * steady + 10 * phases + 1000 * onsets, PLAN_ABOUT, 0,
+          "of l' and l'' on the way to them");
+  } else {
+    const char *why = solved == 0 && onsets == 0
+                          ? "nothing is solved in doubles"
+                          : "no root finding: l' is linear in each piece, switching times are closed forms";
+    struct plan_stage *iterations = stage(
+        p, COUNT_ROOT_ITERATIONS, 0, PLAN_EXACTLY, 0, "%s%s", why,
+        steady > 0 ? "; so is the start velocity, but where modes are neither regular nor held" : "");
+    if (steady > 0)
+      iterations->known = PLAN_ABOUT;
+    if (walked && (solved > 0 || onsets > 0))
+      stage(p, COUNT_GAIT_EVALUATIONS, 8 * steady + 4 * phases + 500 * onsets, PLAN_ABOUT, 0,
+            "l' at the corners of the gait");
+    else
+      stage(p, COUNT_GAIT_EVALUATIONS, 0, PLAN_EXACTLY, 0, "%s", why);
+  }
+}
+
+static void plan_series(struct planning *p, double points)
+{
+  const struct needed *n = &p->n;
+  const struct scene_needs *needs = &p->plan->needs;
+  double kinds = (n->steady_series ? 1 : 0) + (n->phase_series ? 1 : 0);
+  long order = needs->steady_order > needs->phase_order ? needs->steady_order : needs->phase_order;
+  stage(p, COUNT_FORMULAS, n->formulas * points, PLAN_EXACTLY, FORMULA, "%s",
+        n->formulas > 0 ? "formulas of the paper, each once at a point" : "no formula of the paper is wanted");
+  if (kinds > 0) {
+    stage(p, COUNT_EXPANSIONS, kinds * runs_but_T(p->scene), PLAN_AT_MOST,
+          EXPANSION * (1 + (double)order * (double)order / 64), "all terms below T^%ld, not anew where only T changes",
+          order);
+    stage(p, COUNT_SUMS, n->sums * points, PLAN_EXACTLY, SUM, "their sums at each T");
+  } else {
+    stage(p, COUNT_EXPANSIONS, 0, PLAN_EXACTLY, 0, "no derived series is wanted");
+    stage(p, COUNT_SUMS, 0, PLAN_EXACTLY, 0, "no derived series is wanted");
+  }
+}
+
+static void plan_certified(struct planning *p, double points)
+{
+  const struct needed *n = &p->n;
+  const struct scene_needs *needs = &p->plan->needs;
+  double certified = (n->certified_steady ? points : 0) + (n->certified_phase ? points : 0);
+  double of_errors = needs->certified_errors ? ceil(-log10(needs->accuracy) + 8) : 0,
+         digits = fmax((double)needs->digits + 3, of_errors);
+  if (certified > 0) {
+    stage(p, COUNT_CERTIFIED, certified, PLAN_EXACTLY, CERTIFIED * (1 + digits / 50), "for %s, to %.0f digits",
+          n->for_certified, digits);
+    stage(p, COUNT_CERTIFIED_DIGITS, certified * digits, PLAN_EXACTLY, 0, "of all of them");
+    return;
+  }
+  const char *why = n->errors ? "no certified arithmetic: nobody asked for errors below 1e-10 of the exact value"
+                              : "no certified arithmetic: nobody asked for proven digits, or more than 17";
+  stage(p, COUNT_CERTIFIED, 0, PLAN_EXACTLY, 0, "%s", why);
+  stage(p, COUNT_CERTIFIED_DIGITS, 0, PLAN_EXACTLY, 0, "%s", why);
+}
+
+static void plan_outputs(struct planning *p, double points)
+{
+  const struct scene *s = p->scene;
+  double traces = 0, samples = 0, fits = 0, runs = 0, rows = 0, cells = 0, plots = 0, seconds = 0;
+  bool ends_early = false;
+  for (int i = 0; i < s->wants; i++) {
+    const struct scene_want *w = &s->want[i];
+    double own = 0;
+    plots += w->has_plot;
+    if (w->kind == WANT_ROWS)
+      own = points;
+    else if (w->kind == WANT_TRAJECTORY) {
+      double each = (double)w->periods * (double)w->samples + 1;
+      ends_early |= w->until.is_formula || isfinite(w->until.number);
+      traces += points;
+      samples += each * points;
+      own = each * points;
+    } else if (w->kind == WANT_ORDERS) {
+      for (int k = 0; k < s->products; k++)
+        own += (double)w->series * (double)scene_product_points(&s->product[k])
+               / (double)s->product[k].group[s->product[k].groups - 1].count;
+      fits += own;
+    } else {
+      runs += points;
+      seconds += points * command_seconds(w);
+    }
+    rows += own;
+    cells += own * (w->columns > 0 ? w->columns : 10);
+  }
+  enum plan_known known = ends_early ? PLAN_AT_MOST : PLAN_EXACTLY;
+  const char *none = "nobody asked for positions in time: no sample is computed or stored";
+  stage(p, COUNT_TRAJECTORIES, traces, PLAN_EXACTLY, 0, "%s",
+        traces > 0 ? "closed forms between switching times; each sample is written and forgotten" : none);
+  stage(p, COUNT_SAMPLES, samples, known, SAMPLE, "%s", samples > 0 ? "periods x samples + 1 for each" : none);
+  stage(p, COUNT_INTEGRATORS, 0, PLAN_EXACTLY, 0,
+        "motion between switching times is known in closed form; general-purpose solvers are for work-precision and "
+        "stability");
+  stage(p, COUNT_ORDERS, fits, PLAN_EXACTLY, ORDER, "%s",
+        fits > 0 ? "one for each series and everything but T" : "no order is wanted");
+  stage(p, COUNT_COMMANDS, runs, PLAN_EXACTLY, 0, "%s",
+        runs > 0 ? "at each point; what they do inside is theirs to say" : "no table of another command is wanted")
+      ->seconds = seconds;
+  stage(p, COUNT_ROWS, rows, known, 0, "%s",
+        runs > 0 ? "but for those of commands" : "written as they are found: memory does not grow")
+      ->seconds = cells * CELL;
+  stage(p, COUNT_PLOTS, plots, PLAN_EXACTLY, PLOT, "%s", plots > 0 ? "by gnuplot" : "no plot is wanted");
+}
+
+/* What commands do inside is not known before. */
+static void leave_open(struct plan *plan)
+{
+  static const enum count theirs[] = {
+    COUNT_GAITS,        COUNT_STEADY,     COUNT_PHASES,      COUNT_ROOT_ITERATIONS, COUNT_GAIT_EVALUATIONS,
+    COUNT_FORMULAS,     COUNT_EXPANSIONS, COUNT_SUMS,        COUNT_CERTIFIED,       COUNT_CERTIFIED_DIGITS,
+    COUNT_TRAJECTORIES, COUNT_SAMPLES,    COUNT_INTEGRATORS, COUNT_ORDERS
+  };
+  for (size_t i = 0; i < sizeof theirs / sizeof *theirs; i++) {
+    struct plan_stage *s = &plan->stage[theirs[i]];
+    s->known = PLAN_AT_LEAST;
+    if (s->work == 0)
+      snprintf(s->why, sizeof s->why, "none but what commands do");
+  }
+}
+
+void plan_make(struct plan *plan, const struct scene *scene)
+{
+  struct planning p = { .scene = scene, .plan = plan };
+  double points = (double)scene_points(scene), made;
+  *plan = (struct plan){ .needs_flint = false };
+  find_accuracy(&p);
+  for (int i = 0; i < scene->wants; i++) {
+    each_quantity(&scene->want[i], need_quantity, &p);
+    if (scene->want[i].kind == WANT_TRAJECTORY)
+      need_v0(&p, "where a trajectory starts");
+  }
+  bool walked, linear = gaits_are_linear(scene, &made, &walked);
+  plan_points(&p, points);
+  stage(&p, COUNT_GAITS, made, PLAN_EXACTLY, GAIT, "%s",
+        made > 0 ? "when the scene is read, each once" : "the quadratic and the sinusoidal gait are built in");
+  plan_outputs(&p, points);
+  plan_certified(&p, points);
+  plan_solutions(&p, points, linear, walked);
+  plan_series(&p, points);
+  plan->needs_flint = plan->stage[COUNT_CERTIFIED].work > 0 || plan->stage[COUNT_EXPANSIONS].work > 0
+                      || plan->stage[COUNT_COMMANDS].work > 0;
+  if (plan->stage[COUNT_COMMANDS].work > 0)
+    leave_open(plan);
+}

@@ -1,0 +1,301 @@
+#!/bin/sh
+# scallop run: the language of scenes, what they write, and what is refused.
+scenes=$(cd "$(dirname "$0")/../data/scenes" && pwd)
+. tests/common.sh
+
+scene() { cat >"$1"; } # FILE: from standard input
+
+# ---- bad scenes: a line with file and line number, nothing done ----
+echo before >kept.tsv
+refused() { # "LINE: WORDS" of the message; the scene is standard input
+  scene bad.cfg
+  run 2 run bad.cfg
+  [ ! -s out ] || note "$1: something on standard output"
+  grep -q -e "^scallop run: bad.cfg:$1" err || note "'$1' is not said: $(head -n 2 err)"
+  [ "$(cat kept.tsv)" = before ] || note "$1: the earlier table is gone"
+}
+refused '2: syntax error' <<'E2'
+want = ( { what = "steady"
+E2
+refused "1: there is no 'wnat' in a scene: did you mean 'want'" <<'E2'
+wnat = ( { what = "steady"; } );
+E2
+refused " nothing is wanted" <<'E2'
+title = "nothing";
+E2
+refused "2: there is no 'F3' in a crawler" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+crawler = { F3 = 2.0; };
+E2
+refused "2: F1: '-1' is not allowed" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+crawler = { F1 = -1; };
+E2
+refused "2: alpha: '1' is not allowed" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { alpha = [ 0.5, 1.0 ]; } );
+E2
+refused "2: T: '1e999'" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+crawler = { T = "1e999"; };
+E2
+refused "3: F2 has 3 values" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { F1 = [ 1.0, 2.0 ];
+           F2 = [ 1.0, 2.0, 3.0 ]; } );
+E2
+refused "2: F1_over_F2 is set twice" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { F1 = [ 1.0, 2.0 ]; }, { F1_over_F2 = [ 1.0, 2.0 ]; } );
+E2
+refused "2: the range of T needs" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { T = { from = 1; to = 2; }; } );
+E2
+refused "2: to = .*character" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { T = { from = 1; to = "2*("; count = 3; }; } );
+E2
+refused "2: to: the ends of a range are formulas of" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { T = { from = 1; to = "v_start"; count = 3; }; } );
+E2
+refused "1: 'stedy' cannot be wanted; did you mean 'steady'" <<'E2'
+want = ( { what = "stedy"; file = "kept.tsv"; } );
+E2
+refused "1: there is no quantity 'displacment': did you mean 'displacement'" <<'E2'
+want = ( { what = "steady"; columns = [ "displacment" ]; file = "kept.tsv"; } );
+E2
+refused "1: 'x = 2\\*modes': modes is a text" <<'E2'
+want = ( { what = "steady"; columns = [ "x = 2*modes" ]; file = "kept.tsv"; } );
+E2
+refused "1: the column T is there twice" <<'E2'
+want = ( { what = "steady"; columns = [ "T", "T" ]; file = "kept.tsv"; } );
+E2
+refused "1: x1 is a quantity of a trajectory" <<'E2'
+want = ( { what = "steady"; columns = [ "x1" ]; file = "kept.tsv"; } );
+E2
+refused "1: v_start is no series" <<'E2'
+want = ( { what = "error"; of = [ "v_start" ]; file = "kept.tsv"; } );
+E2
+refused "2: rest_dT is about a phase from rest" <<'E2'
+start = "steady";
+want = ( { what = "series"; of = [ "rest_dT" ]; file = "kept.tsv"; } );
+E2
+refused "2: B_dT is about a contraction" <<'E2'
+start = 1.0;
+want = ( { what = "phase"; columns = [ "B_dT" ]; file = "kept.tsv"; } );
+E2
+refused "1: orders need T to vary" <<'E2'
+want = ( { what = "orders"; file = "kept.tsv"; } );
+E2
+refused "1: the exact solver works in doubles" <<'E2'
+want = ( { what = "error"; accuracy = 1e-20; reference = "exact"; file = "kept.tsv"; } );
+E2
+refused "1: a plot needs a file" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; plot = { x = "T"; y = "v_start"; }; } );
+E2
+refused "1: the table has no column 'q'\\|1: the table has no column q" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; x = "T"; y = "q"; }; } );
+E2
+refused "2: T varies, and breakdown does not take it" <<'E2'
+vary = ( { T = [ 1.0, 2.0 ]; } );
+want = ( { what = "breakdown"; file = "kept.tsv"; } );
+E2
+refused "2: more than 1e15\\|2: 1e+18 points\\|2: .*points: more than" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; } );
+vary = ( { m1 = { from = 1; to = 2; count = 1000000; }; }, { m2 = { from = 1; to = 2; count = 1000000; }; }, { L = { from = 1; to = 2; count = 1000000; }; } );
+E2
+printf 'want = ( { what = "breakdown"; onyl = "event"; file = "kept.tsv"; } );\n' >bad.cfg
+run 2 run bad.cfg
+grep -q "onyl.*did you mean '--only'" err && grep -q '^scallop run: bad.cfg:1: ' err || note "options of commands: $(cat err)"
+printf 'want = ( { what = "steady"; } );\0' >bad.cfg
+run 2 run bad.cfg
+grep -q 'not a text file' err || note "a NUL byte: $(cat err)"
+run 4 run nowhere.cfg
+grep -q 'cannot read nowhere.cfg: No such file' err || note "no file: $(cat err)"
+run 4 run .
+run 2 run
+finish "bad scenes are refused with file and line, before any work"
+
+# ---- several scenes and outputs ----
+scene one.cfg <<'E2'
+want = ( { what = "steady"; file = "one.tsv"; }, { what = "phase"; file = "two.tsv"; format = "json"; } );
+E2
+scene other.cfg <<'E2'
+want = ( { what = "steady"; columns = [ "v_start" ]; } );
+E2
+scene wrong.cfg <<'E2'
+want = ( { what = "steady"; file = "wrong.tsv"; } );
+crawler = { F1 = 0; };
+E2
+mkdir results
+run 2 run one.cfg wrong.cfg
+[ ! -e one.tsv ] || note "the first scene ran though the second is wrong"
+run 0 run one.cfg other.cfg --into results
+[ -s results/one.tsv ] && [ -s results/two.tsv ] && [ "$(rows out)" = 3.0166206576889527 ] || note "several scenes: $(ls results; cat out)"
+grep -q 'wrote results/one.tsv' err || note "it does not say what it wrote: $(cat err)"
+run 0 run one.cfg --into results --quiet
+[ ! -s err ] || note "not quiet: $(cat err)"
+run 2 run one.cfg -o x.tsv
+grep -q -e '--into' err || note "-o with two tables: $(cat err)"
+run 2 run other.cfg other.cfg
+grep -q 'standard output' err || note "two tables on standard output: $(cat err)"
+run 2 run one.cfg one.cfg
+run 4 run one.cfg --into nowhere
+run 0 run one.cfg other.cfg --check-only
+[ ! -s out ] && [ "$(wc -l <err)" = 2 ] && [ ! -e one.tsv ] || note "--check-only: $(cat out err)"
+rm -rf results
+finish "several scenes: all are read first; where tables go"
+
+# ---- what commands give ----
+scene steady.cfg <<'E2'
+vary = ( { F1 = [ 2.0, 30.0 ]; F2 = [ 0.5, 3.0 ]; }, { gait = [ "quadratic", "sinusoidal", "skewed:0.3" ]; }, { T = { from = 0.01; to = 30.0; count = 5; spacing = "log"; }; } );
+phase = "contraction";
+start = 1.5;
+want = ( { what = "steady"; file = "steady.tsv"; }, { what = "phase"; file = "phase.tsv"; },
+         { what = "steady"; digits = 30; file = "certified.tsv"; }, { what = "phase"; digits = 25; file = "certified_phase.tsv"; } );
+E2
+run 0 run steady.cfg
+[ "$(rows steady.tsv | wc -l)" = 30 ] || note "$(rows steady.tsv | wc -l) rows, not 30"
+run 0 steady --points steady.tsv
+[ "$(rows out)" = "$(rows steady.tsv)" ] || note "steady gives something else"
+run 0 phase --phase contraction --v0 1.5 --points phase.tsv
+[ "$(rows out)" = "$(rows phase.tsv)" ] || note "phase gives something else"
+run 0 steady --certified --points certified.tsv --digits 30
+[ "$(cells out v_start v_mid displacement mean_velocity multiplier)" = "$(cells certified.tsv v_start v_mid displacement mean_velocity multiplier)" ] || note "steady --certified gives something else"
+run 0 phase --certified --phase contraction --v0 1.5 --points certified_phase.tsv --digits 25
+[ "$(cells out t1 dT v_end dx1 dx2 dxC)" = "$(cells certified_phase.tsv t1 dT v_end dx1 dx2 dxC)" ] || note "phase --certified gives something else"
+[ "$(cells steady.tsv F1 F2 gait | uniq | head -n 4 | tr '\n' ';')" = "2 0.5 quadratic;2 0.5 sinusoidal;2 0.5 skewed:0.3;30 3 quadratic;" ] || note "order of points"
+scene trace.cfg <<'E2'
+start = "steady";
+want = ( { what = "trajectory"; periods = 2; samples = 5; columns = [ "t", "x1", "x2", "xC", "v1", "v2", "l" ]; } );
+E2
+run 0 run trace.cfg --gait sinusoidal
+cp out trace
+run 0 trajectory --start steady --periods 2 --samples 5 --gait sinusoidal
+[ "$(rows out)" = "$(rows trace)" ] || note "trajectory gives something else"
+scene series.cfg <<'E2'
+crawler = { T = 0.3; };
+want = ( { what = "error"; of = [ "text_steady_xC" ]; columns = [ "text_steady_xC", "exact.text_steady_xC", "error.text_steady_xC" ]; } );
+E2
+run 0 run series.cfg
+[ "$(rows out)" = "$("$tool" series --T 0.3 | grep ^text_steady_xC | cut -f 6-8)" ] || note "series gives something else: $(rows out)"
+scene terms.cfg <<'E2'
+crawler = { T = 0.5; };
+vary = ( { F1 = [ 3.0, 4.0 ]; label = { who = [ "a", "b" ]; }; } );
+want = ( { what = "terms"; order = 9; } );
+E2
+run 0 run terms.cfg
+[ "$(rows out | grep '^4' | cut -f 3-)" = "$("$tool" series --source derived --order 9 --T 0.5 | grep -v '^[#p]*hase.start' | sed '/^#/d')" ] ||
+  note "terms are others: $(rows out | head -n 2)"
+[ "$(header out | cut -d ' ' -f 1-3)" = "F1 who phase" ] || note "leads: $(header out)"
+scene claims.cfg <<'E2'
+want = ( { what = "breakdown"; only = "event"; file = "events.tsv"; } );
+E2
+run 0 run claims.cfg
+run 0 breakdown --only event
+cmp -s out events.tsv || note "breakdown gives something else"
+finish "the tables are those of the commands"
+
+# ---- errors and orders ----
+scene orders.cfg <<'E2'
+crawler = { m1 = 1.3; m2 = 0.9; F2 = 1.1; L = 9.7; alpha = 0.7; };
+vary = ( { F1 = [ 3.7, 5.0 ]; }, { T = { from = 1e-3; to = 0.3; count = 15; spacing = "log"; }; } );
+want = ( { what = "orders"; of = [ "text_steady_xC", "derived_8.displacement" ]; file = "orders.tsv"; accuracy = 1e-40; },
+         { what = "error"; of = [ "derived_8.displacement" ]; file = "error.tsv"; accuracy = 1e-40; },
+         { what = "orders"; of = [ "text_steady_xC" ]; expect = 4; file = "good.tsv"; } );
+E2
+run 0 run orders.cfg
+python <<'E2'
+found = [(r["series"], round(number(r, "order"), 1)) for r in read("orders.tsv")]
+if found != [("text_steady_xC", 4), ("derived_8.displacement", 8)] * 2:
+    bad(found)
+if {r["verdict"] for r in read("good.tsv")} != {"pass"}:
+    bad(read("good.tsv"))
+e = read("error.tsv")
+ratio = [number(r, "error.derived_8.displacement") / number(r, "T") ** 8 for r in e[:8]]
+if not all(near(a, ratio[0], 1e-4) for a in ratio):
+    bad("not C T^8", ratio)
+E2
+sed 's/expect = 4/expect = 3/' orders.cfg >bad.cfg
+run 1 run bad.cfg
+grep -q '2 orders are not what is expected' err || note "orders that fail: $(cat err)"
+scene rest.cfg <<'E2'
+start = "rest";
+crawler = { m1 = 1.3; m2 = 0.9; };
+vary = ( { T = { from = 1e-3; to = 0.1; count = 9; spacing = "log"; }; } );
+want = ( { what = "orders"; of = [ "rest_dT", "rest_v1_end", "rest_xC_end", "derived_6.dT" ]; accuracy = 1e-40; } );
+E2
+run 0 run rest.cfg
+python out <<'E2'
+found = {r["series"]: round(number(r, "order"), 2) for r in read(sys.argv[1])}
+if found != {"rest_dT": 5, "rest_v1_end": 3, "rest_xC_end": 6, "derived_6.dT": 7}:
+    bad(found)
+E2
+finish "errors to 1e-40 and their orders, with a verdict"
+
+# ---- points that cannot be solved, overrides, ranges ----
+scene some.cfg <<'E2'
+vary = ( { T = [ 1.0, 1e-300 ]; }, { F1 = [ 2.0, 3.0 ]; } );
+want = ( { what = "steady"; columns = [ "T", "F1", "displacement", "modes", "status" ]; } );
+E2
+run 3 run some.cfg
+[ "$(cells out status | sort | uniq -c | awk '{ print $1 }' | tr '\n' ' ')" = "2 2 " ] || note "$(cat out)"
+grep -q '2 of 4 points' err || note "$(cat err)"
+run 0 run some.cfg --T 0.5
+[ "$(cells out T F1 | tr '\n' ';')" = "0.5 2;0.5 3;" ] || note "T from the command line: $(cells out T F1)"
+run 3 run some.cfg --F1 7
+[ "$(cells out F1 | uniq)" = 7 ] || note "F1 from the command line"
+scene ranges.cfg <<'E2'
+vary = ( ( { alpha = { from = 0.01; to = 0.99; count = 99; }; label = { part = "a"; }; } ),
+         ( { F1_over_F2 = { from = 1; to = 100; count = 3; spacing = "log"; }; F2 = 0.5; label = { part = "b"; }; },
+           { froude = [ 2.0, 0.5 ]; m1_over_m2 = [ 2.0, 3.0 ]; } ) );
+want = ( { what = "steady"; columns = [ "part", "alpha", "F1", "F2", "r = F1/F2", "froude", "m1", "T", "twice = 2*displacement" ]; } );
+E2
+run 0 run ranges.cfg
+python out <<'E2'
+rows = read(sys.argv[1])
+if [r["alpha"] for r in rows[:99]] != [repr(j / 100) for j in range(1, 100)]:
+    bad("alpha", [r["alpha"] for r in rows[:99]])
+if [(r["part"], r["F1"], r["r"], r["m1"]) for r in rows[99:]] != [("b", f, x, m) for f, x in (("0.5", "1"), ("5", "10"), ("50", "100")) for m in "23"]:
+    bad(rows[99:])
+if not all(near(number(r, "froude"), x, 1e-15) for r, x in zip(rows[99:], (2, 0.5) * 3)):
+    bad("froude", rows[99:])
+E2
+mkdir deep
+printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >deep/gait.txt
+printf 'crawler = { gait = "measured:gait.txt"; };\nwant = ( { what = "steady"; columns = [ "T", "alpha", "displacement" ]; } );\n' >deep/measured.cfg
+run 0 run deep/measured.cfg
+[ "$(cells out T alpha)" = "10 0.7" ] || note "a measured gait beside the scene: $(cat out err)"
+printf '@include "measured.cfg"\nphase = "extension";\n' >deep/including.cfg
+run 0 run deep/including.cfg
+finish "overrides, ranges, ratios, labels, points that fail, files beside the scene"
+
+# ---- plots ----
+if command -v gnuplot >/dev/null 2>&1; then
+  scene plot.cfg <<'E2'
+vary = ( { F1 = [ 2.0, 4.0 ]; }, { alpha = { from = 0.1; to = 0.9; count = 9; }; } );
+want = ( { what = "steady"; file = "plot.tsv"; plot = { file = "plot.svg"; x = "alpha"; y = [ "mean_velocity", "v_start" ]; by = "F1"; }; } );
+E2
+  mkdir there
+  run 0 run plot.cfg --into there
+  grep -q '</svg>' there/plot.svg && [ -s there/plot.tsv ] || note "no plot: $(ls there; cat err)"
+  run 0 run "$scenes/figure4.cfg" --into there
+  grep -q '</svg>' there/figure4.svg || note "no figure 4: $(ls there; cat err)"
+  finish "plots"
+fi
+
+# ---- figures are scenes ----
+for n in 2 3 4 5; do
+  run 0 figure $n
+  cp out figure
+  run 0 run "figure$n" -o -
+  cmp -s out figure || note "run figure$n gives something else than figure $n"
+  run 0 run "$scenes/figure$n.cfg" -o from_file.tsv
+  cmp -s from_file.tsv figure || note "run $n from its file gives something else"
+done
+run 0 figure 5 --F1 3 --alpha 0.6
+[ "$(rows out | cut -f 2,4 | sort -u)" = "$(printf '0.6\t1.5\n0.6\t3\n0.6\t6\n')" ] || note "figure 5 with parameters: $(rows out | head -n 3)"
+finish "figures are scenes, with the same bytes"
+exit $failed
