@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "compare/compare.h"
 #include "compare/scene_run.h"
@@ -212,6 +213,48 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
   return code;
 }
 
+/* ---- a scene on standard input ---- */
+
+/* All of it; NULL: the message is on stderr. */
+static char *read_input(void)
+{
+  size_t room = 1 << 16, used = 0;
+  char *text = malloc(room);
+  for (size_t got = 1; text && got > 0;) {
+    if (room - used < 2) {
+      char *grown = realloc(text, room *= 2);
+      if (!grown)
+        free(text);
+      text = grown;
+    }
+    got = text ? fread(text + used, 1, room - used - 1, stdin) : 0;
+    used += got;
+  }
+  if (text && (ferror(stdin) || memchr(text, '\0', used))) {
+    complain("run", ferror(stdin) ? "cannot read standard input" : "standard input: this is not a text file");
+    free(text);
+    return NULL;
+  }
+  if (text)
+    text[used] = '\0';
+  else
+    complain("run", "out of memory");
+  return text;
+}
+
+/* Another program may take over, and read it again. */
+static void put_back(const char *text)
+{
+  FILE *again = tmpfile();
+  if (!again)
+    return;
+  fputs(text, again);
+  rewind(again); /* flushes, too */
+  dup2(fileno(again), STDIN_FILENO);
+}
+
+static bool is_input(const char *operand) { return strcmp(operand, "-") == 0 || strcmp(operand, "/dev/stdin") == 0; }
+
 static enum exit_code run(const struct options *o)
 {
   struct scene_source sources[MOST_SCENES];
@@ -224,9 +267,19 @@ static enum exit_code run(const struct options *o)
     complain("run", "--into and -o exclude each other");
     return EXIT_USAGE;
   }
-  for (int i = 0; i < count; i++)
+  char *input = NULL;
+  for (int i = 0; i < count; i++) {
     sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_scene(o->operands[i]) };
-  return run_scenes(o, sources, count, false);
+    if (!is_input(o->operands[i]))
+      continue;
+    if (!input && !(input = read_input()))
+      return EXIT_USAGE;
+    sources[i] = (struct scene_source){ .path = "standard input", .text = input };
+    put_back(input);
+  }
+  enum exit_code code = run_scenes(o, sources, count, false);
+  free(input);
+  return code;
 }
 
 const struct command command_run = {

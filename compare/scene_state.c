@@ -57,10 +57,11 @@ static double range_value(struct scene_state *s, const struct scene_variable *v,
     return from;
   if (i == steps)
     return to;
-  double u = (double)i / (double)steps;
   /* decimal: 0.07 for a reader, and the same on every machine, whose logarithms may differ in the last digit */
-  return v->is_log ? rounded(exp((1 - u) * log(from) + u * log(to)), 12)
-                   : rounded(((double)(steps - i) * from + (double)i * to) / (double)steps, 15);
+  if (v->is_log)
+    return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
+  double x = from + (double)i * ((to - from) / (double)steps);
+  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
 }
 
 /* One that follows from others and keeps body 2, or the Froude number. */

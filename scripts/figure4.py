@@ -46,7 +46,8 @@ def onset_of_sticking(ratios):
 
 def table():
     """The rows of the figure, one after the other: an array with the COLUMNS."""
-    T = onset_of_sticking(RATIOS)[:, numpy.newaxis] * numpy.arange(1, STEPS + 1) / STEPS
+    onset = onset_of_sticking(RATIOS)
+    T = numpy.linspace(onset / STEPS, onset, STEPS, axis=1)
     ratios = numpy.broadcast_to(RATIOS[:, numpy.newaxis], T.shape)
     crawlers = extension(ratios, T)
     exact = scallop.phase("extension", **crawlers)

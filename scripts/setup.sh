@@ -24,7 +24,8 @@ look() { # PURPOSE...: what is missing
       plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core" ;;
       tests)    has_header cmocka.h || need libcmocka-dev
                 command -v pkg-config >/dev/null 2>&1 || need pkgconf
-                /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath" ;;
+                /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"
+                /usr/bin/python3 -c 'import numpy' 2>/dev/null || need python3-numpy ;;
       lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
                 command -v clang-format >/dev/null 2>&1 || need clang-format
                 command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;

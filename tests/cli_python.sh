@@ -377,7 +377,7 @@ END
 finish "the library is found, in order, and refused when it is another one"
 
 # ---- the example ----
-run 0 figure 4
+run 0 figure 4 --digits 17
 cp out figure4.tsv
 python "$root/data/figure4.tsv" <<'END'
 import figure4

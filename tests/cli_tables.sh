@@ -44,7 +44,7 @@ for arguments in $(printf '%s' "$all" | tr -d '\n'); do
   run 0 "$@"
   cp out first
   [ "$(sed -n 1p out)" = "# $version" ] || note "line 1: $(sed -n 1p out)"
-  case $(sed -n 2p out) in "# command: $1"*) ;; *) note "line 2: $(sed -n 2p out)" ;; esac
+  case $(sed -n 2p out) in "# command: $1"* | "# command: run $1"*) ;; *) note "line 2: $(sed -n 2p out)" ;; esac
   if grep '^#' out | grep -q -E '(19|20)[0-9][0-9]-[0-9]|[0-9]:[0-9][0-9]|Jan |Feb |Mar |Apr |May |Jun |Jul |Aug |Sep |Oct |Nov |Dec '; then
     note "a date: $(grep '^#' out)"
   fi
