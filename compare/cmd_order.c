@@ -144,12 +144,6 @@ static enum exit_code read_file(const struct options *options, struct list *list
   return failed ? EXIT_FILE : wrong || list->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }
 
-static const char *state_text(enum order_state state)
-{
-  static const char *const text[] = { "fitted", "invalid", "insufficient", "floor-limited", "not-asymptotic", "exact" };
-  return text[state];
-}
-
 static void write_points(struct table *table, const struct list *list, const struct order_fit *fit)
 {
   table_columns(table, columns);
@@ -167,7 +161,7 @@ static void write_summary(struct table *table, const struct order_fit *fit, cons
 {
   if (o->format == FORMAT_TSV) {
     table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
-               state_text(fit->state));
+               order_state_text(fit->state));
     if (o->has_expect)
       table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, verdict);
     return;
@@ -178,7 +172,7 @@ static void write_summary(struct table *table, const struct order_fit *fit, cons
   table_number(table, fit->lo);
   table_number(table, fit->hi);
   table_rounded(table, fit->used, "%.0f");
-  table_text(table, state_text(fit->state));
+  table_text(table, order_state_text(fit->state));
   table_number(table, o->has_expect ? o->expect : NAN);
   table_number(table, o->has_expect ? o->tolerance : NAN);
   table_text(table, verdict);

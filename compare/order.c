@@ -317,6 +317,12 @@ int order_from_values(struct order_point *points, int count)
   return count - 1;
 }
 
+const char *order_state_text(enum order_state state)
+{
+  static const char *const text[] = { "fitted", "invalid", "insufficient", "floor-limited", "not-asymptotic", "exact" };
+  return text[state];
+}
+
 const char *order_verdict_text(enum order_verdict verdict)
 {
   static const char *const text[] = { "pass",           "too-low",      "too-high", "floor-limited",

@@ -31,6 +31,8 @@ enum order_state {
   ORDER_EXACT           /* every error is zero or within its noise                                   */
 };
 
+const char *order_state_text(enum order_state state);
+
 struct order_fit {
   enum order_state state;
   double order, lo, hi; /* fitted, and its interval; nan unless there were three usable points        */

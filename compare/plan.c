@@ -1,4 +1,4 @@
-#include "compare/plan.h"
+#include "compare/plan_parts.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -9,181 +9,6 @@ const char *plan_known_text(enum plan_known known)
 {
   static const char *const text[] = { "left out", "exactly", "at most", "about", "at least" };
   return text[known];
-}
-
-/* ---- what the wants need ---- */
-
-/* What a point needs, gathered from all columns of all wants */
-struct needed {
-  bool used[MOST_QUANTITIES];
-  bool steady, phase, turnings, onset, v0;
-  bool certified_steady, certified_phase, steady_series, phase_series;
-  bool errors;
-  double formulas, sums; /* evaluations at a point                                               */
-  const char *for_steady, *for_phase, *for_certified; /* the first quantity that needs it              */
-};
-
-struct planning {
-  const struct scene *scene;
-  struct plan *plan;
-  struct needed n;
-};
-
-static const struct quantity *quantity_at(const struct planning *p, int place) { return &p->scene->quantities.item[place]; }
-
-static void need(bool *what, const char **for_what, const char *name)
-{
-  *what = true;
-  if (for_what && !*for_what)
-    *for_what = name;
-}
-
-static void need_v0(struct planning *p, const char *name)
-{
-  if (p->scene->start == START_STEADY && !p->scene->varies_v0)
-    need(&p->n.steady, &p->n.for_steady, name);
-}
-
-static void need_phase(struct planning *p, const char *name)
-{
-  need(&p->n.phase, &p->n.for_phase, name);
-  need_v0(p, name);
-}
-
-static void need_solution(struct planning *p, bool of_phase, const char *name)
-{
-  if (of_phase)
-    need_phase(p, name);
-  else
-    need(&p->n.steady, &p->n.for_steady, name);
-}
-
-static void need_certified(struct planning *p, bool of_phase, const char *name)
-{
-  need(of_phase ? &p->n.certified_phase : &p->n.certified_steady, &p->n.for_certified, name);
-  if (of_phase)
-    need_v0(p, name);
-}
-
-/* The formula of the paper with what it takes as given, in double or certified */
-static void need_formula(struct planning *p, const struct quantity *q, bool certified)
-{
-  const struct scallop_formula *f = q->formula;
-  p->n.formulas++;
-  if (f->setting == SCALLOP_STEADY)
-    return;
-  need_v0(p, q->name);
-  if (!formula_takes_given(f))
-    return;
-  if (certified)
-    need_certified(p, true, q->name);
-  else {
-    need_phase(p, q->name);
-    p->n.turnings |= strstr(f->text, "x_switch") != NULL;
-  }
-}
-
-static void need_derived(struct planning *p, const struct quantity *q)
-{
-  bool of_phase = q->which >= STEADY_VALUES;
-  long order = q->kind == QUANTITY_DERIVED ? q->order : of_phase ? 8 : 1; /* some begin with T^3 */
-  long *most = of_phase ? &p->plan->needs.phase_order : &p->plan->needs.steady_order;
-  *most = order > *most ? order : *most;
-  *(of_phase ? &p->n.phase_series : &p->n.steady_series) = true;
-  p->n.sums++;
-  if (of_phase)
-    need_v0(p, q->name);
-}
-
-static void need_quantity(struct planning *p, int place);
-
-/* What a series should be, and what it is beside that. */
-static void need_comparison(struct planning *p, const struct quantity *q)
-{
-  const struct quantity *series = quantity_at(p, q->of);
-  bool of_phase = quantity_is_of_phase(&p->scene->quantities, series), certified = p->plan->needs.certified_errors;
-  for (int i = 0; i < p->scene->quantities.count; i++) /* compared once, whoever asks */
-    if (&p->scene->quantities.item[i] != q && p->n.used[i] && p->scene->quantities.item[i].of == q->of)
-      return;
-  if (certified) {
-    need_certified(p, of_phase, q->name);
-    if (series->kind == QUANTITY_PUBLISHED)
-      need_formula(p, series, true);
-    else
-      need_derived(p, series);
-    return;
-  }
-  need_solution(p, of_phase, q->name);
-  if (series->kind == QUANTITY_PUBLISHED)
-    p->n.turnings |= series->formula->quantity == SCALLOP_REAR_AT_FIRST || series->formula->quantity == SCALLOP_REAR_AT_LAST;
-  need_quantity(p, q->of);
-}
-
-static void need_quantity(struct planning *p, int place)
-{
-  const struct quantity *q = quantity_at(p, place);
-  if (p->n.used[place])
-    return;
-  p->n.used[place] = true;
-  switch (q->kind) {
-  case QUANTITY_V0: need_v0(p, q->name); break;
-  case QUANTITY_ONSET: p->n.onset = true; break;
-  case QUANTITY_STEADY: need(&p->n.steady, &p->n.for_steady, q->name); break;
-  case QUANTITY_PHASE: need_phase(p, q->name); break;
-  case QUANTITY_PUBLISHED: need_formula(p, q, false); break;
-  case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: need_derived(p, q); break;
-  case QUANTITY_CERTIFIED: need_certified(p, q->which >= STEADY_VALUES, q->name); break;
-  case QUANTITY_EXACT:
-  case QUANTITY_ERROR:
-  case QUANTITY_RELATIVE: need_comparison(p, q); break;
-  default: break; /* a parameter, a label, a sample, status */
-  }
-}
-
-/* Applies visit to each quantity of the columns and orders of a want. */
-static void each_quantity(const struct scene_want *w, void visit(struct planning *, int), struct planning *p)
-{
-  for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = 0;
-    if (w->column[i].quantity >= 0)
-      visit(p, w->column[i].quantity);
-    else
-      count = arithmetic_places(&w->column[i].formula, places);
-    for (int k = 0; k < count; k++)
-      visit(p, places[k]);
-  }
-  for (int i = 0; i < w->series; i++)
-    visit(p, w->of[i]);
-}
-
-static void note_error(struct planning *p, int place)
-{
-  enum quantity_kind kind = quantity_at(p, place)->kind;
-  p->n.errors |= kind == QUANTITY_ERROR || kind == QUANTITY_RELATIVE || kind == QUANTITY_EXACT;
-}
-
-/* To how many digits certified values are wanted, and errors against what. */
-static void find_accuracy(struct planning *p)
-{
-  static const double of_doubles = 1e-10;
-  struct scene_needs *needs = &p->plan->needs;
-  needs->accuracy = of_doubles;
-  for (int i = 0; i < p->scene->wants; i++) {
-    const struct scene_want *w = &p->scene->want[i];
-    bool before = p->n.errors;
-    p->n.errors = false;
-    each_quantity(w, note_error, p);
-    if (p->n.errors) {
-      needs->certified_errors |= w->is_certified || w->accuracy < of_doubles;
-      needs->accuracy = fmin(needs->accuracy, w->accuracy);
-    }
-    p->n.errors |= before;
-    if (w->kind == WANT_ROWS)
-      needs->digits = w->digits > needs->digits ? w->digits : needs->digits;
-  }
-  if (needs->digits == 0)
-    needs->digits = 17;
 }
 
 /* ---- how often ---- */
@@ -277,22 +102,19 @@ static bool gaits_are_linear(const struct scene *s, double *made, bool *walked)
   bool linear = true, varied = false;
   *made = 0;
   *walked = false;
-  for (int i = 0; i < s->products; i++)
-    for (int g = 0; g < s->product[i].groups; g++)
-      for (int v = 0; v < s->product[i].group[g].variables; v++) {
-        const struct scene_variable *variable = &s->product[i].group[g].variable[v];
-        for (long k = 0; variable->target == TARGET_GAIT && k < variable->count; k++) {
-          options_set_parameter(&probe, "gait", variable->texts[k]);
-          varied = true;
-          linear &= gait_is_linear(probe.crawler.gait);
-          *walked |= is_walked(probe.crawler.gait);
-          int at = 0;
-          while (at < count && seen[at] != probe.crawler.gait)
-            at++;
-          if (at == count && count < 64)
-            seen[count++] = probe.crawler.gait;
-        }
-      }
+  const struct scene_variable *variable;
+  for (int i = 0; (variable = scene_variable(s, i)); i++)
+    for (long k = 0; variable->target == TARGET_GAIT && k < variable->count; k++) {
+      options_set_parameter(&probe, "gait", variable->texts[k]);
+      varied = true;
+      linear &= gait_is_linear(probe.crawler.gait);
+      *walked |= is_walked(probe.crawler.gait);
+      int at = 0;
+      while (at < count && seen[at] != probe.crawler.gait)
+        at++;
+      if (at == count && count < 64)
+        seen[count++] = probe.crawler.gait;
+    }
   if (!varied) {
     linear = gait_is_linear(s->base.crawler.gait);
     *walked = is_walked(s->base.crawler.gait);
@@ -496,12 +318,7 @@ void plan_make(struct plan *plan, const struct scene *scene)
   struct planning p = { .scene = scene, .plan = plan };
   double points = (double)scene_points(scene), made;
   *plan = (struct plan){ .needs_flint = false };
-  find_accuracy(&p);
-  for (int i = 0; i < scene->wants; i++) {
-    each_quantity(&scene->want[i], need_quantity, &p);
-    if (scene->want[i].kind == WANT_TRAJECTORY)
-      need_v0(&p, "where a trajectory starts");
-  }
+  plan_needs(&p);
   bool walked, linear = gaits_are_linear(scene, &made, &walked);
   plan_points(&p, points);
   stage(&p, COUNT_GAITS, made, PLAN_EXACTLY, GAIT, "%s",

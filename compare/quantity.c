@@ -115,12 +115,20 @@ static int add(struct quantities *all, const struct quantity *q)
   return all->count++;
 }
 
-int quantity_named(struct quantities *all, const char *name)
+int quantity_find(const struct quantities *all, const char *name)
 {
-  struct quantity q = { .of = -1 };
   for (int i = 0; i < all->count; i++)
     if (strcmp(all->item[i].name, name) == 0)
       return i;
+  return -1;
+}
+
+int quantity_named(struct quantities *all, const char *name)
+{
+  struct quantity q = { .of = -1 };
+  int known = quantity_find(all, name);
+  if (known >= 0)
+    return known;
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);

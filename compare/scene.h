@@ -125,6 +125,11 @@ struct scene_source {
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options);
 void scene_free(struct scene *scene);
 
+/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
+const char *scene_variable_sets(const struct scene_variable *variable);
+/* The variables of all products, one after another: number i, or NULL after the last. */
+const struct scene_variable *scene_variable(const struct scene *scene, int i);
+
 /* Points of the scene: the products of its groups, one after the other. */
 long scene_points(const struct scene *scene);
 long scene_product_points(const struct scene_product *product);

@@ -42,6 +42,28 @@ bool read_vary(const struct reading *r, const config_setting_t *vary);
 /* scene_want.c: want = ... */
 bool read_wants(const struct reading *r, const config_setting_t *want);
 
+/* scene_columns.c: columns by their formulas, and those that a kind of want has. w->columns grows. */
+bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
+bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
+bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, bool with_errors);
+/* The series of a want: those of `of`, or the usual ones of its source and order. */
+struct series_names {
+  int count;
+  const char *name[SCENE_COLUMNS];
+};
+bool read_series(const struct reading *r, const config_setting_t *at, struct series_names *names);
+/* Has a scene like this one that quantity? False: it is said why not. */
+bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
+/* There is no quantity of that name. Returns false. */
+bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
+
+/* scene_command.c: is that the table of another command? And its options */
+bool is_command(const char *what);
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+
 /* The first length bytes of text, and more after them, for as long as the scene lives. NULL: no memory, which is said. */
 const char *keep_text(const struct reading *r, const char *text, int length, const char *more);
 /* Paths of inputs are those of the folder of the scene. NULL as above. */

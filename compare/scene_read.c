@@ -385,6 +385,28 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .products = 0 };
 }
 
+const char *scene_variable_sets(const struct scene_variable *v)
+{
+  switch (v->target) {
+  case TARGET_F1_OVER_F2: return "F1";
+  case TARGET_M1_OVER_M2: return "m1";
+  case TARGET_FROUDE: return "T";
+  default: return v->name;
+  }
+}
+
+const struct scene_variable *scene_variable(const struct scene *s, int i)
+{
+  for (int p = 0; p < s->products; p++)
+    for (int g = 0; g < s->product[p].groups; g++) {
+      const struct scene_group *group = &s->product[p].group[g];
+      if (i < group->variables)
+        return &group->variable[i];
+      i -= group->variables;
+    }
+  return NULL;
+}
+
 long scene_product_points(const struct scene_product *product)
 {
   long points = 1;

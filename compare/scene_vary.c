@@ -39,15 +39,11 @@ static bool target_of(struct scene_variable *v, const char *name)
 /* The numbers of the crawler that a variable sets, as bits */
 static unsigned sets(const struct scene_variable *v)
 {
-  const char *name = v->target == TARGET_F1_OVER_F2   ? "F1"
-                     : v->target == TARGET_M1_OVER_M2 ? "m1"
-                     : v->target == TARGET_FROUDE     ? "T"
-                                                      : v->name;
   switch (v->target) {
   case TARGET_GAIT: return 1U << CRAWLER_NUMBERS;
   case TARGET_V0: return 2U << CRAWLER_NUMBERS;
   case TARGET_LABEL: return 4U << (CRAWLER_NUMBERS + v->place);
-  default: return 1U << crawler_place(name);
+  default: return 1U << crawler_place(scene_variable_sets(v));
   }
 }
 

@@ -6,247 +6,10 @@
 
 #include "compare/scene_parts.h"
 
-enum { FORMULA_TEXT = 400, MOST_ARGUMENTS = 64, MOST_DIGITS = 10000, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17 };
 
 static const char *const whats[] = { "trajectory", "phase",     "steady",    "series",         "error",  "orders", "terms",
                                      "bounds",     "breakdown", "stability", "work-precision", "claims", NULL };
-
-/* ---- columns ---- */
-
-static int name_of_quantity(void *context, const char *name)
-{
-  return quantity_named(&((struct scene *)context)->quantities, name);
-}
-
-static bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
-{
-  const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r, at, "there is no quantity '%s'%s%s%s (docs/scenes.md lists them)", name,
-                   near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
-}
-
-/* Does a scene like this one have the quantity? */
-static bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place)
-{
-  const struct scene *s = r->scene;
-  const struct quantity *q = &s->quantities.item[place];
-  bool moving = s->start != START_REST || s->varies_v0;
-  if (q->kind == QUANTITY_SAMPLE && w->kind != WANT_TRAJECTORY)
-    return refuse_at(r, at, "%s is a quantity of a trajectory", q->name);
-  if (w->kind == WANT_TRAJECTORY && q->kind == QUANTITY_STATUS)
-    return refuse_at(r, at, "a trajectory has no status: it ends where it cannot go on");
-  const struct quantity *series = q->of >= 0 ? &s->quantities.item[q->of] : q;
-  if (series->kind == QUANTITY_PUBLISHED) {
-    enum scallop_setting setting = series->formula->setting;
-    if (setting == SCALLOP_AT_REST_START && moving)
-      return refuse_at(r, at, "%s is about a phase from rest, and this scene does not start there: start = \"rest\"",
-                       q->name);
-    if ((setting == SCALLOP_MOVING_EXTENSION && s->phase != SCALLOP_EXTENSION)
-        || (setting == SCALLOP_MOVING_CONTRACTION && s->phase != SCALLOP_CONTRACTION))
-      return refuse_at(r, at, "%s is about %s: phase = \"%s\"", q->name,
-                       setting == SCALLOP_MOVING_EXTENSION ? "an extension" : "a contraction",
-                       setting == SCALLOP_MOVING_EXTENSION ? "extension" : "contraction");
-  }
-  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && series->which >= STEADY_VALUES
-      && s->start == START_STEADY && !s->varies_v0)
-    return refuse_at(r, at, "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
-                     q->name);
-  return true;
-}
-
-/* "NAME = FORMULA" or "FORMULA" */
-static bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text)
-{
-  struct scene_column *column = &w->column[w->columns];
-  const char *equals = strchr(text, '='), *formula = equals ? equals + 1 : text;
-  formula += strspn(formula, " ");
-  size_t length = equals ? (size_t)(equals - text) : strlen(text);
-  while (length > 0 && text[length - 1] == ' ')
-    length--;
-  if (length == 0 || *formula == '\0')
-    return refuse_at(r, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
-  column->name = keep_text(r, text, (int)length, "");
-  column->quantity = quantity_named(&r->scene->quantities, formula);
-  if (column->quantity == -2)
-    return refuse_at(r, at, "more than %d quantities", MOST_QUANTITIES);
-  if (column->quantity < 0) {
-    const char *wrong = arithmetic_compile(&column->formula, formula, name_of_quantity, r->scene);
-    if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
-      return refuse_quantity(r, at, formula);
-    if (wrong)
-      return refuse_at(r, at, "'%.100s': %s", text, wrong);
-    int places[ARITHMETIC_STEPS], count = arithmetic_places(&column->formula, places);
-    for (int i = 0; i < count; i++) {
-      int place = places[i];
-      if (quantity_is_text(&r->scene->quantities.item[place]))
-        return refuse_at(r, at, "'%.100s': %s is a text, which stands alone in a column", text,
-                         r->scene->quantities.item[place].name);
-      if (!check_quantity(r, at, w, place))
-        return false;
-    }
-  } else if (!check_quantity(r, at, w, column->quantity))
-    return false;
-  for (int i = 0; i < w->columns; i++)
-    if (strcmp(w->column[i].name, column->name) == 0)
-      return refuse_at(r, at, "the column %s is there twice", column->name);
-  w->columns++;
-  return column->name != NULL;
-}
-
-static bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *names)
-{
-  for (; *names; names++) {
-    if (w->columns == SCENE_COLUMNS)
-      return refuse_at(r, at, "more than %d columns", SCENE_COLUMNS);
-    if (!read_column(r, at, w, *names))
-      return false;
-  }
-  return true;
-}
-
-static bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  for (int i = 0; i < r->scene->quantities.labels; i++)
-    if (!read_column(r, at, w, r->scene->quantities.label[i]))
-      return false;
-  return true;
-}
-
-/* ---- rows: what columns they have where none are asked for ---- */
-
-static bool certified_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
-                              const char *const *names, int count)
-{
-  for (int i = 0; i < count; i++) {
-    char column[FORMULA_TEXT];
-    snprintf(column, sizeof column, "%s = certified.%s", names[i], names[i]);
-    if (!read_column(r, at, w, column))
-      return false;
-  }
-  return true;
-}
-
-static bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", NULL };
-  static const char *const before[] = { "froude", NULL }, *const after[] = { "regime", "modes", "status", NULL };
-  static const char *const status[] = { "status", NULL };
-  bool doubles = w->digits <= DOUBLE_DIGITS;
-  return add_columns(r, at, w, crawler_parameters)
-         && (doubles ? add_columns(r, at, w, before) && add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 5) && add_columns(r, at, w, status));
-}
-
-static bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
-  static const char *const before[] = { "phase", "v0", NULL };
-  static const char *const after[] = { "regime = phase_regime", "modes = phase_modes", "status", NULL }, *const status[] = {
-    "status", NULL
-  };
-  bool doubles = w->digits <= DOUBLE_DIGITS;
-  return add_columns(r, at, w, crawler_parameters) && add_columns(r, at, w, before)
-         && (doubles ? add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 6) && add_columns(r, at, w, status));
-}
-
-/* Are formulas of the phase meant, where nothing is said? Where the scene says something about a phase. */
-static bool is_about_phase(const struct reading *r)
-{
-  const config_setting_t *root = config_root_setting(r->scene->file);
-  return config_setting_get_member(root, "phase") || config_setting_get_member(root, "start") || r->scene->varies_v0;
-}
-
-/* The formulas that a scene like this one can evaluate without a solution. */
-static bool is_at_hand(const struct reading *r, const struct scallop_formula *f)
-{
-  const struct scene *s = r->scene;
-  bool moving = s->start != START_REST || s->varies_v0;
-  if (f->setting == SCALLOP_STEADY)
-    return !is_about_phase(r);
-  if (!is_about_phase(r) || formula_takes_given(f))
-    return false;
-  return f->setting == SCALLOP_AT_REST_START ? !moving
-         : !moving                           ? false
-                                             : (f->setting == SCALLOP_MOVING_EXTENSION) == (s->phase == SCALLOP_EXTENSION);
-}
-
-/* The names of the series: those of `of`, or the usual ones of a source. */
-struct series_names {
-  int count;
-  const char *name[SCENE_COLUMNS];
-};
-
-static bool usual_series(const struct reading *r, const char *source, long order, struct series_names *names)
-{
-  static const char *const of_steady[] = { "v_start", "v_mid", "displacement", "mean_velocity", NULL };
-  static const char *const of_phase[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
-  if (strcmp(source, "published") == 0) {
-    for (const struct scallop_formula *f = scallop_published; f->name && names->count < SCENE_COLUMNS; f++)
-      if (is_at_hand(r, f))
-        names->name[names->count++] = f->name;
-    return true;
-  }
-  for (const char *const *value = is_about_phase(r) ? of_phase : of_steady; *value; value++) {
-    char head[40];
-    int length = snprintf(head, sizeof head, *source == 'd' ? "derived_%ld." : "limit.", order);
-    const char *name = keep_text(r, head, length, *value);
-    if (!name)
-      return false;
-    names->name[names->count++] = name;
-  }
-  return true;
-}
-
-/* Reads of, source and order. */
-static bool read_series(const struct reading *r, const config_setting_t *at, struct series_names *names)
-{
-  const char *source = "published";
-  long order = 8;
-  const config_setting_t *of = config_setting_get_member(at, "of");
-  if (!read_member_text(r, at, "source", &source) || !read_member_count(r, at, "order", 1, MOST_ORDER, &order)
-      || !read_member_texts(r, at, "of", names->name, SCENE_COLUMNS, &names->count))
-    return false;
-  if (strcmp(source, "published") != 0 && strcmp(source, "derived") != 0 && strcmp(source, "limit") != 0)
-    return refuse_at(r, config_setting_get_member(at, "source"), "source is \"published\", \"derived\" or \"limit\"");
-  if (!of)
-    return usual_series(r, source, order, names);
-  for (int i = 0; i < names->count; i++) {
-    int place = quantity_named(&r->scene->quantities, names->name[i]);
-    if (place < 0)
-      return refuse_quantity(r, of, names->name[i]);
-    if (!quantity_is_series(&r->scene->quantities.item[place]))
-      return refuse_at(r, of,
-                       "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant",
-                       names->name[i]);
-  }
-  return true;
-}
-
-static bool about_series(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *prefix,
-                         const char *name)
-{
-  const char *column = keep_text(r, prefix, (int)strlen(prefix), name);
-  return column && read_column(r, at, w, column);
-}
-
-static bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, bool with_errors)
-{
-  static const char *const v0[] = { "v0", NULL }, *const status[] = { "status", NULL };
-  struct series_names names = { .count = 0 };
-  if (!read_series(r, at, &names) || !add_columns(r, at, w, crawler_parameters)
-      || (is_about_phase(r) && !add_columns(r, at, w, v0)))
-    return false;
-  if (names.count * (with_errors ? 4 : 1) > SCENE_COLUMNS - w->columns - 1)
-    return refuse_at(r, at, "%d series are more columns than a table has: name some of them, of = [ ... ]", names.count);
-  for (int i = 0; i < names.count; i++)
-    if (!about_series(r, at, w, "", names.name[i])
-        || (with_errors
-            && (!about_series(r, at, w, "exact.", names.name[i]) || !about_series(r, at, w, "error.", names.name[i])
-                || !about_series(r, at, w, "relative.", names.name[i]))))
-      return false;
-  return add_columns(r, at, w, status);
-}
 
 /* ---- the kinds of wants ---- */
 
@@ -320,19 +83,17 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
     return add_columns(r, config_setting_get_member(at, "columns"), w, asked);
   if (!add_labels(r, at, w))
     return false;
-  for (int p = 0; p < r->scene->products; p++) /* what varies tells the curves apart */
-    for (int g = 0; g < r->scene->product[p].groups; g++)
-      for (int v = 0; v < r->scene->product[p].group[g].variables; v++) {
-        const struct scene_variable *variable = &r->scene->product[p].group[g].variable[v];
-        const char *name = variable->target == TARGET_F1_OVER_F2   ? "F1_over_F2 = F1/F2"
-                           : variable->target == TARGET_M1_OVER_M2 ? "m1_over_m2 = m1/m2"
-                                                                   : variable->name;
-        bool there = variable->target == TARGET_LABEL;
-        for (int i = 0; i < w->columns; i++)
-          there |= strncmp(w->column[i].name, name, strlen(w->column[i].name)) == 0;
-        if (!there && !read_column(r, at, w, name))
-          return false;
-      }
+  const struct scene_variable *v;
+  for (int k = 0; (v = scene_variable(r->scene, k)); k++) { /* what varies tells the curves apart */
+    const char *column = v->target == TARGET_F1_OVER_F2   ? "F1_over_F2 = F1/F2"
+                         : v->target == TARGET_M1_OVER_M2 ? "m1_over_m2 = m1/m2"
+                                                          : v->name;
+    bool there = v->target == TARGET_LABEL;
+    for (int i = 0; i < w->columns; i++)
+      there |= strcmp(w->column[i].name, v->name) == 0;
+    if (!there && !read_column(r, at, w, column))
+      return false;
+  }
   return add_columns(r, at, w, usual);
 }
 
@@ -376,105 +137,6 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
     w->of[w->series] = place;
   }
   return true;
-}
-
-/* ---- a command at each point ---- */
-
-static const struct {
-  const char *what;
-  const struct command *command;
-  const char *first; /* an option that is always given, or NULL */
-} commands_of[] = { { "terms", &command_series, "--source=derived" }, { "bounds", &command_series, "--bound" },
-                    { "breakdown", &command_breakdown, NULL },        { "stability", &command_stress, NULL },
-                    { "work-precision", &command_workprec, NULL },    { "claims", &command_claims, NULL } };
-enum { COMMANDS_OF = sizeof commands_of / sizeof *commands_of };
-
-/* A member of the want as "--name value" */
-static bool add_arguments(const struct reading *r, const config_setting_t *at, struct scene_want *w, int *count)
-{
-  const char *name = config_setting_name(at), *texts[2] = { NULL };
-  int type = config_setting_type(at), values = is_sequence(at) ? config_setting_length(at) : 1;
-  char number[NUMBER_TEXT];
-  if (*count + 4 > MOST_ARGUMENTS)
-    return refuse_at(r, at, "too many options");
-  if (type == CONFIG_TYPE_BOOL && !config_setting_get_bool(at))
-    return true;
-  w->arguments[*count] = (char *)keep_text(r, "--", 2, name);
-  if (!w->arguments[(*count)++])
-    return false;
-  for (int i = 0; i < values && type != CONFIG_TYPE_BOOL; i++) {
-    const config_setting_t *element = is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
-    double x;
-    if (values > 2 || !(config_setting_get_string(element) || is_number(element, &x, &texts[0])))
-      return refuse_at(r, at, "%s takes what it takes on the command line: a number, a text, or true", name);
-    const char *text = config_setting_get_string(element);
-    if (!text) {
-      number_text(number, x, 0);
-      text = keep_text(r, number, 0, number);
-    }
-    if (!text)
-      return false;
-    w->arguments[(*count)++] = (char *)text;
-  }
-  return true;
-}
-
-static bool accepts(const struct command *command, const char *name)
-{
-  for (const char *const *a = command->accepts; *a; a++)
-    if (strcmp(*a, name) == 0)
-      return true;
-  return false;
-}
-
-/* Parameters that vary must be ones that the command takes. */
-static bool check_varied(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
-{
-  const struct scene *s = r->scene;
-  bool no_T = w->command == &command_breakdown && !config_setting_get_member(at, "map");
-  for (int p = 0; p < s->products; p++)
-    for (int g = 0; g < s->product[p].groups; g++)
-      for (int v = 0; v < s->product[p].group[g].variables; v++) {
-        const struct scene_variable *variable = &s->product[p].group[g].variable[v];
-        const char *name = variable->target == TARGET_F1_OVER_F2   ? "F1"
-                           : variable->target == TARGET_M1_OVER_M2 ? "m1"
-                           : variable->target == TARGET_FROUDE     ? "T"
-                                                                   : variable->name;
-        if (variable->target != TARGET_LABEL && (!accepts(w->command, name) || (no_T && strcmp(name, "T") == 0)))
-          return refuse_at(r, at, "%s varies, and %s does not take it%s", variable->name, w->what,
-                           no_T ? " without a map" : "");
-      }
-  return true;
-}
-
-static bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, int kind)
-{
-  static const char *const own[] = { "what", "file", "format", "plot", NULL };
-  struct options trial;
-  int count = 0, code = EXIT_DONE;
-  w->kind = WANT_COMMAND;
-  w->command = commands_of[kind].command;
-  w->arguments = calloc(MOST_ARGUMENTS + 1, sizeof *w->arguments);
-  if (!w->arguments)
-    return refuse_at(r, at, "out of memory");
-  w->arguments[count++] = "scallop";
-  w->arguments[count++] = (char *)w->command->name;
-  if (commands_of[kind].first && !config_setting_get_member(at, "source"))
-    w->arguments[count++] = (char *)keep_text(r, commands_of[kind].first, (int)strlen(commands_of[kind].first), "");
-  for (int i = 0; i < config_setting_length(at); i++) {
-    const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
-    int k = 0;
-    while (own[k] && strcmp(config_setting_name(member), own[k]) != 0)
-      k++;
-    if (!own[k] && !add_arguments(r, member, w, &count))
-      return false;
-  }
-  w->argument_count = count;
-  bool read = options_read(&trial, w->command, count, w->arguments, &code);
-  options_free(&trial);
-  if (!read)
-    return refuse_at(r, at, "so these options of `scallop %s` cannot be wanted", w->command->name);
-  return check_varied(r, at, w);
 }
 
 /* ---- plots ---- */
@@ -555,11 +217,9 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
     return false;
   if (!w->what)
     return refuse_at(r, at, "what is wanted? what = \"steady\", for one");
-  int k = 0, command = 0;
+  int k = 0;
   while (whats[k] && strcmp(w->what, whats[k]) != 0)
     k++;
-  while (command < COMMANDS_OF && strcmp(w->what, commands_of[command].what) != 0)
-    command++;
   if (!whats[k]) {
     const char *near = nearest(w->what, whats);
     return refuse_at(
@@ -568,11 +228,11 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
         "breakdown, stability, work-precision and claims can",
         w->what, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
   }
-  w->kind = command < COMMANDS_OF ? WANT_COMMAND : WANT_ROWS;
+  w->kind = is_command(w->what) ? WANT_COMMAND : WANT_ROWS;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
   if (!read_output(r, at, w))
     return false;
-  bool read = command < COMMANDS_OF                ? read_command(r, at, w, command)
+  bool read = w->kind == WANT_COMMAND              ? read_command(r, at, w)
               : strcmp(w->what, "trajectory") == 0 ? read_trajectory(r, at, w)
               : strcmp(w->what, "orders") == 0     ? read_orders(r, at, w)
                                                    : read_rows(r, at, w);

@@ -1,0 +1,172 @@
+/* What the wants of a scene need at a point: from their quantities, each looked at once. */
+#include <math.h>
+#include <string.h>
+
+#include "compare/plan_parts.h"
+
+static const struct quantity *quantity_at(const struct planning *p, int place) { return &p->scene->quantities.item[place]; }
+
+static void need(bool *what, const char **for_what, const char *name)
+{
+  *what = true;
+  if (for_what && !*for_what)
+    *for_what = name;
+}
+
+static void need_v0(struct planning *p, const char *name)
+{
+  if (p->scene->start == START_STEADY && !p->scene->varies_v0)
+    need(&p->n.steady, &p->n.for_steady, name);
+}
+
+static void need_phase(struct planning *p, const char *name)
+{
+  need(&p->n.phase, &p->n.for_phase, name);
+  need_v0(p, name);
+}
+
+static void need_solution(struct planning *p, bool of_phase, const char *name)
+{
+  if (of_phase)
+    need_phase(p, name);
+  else
+    need(&p->n.steady, &p->n.for_steady, name);
+}
+
+static void need_certified(struct planning *p, bool of_phase, const char *name)
+{
+  need(of_phase ? &p->n.certified_phase : &p->n.certified_steady, &p->n.for_certified, name);
+  if (of_phase)
+    need_v0(p, name);
+}
+
+/* The formula of the paper with what it takes as given, in double or certified */
+static void need_formula(struct planning *p, const struct quantity *q, bool certified)
+{
+  const struct scallop_formula *f = q->formula;
+  p->n.formulas++;
+  if (f->setting == SCALLOP_STEADY)
+    return;
+  need_v0(p, q->name);
+  if (!formula_takes_given(f))
+    return;
+  if (certified)
+    need_certified(p, true, q->name);
+  else {
+    need_phase(p, q->name);
+    p->n.turnings |= strstr(f->text, "x_switch") != NULL;
+  }
+}
+
+static void need_derived(struct planning *p, const struct quantity *q)
+{
+  bool of_phase = q->which >= STEADY_VALUES;
+  long order = q->kind == QUANTITY_DERIVED ? q->order : of_phase ? 8 : 1; /* some begin with T^3 */
+  long *most = of_phase ? &p->plan->needs.phase_order : &p->plan->needs.steady_order;
+  *most = order > *most ? order : *most;
+  *(of_phase ? &p->n.phase_series : &p->n.steady_series) = true;
+  p->n.sums++;
+  if (of_phase)
+    need_v0(p, q->name);
+}
+
+static void need_quantity(struct planning *p, int place);
+
+/* What a series should be, and what it is beside that. */
+static void need_comparison(struct planning *p, const struct quantity *q)
+{
+  const struct quantity *series = quantity_at(p, q->of);
+  bool of_phase = quantity_is_of_phase(&p->scene->quantities, series), certified = p->plan->needs.certified_errors;
+  for (int i = 0; i < p->scene->quantities.count; i++) /* compared once, whoever asks */
+    if (&p->scene->quantities.item[i] != q && p->n.used[i] && p->scene->quantities.item[i].of == q->of)
+      return;
+  if (certified) {
+    need_certified(p, of_phase, q->name);
+    if (series->kind == QUANTITY_PUBLISHED)
+      need_formula(p, series, true);
+    else
+      need_derived(p, series);
+    return;
+  }
+  need_solution(p, of_phase, q->name);
+  if (series->kind == QUANTITY_PUBLISHED)
+    p->n.turnings |= series->formula->quantity == SCALLOP_REAR_AT_FIRST || series->formula->quantity == SCALLOP_REAR_AT_LAST;
+  need_quantity(p, q->of);
+}
+
+static void need_quantity(struct planning *p, int place)
+{
+  const struct quantity *q = quantity_at(p, place);
+  if (p->n.used[place])
+    return;
+  p->n.used[place] = true;
+  switch (q->kind) {
+  case QUANTITY_V0: need_v0(p, q->name); break;
+  case QUANTITY_ONSET: p->n.onset = true; break;
+  case QUANTITY_STEADY: need(&p->n.steady, &p->n.for_steady, q->name); break;
+  case QUANTITY_PHASE: need_phase(p, q->name); break;
+  case QUANTITY_PUBLISHED: need_formula(p, q, false); break;
+  case QUANTITY_DERIVED:
+  case QUANTITY_LIMIT: need_derived(p, q); break;
+  case QUANTITY_CERTIFIED: need_certified(p, q->which >= STEADY_VALUES, q->name); break;
+  case QUANTITY_EXACT:
+  case QUANTITY_ERROR:
+  case QUANTITY_RELATIVE: need_comparison(p, q); break;
+  default: break; /* a parameter, a label, a sample, status */
+  }
+}
+
+/* Applies visit to each quantity of the columns and orders of a want. */
+static void each_quantity(const struct scene_want *w, void visit(struct planning *, int), struct planning *p)
+{
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS], count = 0;
+    if (w->column[i].quantity >= 0)
+      visit(p, w->column[i].quantity);
+    else
+      count = arithmetic_places(&w->column[i].formula, places);
+    for (int k = 0; k < count; k++)
+      visit(p, places[k]);
+  }
+  for (int i = 0; i < w->series; i++)
+    visit(p, w->of[i]);
+}
+
+static void note_error(struct planning *p, int place)
+{
+  enum quantity_kind kind = quantity_at(p, place)->kind;
+  p->n.errors |= kind == QUANTITY_ERROR || kind == QUANTITY_RELATIVE || kind == QUANTITY_EXACT;
+}
+
+/* To how many digits certified values are wanted, and errors against what. */
+static void find_accuracy(struct planning *p)
+{
+  static const double of_doubles = 1e-10;
+  struct scene_needs *needs = &p->plan->needs;
+  needs->accuracy = of_doubles;
+  for (int i = 0; i < p->scene->wants; i++) {
+    const struct scene_want *w = &p->scene->want[i];
+    bool before = p->n.errors;
+    p->n.errors = false;
+    each_quantity(w, note_error, p);
+    if (p->n.errors) {
+      needs->certified_errors |= w->is_certified || w->accuracy < of_doubles;
+      needs->accuracy = fmin(needs->accuracy, w->accuracy);
+    }
+    p->n.errors |= before;
+    if (w->kind == WANT_ROWS)
+      needs->digits = w->digits > needs->digits ? w->digits : needs->digits;
+  }
+  if (needs->digits == 0)
+    needs->digits = 17;
+}
+
+void plan_needs(struct planning *p)
+{
+  find_accuracy(p);
+  for (int i = 0; i < p->scene->wants; i++) {
+    each_quantity(&p->scene->want[i], need_quantity, p);
+    if (p->scene->want[i].kind == WANT_TRAJECTORY)
+      need_v0(p, "where a trajectory starts");
+  }
+}

@@ -1,0 +1,82 @@
+/* The '#' lines of the tables of a scene. */
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/scene_running.h"
+
+static bool varies(const struct scene *s, const char *parameter)
+{
+  const struct scene_variable *v;
+  for (int i = 0; (v = scene_variable(s, i)); i++)
+    if (v->target != TARGET_LABEL && strcmp(scene_variable_sets(v), parameter) == 0)
+      return true;
+  return false;
+}
+
+/* The parameters that stay the same */
+static void note_parameters(struct table *t, const struct scene *s)
+{
+  char text[1024];
+  size_t used = 0;
+  for (const char *const *name = crawler_parameters; *name && used < sizeof text; name++) {
+    char number[NUMBER_TEXT];
+    if (varies(s, *name))
+      continue;
+    if (crawler_place(*name) < CRAWLER_NUMBERS)
+      number_text(number, crawler_parameter(&s->base.crawler, *name), 0);
+    used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s", *name,
+                             crawler_place(*name) < CRAWLER_NUMBERS ? number : s->base.crawler.gait->name);
+  }
+  if (used > 0)
+    table_note(t, "parameters:%s", text);
+}
+
+static bool is_of_start(const struct quantities *all, int place)
+{
+  const struct quantity *q = &all->item[place];
+  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+}
+
+/* Does anything in this table depend on the phase and its start? */
+static bool has_start(const struct scene *s, const struct scene_want *w)
+{
+  bool has = w->kind == WANT_TRAJECTORY;
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS];
+    int count = w->column[i].quantity < 0 ? arithmetic_places(&w->column[i].formula, places) : 1;
+    if (w->column[i].quantity >= 0)
+      places[0] = w->column[i].quantity;
+    for (int k = 0; k < count; k++)
+      has |= is_of_start(&s->quantities, places[k]);
+  }
+  for (int i = 0; i < w->series; i++)
+    has |= is_of_start(&s->quantities, w->of[i]);
+  return has;
+}
+
+static void note_start(struct table *t, const struct scene *s, const struct scene_want *w)
+{
+  char v0[NUMBER_TEXT];
+  if (!has_start(s, w))
+    return;
+  number_text(v0, s->base.v0, 0);
+  const char *start = s->varies_v0 ? "v0" : s->start == START_REST ? "rest" : s->start == START_STEADY ? "steady" : v0;
+  if (w->kind == WANT_TRAJECTORY)
+    table_note(t, "start: %s", start);
+  else
+    table_note(t, "phase: %s, from %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", start);
+}
+
+void head_write(const struct running *r, struct output *o)
+{
+  struct table *t = &o->table;
+  const struct scene *s = r->scene;
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: run %s.cfg", s->name);
+  if (s->title)
+    table_note(t, "%s", s->title);
+  for (int i = 0; i < s->notes; i++)
+    table_note(t, "%s", s->note[i]);
+  note_parameters(t, s);
+  note_start(t, s, o->want);
+}
