@@ -62,7 +62,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage clean setup-build setup-check setup-plots
+.PHONY: all help check check-report reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -147,6 +147,11 @@ check: setup-check
 reproduce: setup-plots
 	@$(MAKE) --no-print-directory $(programs)
 	@sh scripts/reproduce.sh $(B)
+
+## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
+check-report: setup-plots
+	@scripts/setup.sh report
+	@/usr/bin/python3 scripts/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
 
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: setup-build

@@ -159,12 +159,24 @@ static void put_number(struct table *table, double x, long digits)
   t->used += number_text(room(t, NUMBER_TEXT), x, digits);
 }
 
+/* Is that in front of each row, and varies? */
+static bool is_lead(const struct table *t, const char *name)
+{
+  const struct table *first = t->into ? t->into : t;
+  for (int i = 0; i < first->leads; i++)
+    if (strcmp(first->lead_names[i], name) == 0)
+      return true;
+  return false;
+}
+
 void table_parameters(struct table *t, const struct options *o)
 {
   if (!takes_notes(t))
     return;
   put_text(t, "# parameters:");
   for (const char *const *name = crawler_parameters; *name; name++) {
+    if (is_lead(t, *name))
+      continue;
     put_char(t, ' ');
     put_text(t, *name);
     put_char(t, '=');

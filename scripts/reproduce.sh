@@ -6,6 +6,8 @@ scallop=$build/scallop
 sh scripts/tables.sh "$scallop" data
 sh scripts/maps.sh "$scallop" data "$build/maps"
 sh scripts/plots.sh data "$build/plots" "$build/maps"
+/usr/bin/python3 scripts/report.py --tables data --plots "$build/plots" --scenes data/scenes --scallop "$scallop" \
+  --output "$build/report/index.html"
 
 # Rows of the ledger by the names of its columns: ledger 'PROGRAM of awk, with the cells as c["claim"]'
 ledger() {
@@ -21,7 +23,7 @@ line() { # label, inside, source
     "$(count refuted "$2" "$3")" "$(count undecided "$2" "$3")"
 }
 echo
-echo "Tables in data/, plots in $build/plots/."
+echo "Tables in data/, plots in $build/plots/, all of it on a page: $build/report/index.html"
 echo
 echo "The paper's claims, each for both gaits (data/claims.tsv has them all), decided by proof:"
 echo "  holds: the error falls as claimed; sharper: faster; refuted: slower, or not at all"

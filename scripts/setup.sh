@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|lint|fuzz|coverage|valgrind|matrix ...
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|report|lint|fuzz|coverage|valgrind|matrix ...
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
@@ -21,7 +21,9 @@ look() { # PURPOSE...: what is missing
                     need libflint-arb-dev # beside FLINT 2; FLINT 3 has it inside
                   fi
                 fi ;;
-      plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core" ;;
+      plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
+                [ -x /usr/bin/python3 ] || need python3 ;;
+      report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
       tests)    has_header cmocka.h || need libcmocka-dev
                 command -v pkg-config >/dev/null 2>&1 || need pkgconf
                 /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"

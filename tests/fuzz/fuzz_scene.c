@@ -1,0 +1,59 @@
+/* A scene: read, and planned where it is one. What is planned is finite and has reasons; nothing is run. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/plan.h"
+#include "tests/fuzz/target.h"
+
+static void judge(const struct plan *plan, const struct scene *scene)
+{
+  if (scene->wants < 1 || scene->products < 1 || !(scene_points(scene) >= 1))
+    fuzz_fail("a scene of %d wants, %d products and %ld points was taken", scene->wants, scene->products,
+              scene_points(scene));
+  for (int i = 0; i < COUNTS; i++) {
+    const struct plan_stage *s = &plan->stage[i];
+    if (!(s->work >= 0) || !isfinite(s->work) || !(s->seconds >= 0) || s->why[0] == '\0')
+      fuzz_fail("stage %s: %g, %g s, '%s'", count_name((enum count)i), s->work, s->seconds, s->why);
+    if (s->known == PLAN_LEFT_OUT && s->work != 0)
+      fuzz_fail("stage %s is left out, and is %g", count_name((enum count)i), s->work);
+  }
+}
+
+static enum exit_code read_scene(struct scene *scene, const char *text, const struct options *options)
+{
+  const struct scene_source source = { .path = "x.cfg", .text = text };
+  struct written written;
+  written_begin(&written);
+  enum exit_code code = scene_read(scene, &source, options);
+  written_end(&written);
+  if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE))
+    fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", (int)code, written.out, written.err);
+  if (code != EXIT_DONE && code != EXIT_USAGE)
+    fuzz_fail("exit code %d: %s", (int)code, written.err);
+  written_free(&written);
+  return code;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+  static char program[] = "scallop", command[] = "run", name[] = "x.cfg";
+  char *arguments[] = { program, command, name, NULL }, *text = fuzz_text(data, size);
+  struct options options;
+  int code;
+  struct scene *scene = malloc(sizeof *scene);
+  struct plan *plan = malloc(sizeof *plan);
+  bool reads_files = !text || strstr(text, "measured:") || strstr(text, "@include");
+  if (!reads_files && scene && plan && options_read(&options, &command_run, 3, arguments, &code)) {
+    if (read_scene(scene, text, &options) == EXIT_DONE) {
+      plan_make(plan, scene);
+      judge(plan, scene);
+      scene_free(scene);
+    }
+    options_free(&options);
+  }
+  free(text);
+  free(scene);
+  free(plan);
+  return 0;
+}
