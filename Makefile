@@ -174,7 +174,7 @@ $(B)/nothing: $(B)/bench/nothing.o
 no_false_alarms = -Wno-stringop-overflow -Wno-stringop-overread -Wno-format-truncation
 ## asan:       the tests under the address, leak and undefined-behaviour sanitizers
 asan:
-	@ASAN_OPTIONS=detect_leaks=1 $(MAKE) --no-print-directory check B=$(B)/asan \
+	@ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0 $(MAKE) --no-print-directory check B=$(B)/asan \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all $(no_false_alarms)"
 
 FUZZ_SECONDS ?= 60

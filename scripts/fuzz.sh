@@ -6,6 +6,8 @@ set -u
 folder=$1 seconds=$2
 shift 2
 failed=0
+LSAN_OPTIONS=suppressions=tests/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS
 mkdir -p "$folder/found"
 for target in "$@"; do
   program=$folder/fuzz_$target log=$folder/$target.log
