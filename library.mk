@@ -82,7 +82,7 @@ put      = $(INSTALL) -m 644
 to       = $(DESTDIR)$(1)
 folders  = $(bindir) $(libdir) $(pkgconfigdir) $(mandir)/man1 $(completionsdir) $(datadir)/scallop
 scenes   = $(wildcard data/scenes/*.cfg)
-## install:    programs, libraries, headers, man pages, completion, scenes, to PREFIX (/usr/local), with DESTDIR in front
+## install:    programs, libraries, headers, man pages, completion, scenes, the Python caller, to PREFIX (/usr/local), with DESTDIR in front
 install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B)/man $(B)/completion.bash
 	@$(INSTALL) -d $(foreach f,$(folders),"$(call to,$(f))")
 	@$(INSTALL) $(programs) "$(call to,$(bindir))"
@@ -93,6 +93,7 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@$(put) $(foreach l,$(names),$(B)/$($(l)_name).pc) "$(call to,$(pkgconfigdir))"
 	@$(put) $(B)/man/*.1 "$(call to,$(mandir))/man1"
 	@$(put) $(B)/completion.bash "$(call to,$(completionsdir))/scallop"
+	@for module in scallop.py scallop_library.py; do $(put) -D scripts/$$module "$(call to,$(datadir))/scallop/python/$$module" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there

@@ -1,5 +1,5 @@
-/* What was really done in this run. Every solution that compare/ asks for goes through these, so that none is missed; `run --stats` prints
- * them. They may be called by several threads at once. */
+/* What was really done in this run. Every solution that compare/ asks for goes through these, so that none is missed (but where
+ * `workprec` times one); `run --stats` prints them. They may be called by several threads at once. */
 #ifndef SCALLOP_COUNTS_H
 #define SCALLOP_COUNTS_H
 

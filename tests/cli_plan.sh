@@ -130,6 +130,11 @@ few=$(memory 200) many=$(memory 20000)
 [ "$many" -lt $((few + 600)) ] || note "200 points: $few kB, 20000: $many kB"
 finish "memory does not grow with the number of points"
 
+uncounted=$(grep -n -E 'scallop_(steady|steady_batch|phase|trajectory|certified_steady|certified_phase|expand_steady|expand_phase)\(' "$scenes"/../../compare/*.c |
+  grep -v -e '/counts' -e '/workprec_ours.c')
+[ -z "$uncounted" ] || note "not counted: $uncounted"
+finish "all solutions are counted"
+
 if [ -r /proc/self/maps ]; then
   printf 'want = ( { what = "steady"; } );\n' >light.cfg
   run 0 run light.cfg

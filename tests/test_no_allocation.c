@@ -76,7 +76,9 @@ static void solve_many(const struct scallop_crawler *one)
   }
   struct scallop_crawlers all = { CRAWLERS, m1, m2, F1, F2, L, T, alpha, gait };
   struct scallop_steady_states states = { .v_start = v };
+  struct scallop_phases phases = { .v_end = v };
   (void)scallop_steady_batch(&all, &states, 1);
+  (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, alpha, &phases, 1); /* from any start velocities */
 }
 
 static void no_solve_allocates(void **state)
