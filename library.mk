@@ -94,6 +94,7 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@$(put) $(B)/man/*.1 "$(call to,$(mandir))/man1"
 	@$(put) $(B)/completion.bash "$(call to,$(completionsdir))/scallop"
 	@for module in scallop.py scallop_library.py; do $(put) -D scripts/$$module "$(call to,$(datadir))/scallop/python/$$module" || exit 1; done
+	@for page in docs/*.md; do $(put) -D $$page "$(call to,$(datadir))/doc/scallop/$${page##*/}" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there
@@ -101,4 +102,4 @@ uninstall:
 	@rm -f $(patsubst %,"$(call to,$(bindir))/%",scallop scallop-flint) "$(call to,$(completionsdir))/scallop" \
 	  "$(call to,$(mandir))"/man1/scallop.1 "$(call to,$(mandir))"/man1/scallop-*.1 $(foreach l,$(names),\
 	  "$(call to,$(pkgconfigdir))/$($(l)_name).pc" "$(call to,$(libdir))/lib$($(l)_name)".a "$(call to,$(libdir))/lib$($(l)_name)".so*)
-	@rm -rf "$(call to,$(includedir))/scallop" "$(call to,$(datadir))/scallop"
+	@rm -rf "$(call to,$(includedir))/scallop" "$(call to,$(datadir))/scallop" "$(call to,$(datadir))/doc/scallop"

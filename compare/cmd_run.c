@@ -93,7 +93,7 @@ static enum exit_code explain(const struct scenes *all, const struct options *o)
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: run --explain");
-  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, to a factor of some");
+  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so");
   table_columns(&table, plan_columns);
   table_begin_rows(&table);
   for (int i = 0; i < all->count; i++)
@@ -182,7 +182,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
     return explain(all, o);
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->quiet; i++)
-      fprintf(stderr, "scallop %s: %s: fine, %ld points, %d tables\n", o->command->name, all->scene[i]->name,
+      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
               scene_points(all->scene[i]), all->scene[i]->wants);
     return EXIT_DONE;
   }
@@ -274,7 +274,7 @@ static enum exit_code run(const struct options *o)
       continue;
     if (!input && !(input = read_input()))
       return EXIT_USAGE;
-    sources[i] = (struct scene_source){ .path = "standard input", .text = input };
+    sources[i] = (struct scene_source){ .path = "-", .text = input };
     put_back(input);
   }
   enum exit_code code = run_scenes(o, sources, count, false);
@@ -285,7 +285,7 @@ static enum exit_code run(const struct options *o)
 const struct command command_run = {
   .name = "run",
   .summary = "what a scene asks for and nothing else",
-  .example = "scallop run data/scenes/figure5.cfg --explain",
+  .example = "scallop run figure5 --explain",
   .operand = "SCENE.cfg...",
   .accepts = accepts,
   .about =
@@ -293,9 +293,9 @@ const struct command command_run = {
       "steady\n"
       "states, series, errors, orders, or the tables of other commands. docs/scenes.md has the language. Each want is a "
       "table\n"
-      "with a file and a format of its own, and may have a plot. A name without .cfg or folder is that of a scene that "
-      "comes\n"
-      "with the tool: figure2 to figure5 are. Parameters given here take the place of the scene's.\n"
+      "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
+      "the tool: figure2 to figure5, claims, errors, stress, workprec and the maps are. '-' is a scene on standard input.\n"
+      "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
       "exactly, at most, about, at least, or left out; seconds: about; why.",
   .run = run,

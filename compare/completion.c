@@ -31,7 +31,7 @@ static const char *known_values(const char *option)
   return NULL;
 }
 
-/* What a placeholder says of the values: FILE, DIR, SCENE.cfg as "FILE.cfg", a choice "2|3|4|5" as its words; or nothing. */
+/* What a placeholder says of the values: FILE, FOLDER, SCENE.cfg as "FILE.cfg", a choice "2|3|4|5" as its words; or nothing. */
 static void write_placeholder(FILE *to, const char *placeholder)
 {
   size_t length = strcspn(placeholder, "."), ending = 0;
@@ -40,8 +40,8 @@ static void write_placeholder(FILE *to, const char *placeholder)
   bool is_file = length == 4 && strncmp(placeholder, "FILE", length) == 0;
   if (is_file || ending > 0)
     fprintf(to, "FILE%.*s", (int)ending, placeholder + length);
-  else if (strcmp(placeholder, "DIR") == 0)
-    fputs(placeholder, to);
+  else if (strcmp(placeholder, "FOLDER") == 0)
+    fputs("DIR", to);
   else if (strchr(placeholder, '|'))
     for (const char *p = placeholder; *p; p++)
       putc(*p == '|' ? ' ' : *p, to);

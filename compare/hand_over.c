@@ -136,10 +136,10 @@ double scene_flint_sum(struct scene_state *state, const struct quantity *series)
   return NAN;
 }
 
-double scene_flint_error(struct scene_state *state, const struct quantity *series, double *exact)
+double scene_flint_error(struct scene_state *state, const struct quantity *series, double *value, double *exact)
 {
   (void)state, (void)series;
-  *exact = NAN;
+  *value = *exact = NAN;
   return NAN;
 }
 

@@ -73,8 +73,10 @@ static const char *set_start(struct options *o, const char *name, const char *te
 static const char *set_count(struct options *o, const char *name, const char *text)
 {
   if (strcmp(name, "digits") == 0) {
-    bool beyond_double = option_accepted(o->command, "certified") || option_accepted(o->command, "source");
+    bool scene = o->command == &command_run; /* whose wants know what is proven */
+    bool beyond_double = scene || option_accepted(o->command, "certified") || option_accepted(o->command, "source");
     return read_count(text, 1, beyond_double ? MOST_DIGITS : DOUBLE_DIGITS, &o->digits) ? NULL
+           : scene ? not_allowed(text, "a whole number from 1 to 10000; where nothing is certified from 1 to 17")
            : beyond_double
                ? not_allowed(text, "a whole number from 1 to 10000; without --certified or --source from 1 to 17")
                : not_allowed(text, "a whole number from 1 to 17");

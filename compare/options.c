@@ -176,7 +176,8 @@ static bool read_arguments(struct options *o, int count, char **arguments, int *
 static bool digits_are_sound(const struct options *o)
 {
   const struct command *command = o->command;
-  if (o->digits <= DOUBLE_DIGITS || o->certified || o->bound || strcmp(o->source, "published") != 0)
+  if (o->digits <= DOUBLE_DIGITS || command == &command_run || o->certified || o->bound
+      || strcmp(o->source, "published") != 0)
     return true;
   complain(command->name, "--digits: %ld is more than a double has: 1 to 17%s", o->digits,
            option_accepted(command, "certified") ? ", or up to 10000 with --certified"

@@ -294,7 +294,7 @@ static void plan_outputs(struct planning *p, double points)
   stage(p, COUNT_ROWS, rows, known, 0, "%s",
         runs > 0 ? "but for those of commands" : "written as they are found: memory does not grow")
       ->seconds = cells * CELL;
-  stage(p, COUNT_PLOTS, plots, PLAN_EXACTLY, PLOT, "%s", plots > 0 ? "by gnuplot" : "no plot is wanted");
+  stage(p, COUNT_PLOTS, plots, PLAN_AT_MOST, PLOT, "%s", plots > 0 ? "by gnuplot" : "no plot is wanted");
 }
 
 /* What commands do inside is not known before. */

@@ -72,26 +72,38 @@ static void need_derived(struct planning *p, const struct quantity *q)
 
 static void need_quantity(struct planning *p, int place);
 
-/* What a series should be, and what it is beside that. */
-static void need_comparison(struct planning *p, const struct quantity *q)
+/* What a series should be, and what it is beside that; once, whoever asks. */
+static void need_comparison(struct planning *p, int series_place)
 {
-  const struct quantity *series = quantity_at(p, q->of);
-  bool of_phase = quantity_is_of_phase(&p->scene->quantities, series), certified = p->plan->needs.certified_errors;
-  for (int i = 0; i < p->scene->quantities.count; i++) /* compared once, whoever asks */
-    if (&p->scene->quantities.item[i] != q && p->n.used[i] && p->scene->quantities.item[i].of == q->of)
-      return;
-  if (certified) {
-    need_certified(p, of_phase, q->name);
+  const struct quantity *series = quantity_at(p, series_place);
+  bool of_phase = quantity_is_of_phase(&p->scene->quantities, series);
+  if (p->n.compared[series_place])
+    return;
+  p->n.compared[series_place] = true;
+  if (p->plan->needs.certified_errors) {
+    need_certified(p, of_phase, series->name);
     if (series->kind == QUANTITY_PUBLISHED)
       need_formula(p, series, true);
     else
       need_derived(p, series);
     return;
   }
-  need_solution(p, of_phase, q->name);
+  need_solution(p, of_phase, series->name);
   if (series->kind == QUANTITY_PUBLISHED)
     p->n.turnings |= series->formula->quantity == SCALLOP_REAR_AT_FIRST || series->formula->quantity == SCALLOP_REAR_AT_LAST;
-  need_quantity(p, q->of);
+  need_quantity(p, series_place);
+}
+
+/* The value of a series. */
+static void need_series(struct planning *p, int place)
+{
+  const struct quantity *q = quantity_at(p, place);
+  if (p->plan->needs.certified_errors && quantity_is_compared(&p->scene->quantities, q))
+    need_comparison(p, place);
+  else if (q->kind == QUANTITY_PUBLISHED)
+    need_formula(p, q, false);
+  else
+    need_derived(p, q);
 }
 
 static void need_quantity(struct planning *p, int place)
@@ -105,13 +117,13 @@ static void need_quantity(struct planning *p, int place)
   case QUANTITY_ONSET: p->n.onset = true; break;
   case QUANTITY_STEADY: need(&p->n.steady, &p->n.for_steady, q->name); break;
   case QUANTITY_PHASE: need_phase(p, q->name); break;
-  case QUANTITY_PUBLISHED: need_formula(p, q, false); break;
+  case QUANTITY_PUBLISHED:
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: need_derived(p, q); break;
+  case QUANTITY_LIMIT: need_series(p, place); break;
   case QUANTITY_CERTIFIED: need_certified(p, q->which >= STEADY_VALUES, q->name); break;
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
-  case QUANTITY_RELATIVE: need_comparison(p, q); break;
+  case QUANTITY_RELATIVE: need_comparison(p, q->of); break;
   default: break; /* a parameter, a label, a sample, status */
   }
 }

@@ -6,7 +6,7 @@
 
 /* What a point needs, gathered from all columns of all wants */
 struct needed {
-  bool used[MOST_QUANTITIES];
+  bool used[MOST_QUANTITIES], compared[MOST_QUANTITIES];
   bool steady, phase, turnings, onset, v0;
   bool certified_steady, certified_phase, steady_series, phase_series;
   bool errors;

@@ -16,11 +16,12 @@ struct plot {
   const char *title;    /* or NULL                                                          */
   const char *x;        /* columns by their names; with a script they are not looked at     */
   const char *const *y; /* NULL-terminated, 1 to PLOT_QUANTITIES                            */
-  const char *by;       /* a curve for each value of this column, PLOT_VALUES at most; or NULL */
+  const char *by;       /* a curve for each value of this column, or for each combination of those of several, whose names
+                           commas separate: PLOT_VALUES curves at most; or NULL */
   bool log_x, log_y;
 };
 
-enum { PLOT_QUANTITIES = 16, PLOT_VALUES = 24 };
+enum { PLOT_QUANTITIES = 16, PLOT_VALUES = 24, PLOT_BY = 8 };
 
 /* What a file is by its ending: "svg", "png", "pdf", or NULL: nothing that can be drawn. */
 const char *plot_kind(const char *file);

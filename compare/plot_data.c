@@ -1,3 +1,4 @@
+#define _DEFAULT_SOURCE /* strsep */
 #include "compare/plot_data.h"
 
 #include <errno.h>
@@ -9,7 +10,7 @@
 #include "compare/compare.h"
 #include "compare/lines.h"
 
-enum { MOST_CELLS = 256, NONE = -1 };
+enum { MOST_CELLS = 256, MOST_BY = 1024, NONE = -1 };
 
 struct reader {
   const struct plot *plot;
@@ -18,7 +19,7 @@ struct reader {
   struct lines lines;
   char *cells[MOST_CELLS];
   int columns; /* 0: the header is not read yet */
-  int x, y[PLOT_QUANTITIES], by;
+  int x, y[PLOT_QUANTITIES], by[PLOT_BY], bys;
   long rows;
 };
 
@@ -61,10 +62,29 @@ static bool find_column(struct reader *r, const char *name, int *place)
   return false;
 }
 
+/* The columns of by, whose names are separated by commas; one whose own name has a comma is found first. */
+static bool find_by(struct reader *r)
+{
+  char names[MOST_BY], *rest = names;
+  const char *by = r->plot->by;
+  if (!by)
+    return true;
+  for (int i = 0; i < r->columns; i++)
+    if (strcmp(r->cells[i], by) == 0) {
+      r->by[r->bys++] = i;
+      return true;
+    }
+  snprintf(names, sizeof names, "%s", by);
+  for (char *name; (name = strsep(&rest, ",")) && r->bys < PLOT_BY; r->bys++)
+    if (!find_column(r, name + strspn(name, " "), &r->by[r->bys]))
+      return false;
+  return true;
+}
+
 static bool take_header(struct reader *r)
 {
   r->columns = lines_cells(r->lines.line, r->cells, MOST_CELLS);
-  if (!find_column(r, r->plot->x, &r->x) || (r->plot->by && !find_column(r, r->plot->by, &r->by)))
+  if (!find_column(r, r->plot->x, &r->x) || !find_by(r))
     return false;
   for (int i = 0; i < r->data->quantities; i++)
     if (!find_column(r, r->plot->y[i], &r->y[i]))
@@ -132,7 +152,11 @@ static bool take_row(struct reader *r)
              r->lines.number, count, r->columns);
     return false;
   }
-  int value = place_of_value(r, r->plot->by ? r->cells[r->by] : "");
+  char values[MOST_BY] = "";
+  size_t used = 0;
+  for (int i = 0; i < r->bys && used < sizeof values; i++)
+    used += (size_t)snprintf(values + used, sizeof values - used, "%s%s", i > 0 ? ", " : "", r->cells[r->by[i]]);
+  int value = place_of_value(r, values);
   if (value == NONE)
     return false;
   double x = shown_number(r->cells[r->x], r->plot->log_x);

@@ -18,8 +18,14 @@ enum { STEADY_SERIES = STEADY_MEAN_VELOCITY + 1 };
 static const struct {
   const char *name;
   enum quantity_kind kind;
-} single[] = { { "v0", QUANTITY_V0 },         { "froude", QUANTITY_FROUDE },        { "gait", QUANTITY_GAIT },
-               { "status", QUANTITY_STATUS }, { "sticking_onset", QUANTITY_ONSET }, { "phase", QUANTITY_PHASE_NAME } };
+} single[] = { { "v0", QUANTITY_V0 },
+               { "froude", QUANTITY_FROUDE },
+               { "gait", QUANTITY_GAIT },
+               { "status", QUANTITY_STATUS },
+               { "sticking_onset", QUANTITY_ONSET },
+               { "phase", QUANTITY_PHASE_NAME },
+               { "F1_over_F2", QUANTITY_F1_OVER_F2 },
+               { "m1_over_m2", QUANTITY_M1_OVER_M2 } };
 enum { SINGLE = sizeof single / sizeof *single };
 
 static const struct {
@@ -183,6 +189,14 @@ bool quantity_is_text(const struct quantity *q)
 bool quantity_is_series(const struct quantity *q)
 {
   return q->kind == QUANTITY_PUBLISHED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT;
+}
+
+bool quantity_is_compared(const struct quantities *all, const struct quantity *series)
+{
+  for (int i = 0; i < all->count; i++)
+    if (all->item[i].of >= 0 && &all->item[all->item[i].of] == series)
+      return true;
+  return false;
 }
 
 bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q)

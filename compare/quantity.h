@@ -1,6 +1,6 @@
 /* What a scene can ask for at a point, by name:
  *
- *     m1 m2 F1 F2 L T alpha v0 froude gait        the point; labels
+ *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
  *     sticking_onset                              the longest period at which an extension from rest does not stick
  *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
  *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
@@ -26,6 +26,8 @@ enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                  */
   QUANTITY_V0,
   QUANTITY_FROUDE,
+  QUANTITY_F1_OVER_F2,
+  QUANTITY_M1_OVER_M2,
   QUANTITY_GAIT,
   QUANTITY_PHASE_NAME,
   QUANTITY_LABEL, /* which                                                                         */
@@ -95,6 +97,8 @@ const char *quantity_near(const struct quantities *all, const char *name);
 bool quantity_is_text(const struct quantity *q);
 /* Is it a series: published, derived, or the limit? */
 bool quantity_is_series(const struct quantity *q);
+/* Is the series compared with what it should be? */
+bool quantity_is_compared(const struct quantities *all, const struct quantity *series);
 /* Is it about a phase, not the steady state? Of series, and of what is said of them. */
 bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q);
 /* Does the formula take switching times as given? */

@@ -61,7 +61,7 @@ static bool check_varied(const struct reading *r, const config_setting_t *at, co
   const struct scene_variable *v;
   for (int i = 0; (v = scene_variable(r->scene, i)); i++) {
     const char *name = scene_variable_sets(v);
-    quantity_named(&r->scene->quantities, name); /* a cell in front of the rows */
+    quantity_named(&r->scene->quantities, v->name); /* a cell in front of the rows */
     if (v->target != TARGET_LABEL && (!option_accepted(w->command, name) || (no_T && strcmp(name, "T") == 0)))
       return refuse_at(r, at, "%s varies, and %s does not take it%s", v->name, w->what, no_T ? " without a map" : "");
   }

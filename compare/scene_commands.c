@@ -12,14 +12,13 @@ void command_leads(const struct running *r, struct output *o)
 {
   const struct scene_variable *v;
   for (int i = 0; (v = scene_variable(r->scene, i)); i++) {
-    const char *name = scene_variable_sets(v);
-    int place = quantity_find(&r->scene->quantities, name), k = 0;
+    int place = quantity_find(&r->scene->quantities, v->name), k = 0;
     while (k < o->leads && o->lead_quantity[k] != place)
       k++;
     if (k < o->leads || o->leads == LEADS || place < 0)
       continue;
     o->lead_quantity[o->leads] = place;
-    o->lead_name[o->leads++] = name;
+    o->lead_name[o->leads++] = v->name;
   }
   if (o->leads > 0)
     table_lead(&o->table, o->lead_name, o->leads);

@@ -372,10 +372,10 @@ static void subtract(arb_t x, const fmpq_t q, slong precision)
   arb_clear(ball);
 }
 
-double scene_flint_error(struct scene_state *s, const struct quantity *series, double *exact)
+double scene_flint_error(struct scene_state *s, const struct quantity *series, double *rounded, double *exact)
 {
   struct scene_flint *f = at_point(s);
-  double error = *exact = NAN;
+  double error = *rounded = *exact = NAN;
   if (!f)
     return NAN;
   slong precision = bits_of(certified_digits(&s->needs), series->order);
@@ -392,6 +392,7 @@ double scene_flint_error(struct scene_state *s, const struct quantity *series, d
     bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, f, series->formula, precision)
                                                     : derived_value(value, s, f, series, precision);
     if (found) {
+      *rounded = arf_get_d(arb_midref(value), ARF_RND_NEAR);
       arb_sub(value, value, difference, precision);
       error = told(value, difference, s->needs.accuracy);
     }

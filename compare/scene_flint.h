@@ -10,8 +10,8 @@ void scene_flint_forget(struct scene_flint *flint);
 
 /* The sum of a derived series, or of its first term, at the point. */
 double scene_flint_sum(struct scene_state *state, const struct quantity *series);
-/* series - exact against certified values, and the exact value; 0 where it is below the accuracy that the scene wants. */
-double scene_flint_error(struct scene_state *state, const struct quantity *series, double *exact);
+/* series - exact against certified values, and both; 0 where it is below the accuracy that the scene wants. */
+double scene_flint_error(struct scene_state *state, const struct quantity *series, double *value, double *exact);
 /* A certified value with so many digits; it lives until the next call. */
 const char *scene_flint_certified(struct scene_state *state, const struct quantity *q, long digits);
 

@@ -13,6 +13,34 @@ static bool varies(const struct scene *s, const char *parameter)
   return false;
 }
 
+/* A measured gait among several brings L, T and alpha of its own. */
+static bool goes_with_gait(const struct scene *s, const char *parameter)
+{
+  const struct scene_variable *v;
+  int place = crawler_place(parameter);
+  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
+  for (int i = 0; own && (v = scene_variable(s, i)); i++)
+    for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
+      measured |= strncmp(v->texts[k], "measured:", 9) == 0;
+  return measured;
+}
+
+/* What was given on the command line in place of the scene's; false: nothing was. */
+static bool note_given(struct table *t, const struct running *r)
+{
+  const struct options *o = r->options;
+  char text[1024];
+  size_t used = 0;
+  for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
+    const char *given = i < CRAWLER_NUMBERS ? o->written[i] : o->has_gait ? o->crawler.gait->name : NULL;
+    if (given)
+      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s", crawler_parameters[i], given);
+  }
+  if (used > 0)
+    table_note(t, "in place of what the scene says of them:%s", text);
+  return used > 0;
+}
+
 /* The parameters that stay the same */
 static void note_parameters(struct table *t, const struct scene *s)
 {
@@ -20,7 +48,7 @@ static void note_parameters(struct table *t, const struct scene *s)
   size_t used = 0;
   for (const char *const *name = crawler_parameters; *name && used < sizeof text; name++) {
     char number[NUMBER_TEXT];
-    if (varies(s, *name))
+    if (varies(s, *name) || goes_with_gait(s, *name))
       continue;
     if (crawler_place(*name) < CRAWLER_NUMBERS)
       number_text(number, crawler_parameter(&s->base.crawler, *name), 0);
@@ -72,10 +100,11 @@ void head_write(const struct running *r, struct output *o)
   struct table *t = &o->table;
   const struct scene *s = r->scene;
   table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: run %s.cfg", s->name);
+  table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
     table_note(t, "%s", s->title);
-  for (int i = 0; i < s->notes; i++)
+  bool given = note_given(t, r);
+  for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
   note_parameters(t, s);
   note_start(t, s, o->want);

@@ -7,6 +7,7 @@
 
 #include "compare/lines.h"
 #include "compare/scene_parts.h"
+#include "compare/shipped.h"
 
 /* ---- messages ---- */
 
@@ -211,6 +212,7 @@ static bool set_parameter(const struct reading *r, const config_setting_t *at, s
 static bool read_crawler(const struct reading *r, const config_setting_t *crawler)
 {
   struct options *base = &r->scene->base;
+  options_complete(base);
   if (!crawler)
     return true;
   if (!config_setting_is_group(crawler))
@@ -241,6 +243,7 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
     if (!set_parameter(r, at, base, name, text))
       return false;
   }
+  options_complete(base);
   return true;
 }
 
@@ -321,7 +324,9 @@ static enum exit_code parse(const struct reading *r, const struct scene_source *
     if (in)
       fclose(in);
     if (!readable) {
-      complain(command, "cannot read %s: %s", source->path, strerror(error));
+      const char *near = strchr(source->path, '/') || strchr(source->path, '.') ? NULL : shipped_near(source->path);
+      complain(command, "cannot read %s: %s%s%s%s", source->path, strerror(error), near ? "; did you mean '" : "",
+               near ? near : "", near ? "', which comes with the tool?" : "");
       return EXIT_FILE;
     }
     if (!is_text(source->path)) {
@@ -332,7 +337,10 @@ static enum exit_code parse(const struct reading *r, const struct scene_source *
       return EXIT_DONE;
   }
   const char *at = config_error_file(file);
-  complain(command, "%s:%d: %s", at ? at : r->path, config_error_line(file), config_error_text(file));
+  const char *text = config_error_text(file);
+  bool mixed = text && strstr(text, "mismatched element type") != NULL;
+  complain(command, "%s:%d: %s%s", at ? at : r->path, config_error_line(file), text,
+           mixed ? ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" : "");
   return EXIT_USAGE;
 }
 

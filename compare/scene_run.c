@@ -137,8 +137,8 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     o->file = outputs->file[i];
     o->options = *r->options;
     o->options.crawler = r->scene->base.crawler;
-    o->options.format = r->options->has_format ? r->options->format : o->want->format;
-    o->options.digits = r->options->digits > 0 ? r->options->digits : o->want->digits;
+    o->options.format = o->want->format;
+    o->options.digits = o->want->digits;
     o->options.output = o->file;
     /* A command that runs once opens its table itself: a map then goes on where it was interrupted. */
     if (o->want->kind == WANT_COMMAND && scene_points(r->scene) == 1)
@@ -194,10 +194,13 @@ static enum exit_code draw_plots(const struct running *r, const struct scene_out
                                .log_y = p->log_y };
     if (!plot.file)
       continue;
-    if (plot_draw(&plot, r->options->command->name))
-      count_add(COUNT_PLOTS, 1);
-    else
+    if (!plot_draw(&plot, r->options->command->name)) {
       code = EXIT_FILE;
+      continue;
+    }
+    count_add(COUNT_PLOTS, 1);
+    if (!r->options->quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, plot.file);
   }
   return code;
 }
@@ -209,7 +212,7 @@ static void tell(const struct running *r)
     complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene->name, r->unsolved, r->points,
              r->why);
   if (r->failed_checks > 0)
-    complain(command, "%s: %ld orders are not what is expected: the column 'verdict' says how", r->scene->name,
+    complain(command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", r->scene->name,
              r->failed_checks);
 }
 

@@ -64,16 +64,17 @@ static double range_value(struct scene_state *s, const struct scene_variable *v,
   return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
 }
 
-/* One that follows from others and keeps body 2, or the Froude number. */
-static void set_derived(struct scene_state *s, const struct scene_variable *v, double x)
+/* What follows from other parameters follows from them as they are now, and the Froude number is last. */
+static void settle(struct scene_state *s)
 {
   const struct scallop_crawler *c = &s->at.crawler;
-  if (v->target == TARGET_F1_OVER_F2)
-    set_number(s, crawler_place("F1"), x * c->F2, NULL, v->name);
-  else if (v->target == TARGET_M1_OVER_M2)
-    set_number(s, crawler_place("m1"), x * c->m2, NULL, v->name);
-  else
-    set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / x), NULL, v->name);
+  options_complete(&s->at);
+  if (!isnan(s->F1_over_F2))
+    set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
+  if (!isnan(s->m1_over_m2))
+    set_number(s, crawler_place("m1"), s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
+  if (!isnan(s->froude))
+    set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
 }
 
 static void set_v0(struct scene_state *s, double v0)
@@ -96,20 +97,10 @@ static void set_variable(struct scene_state *s, const struct scene_variable *v, 
   case TARGET_GAIT: options_set_parameter(&s->at, "gait", text); break; /* it was made when the scene was read */
   case TARGET_V0: set_v0(s, x); break;
   case TARGET_LABEL: s->label[v->place] = text; break;
-  default: set_derived(s, v, x);
+  case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
+  case TARGET_M1_OVER_M2: s->m1_over_m2 = x; break;
+  case TARGET_FROUDE: s->froude = x; break;
   }
-}
-
-/* In each group what follows from other parameters comes after them, and the Froude number last. */
-static void set_group(struct scene_state *s, const struct scene_group *group, long i)
-{
-  for (int pass = 0; pass < 3; pass++)
-    for (int k = 0; k < group->variables; k++) {
-      const struct scene_variable *v = &group->variable[k];
-      bool is_ratio = v->target == TARGET_F1_OVER_F2 || v->target == TARGET_M1_OVER_M2;
-      if (pass == (v->target == TARGET_FROUDE ? 2 : is_ratio ? 1 : 0))
-        set_variable(s, v, i);
-    }
 }
 
 void state_move(struct scene_state *s, const struct scene_product *product, const long *index)
@@ -124,9 +115,12 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
     scene_flint_forget(s->flint);
-  for (int g = 0; g < product->groups; g++)
-    set_group(s, &product->group[g], index[g]);
-  options_complete(&s->at);
+  s->F1_over_F2 = s->m1_over_m2 = s->froude = NAN;
+  for (int g = 0; g < product->groups; g++) {
+    for (int v = 0; v < product->group[g].variables; v++)
+      set_variable(s, &product->group[g].variable[v], index[g]);
+    settle(s);
+  }
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
   count_add(COUNT_POINTS, 1);
 }
@@ -266,10 +260,13 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
   const struct quantity *series = &s->scene->quantities.item[place];
   struct scene_comparison *c = &s->comparison[place];
   if (!c->done && s->needs.certified_errors)
-    c->error = scene_flint_error(s, series, &c->exact);
+    c->error = scene_flint_error(s, series, &c->value, &c->exact);
   else if (!c->done) {
     c->exact = exact_in_double(s, series);
-    c->error = state_number(s, place) - c->exact;
+    c->value = state_number(s, place);
+    c->error = c->value - c->exact;
+    if (fabs(c->error) < s->needs.accuracy * fabs(c->exact))
+      c->error = 0;
   }
   c->done = true;
   return c;
@@ -283,10 +280,12 @@ static double about_series(struct scene_state *s, const struct quantity *q)
 
 /* ---- quantities ---- */
 
-/* To the bit what the solver says */
+/* What it was set to, or to the bit what the solver says */
 static double froude(struct scene_state *s)
 {
   struct scallop_scaled scaled;
+  if (!isnan(s->froude))
+    return s->froude;
   return check(s, scallop_scale(&s->at.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
@@ -296,12 +295,16 @@ static double compute(struct scene_state *s, const struct quantity *q)
   const struct scallop_steady_result *r;
   const struct exact_phase *p;
   double numbers[CRAWLER_NUMBERS];
+  if (s->needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
+    return compared(s, quantity_find(&s->scene->quantities, q->name))->value; /* rounded from the one that the error is of */
   if (s->why[0] != '\0' && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
   switch (q->kind) {
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
   case QUANTITY_FROUDE: return froude(s);
+  case QUANTITY_F1_OVER_F2: return isnan(s->F1_over_F2) ? c->F1 / c->F2 : s->F1_over_F2;
+  case QUANTITY_M1_OVER_M2: return isnan(s->m1_over_m2) ? c->m1 / c->m2 : s->m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
   case QUANTITY_STEADY: return (r = steady(s)) ? steady_number(r, q->which) : NAN;
   case QUANTITY_PHASE: return (p = phase(s)) ? phase_number(p, q->which) : NAN;

@@ -18,7 +18,7 @@ struct scene_flint; /* scene_flint.h: series and certified values */
 
 struct scene_comparison { /* of a series with what it should be                                      */
   bool done;
-  double exact, error;
+  double value, exact, error; /* error: 0 below the accuracy that is wanted                       */
 };
 
 struct scene_state {
@@ -27,7 +27,8 @@ struct scene_state {
   struct options at; /* the parameters                                                          */
   char written[CRAWLER_NUMBERS][NUMBER_TEXT], written_v0[NUMBER_TEXT];
   const char *label[QUANTITY_LABELS];
-  char why[POINT_STATUS]; /* the first thing that could not be done, or ""                       */
+  double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan                               */
+  char why[POINT_STATUS];                /* the first thing that could not be done, or ""                       */
   bool has_steady, has_phase, has_turnings;
   enum scallop_status steady_status, phase_status;
   struct scallop_steady_result steady;

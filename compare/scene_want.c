@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/plot.h"
 #include "compare/scene_parts.h"
 
 enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17 };
@@ -40,6 +41,19 @@ static bool read_accuracy(const struct reading *r, const config_setting_t *at, s
                       w->accuracy);
 }
 
+/* More digits than a double has are digits of something certified. */
+static bool check_digits(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
+{
+  bool has = w->digits <= DOUBLE_DIGITS;
+  for (int i = 0; i < w->columns; i++)
+    has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
+  return has
+         || refuse_at(
+             r, config_setting_get_member(at, "digits"),
+             "%ld digits are more than a double has, and no column is certified: certified.displacement is, for one",
+             w->digits);
+}
+
 static bool read_rows(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const keys[] = { "what",  "file", "format", "digits",   "columns",   "source",
@@ -56,7 +70,7 @@ static bool read_rows(const struct reading *r, const config_setting_t *at, struc
   if (idle)
     return refuse_at(r, idle, "%s is for what = \"series\", \"error\" and \"orders\"", config_setting_name(idle));
   if (count > 0)
-    return add_columns(r, config_setting_get_member(at, "columns"), w, asked);
+    return add_columns(r, config_setting_get_member(at, "columns"), w, asked) && check_digits(r, at, w);
   return add_labels(r, at, w)
          && (is_series || is_error            ? series_columns(r, at, w, is_error)
              : strcmp(w->what, "steady") == 0 ? steady_columns(r, at, w)
@@ -149,6 +163,21 @@ static bool has_column(const struct scene_want *w, const char *name)
   return w->columns == 0; /* a command's own, or those of orders: it will show */
 }
 
+/* One column, or several. */
+static bool read_by(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
+{
+  const char *names[PLOT_BY];
+  int count = 0;
+  if (!read_member_texts(r, at, "by", names, PLOT_BY, &count))
+    return false;
+  p->by = count > 0 ? names[0] : NULL;
+  for (int i = 1; i < count && p->by; i++) {
+    p->by = keep_text(r, p->by, (int)strlen(p->by), ", ");
+    p->by = p->by ? keep_text(r, p->by, (int)strlen(p->by), names[i]) : NULL;
+  }
+  return count == 0 || p->by;
+}
+
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const keys[] = { "file", "script", "x", "y", "by", "log_x", "log_y", NULL };
@@ -158,8 +187,7 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
   if (!keys_known(r, at, keys, "a plot") || !read_member_text(r, at, "file", &p->file)
-      || !read_member_text(r, at, "script", &p->script) || !read_member_text(r, at, "x", &p->x)
-      || !read_member_text(r, at, "by", &p->by)
+      || !read_member_text(r, at, "script", &p->script) || !read_member_text(r, at, "x", &p->x) || !read_by(r, at, p)
       || !read_member_texts(r, at, "y", p->y, (int)(sizeof p->y / sizeof *p->y) - 1, &count)
       || !read_member_flag(r, at, "log_x", &p->log_x) || !read_member_flag(r, at, "log_y", &p->log_y))
     return false;
@@ -168,7 +196,9 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   const char *dot = strrchr(p->file, '.');
   if (!dot || (strcmp(dot, ".svg") != 0 && strcmp(dot, ".png") != 0 && strcmp(dot, ".pdf") != 0))
     return refuse_at(r, at, "'%.200s': a plot's file ends in .svg, .png or .pdf", p->file);
-  if (!w->file || w->format != FORMAT_TSV)
+  if (r->options->has_format && r->options->format != FORMAT_TSV) /* of what the command line asks for there is none */
+    w->has_plot = false;
+  else if (!w->file || w->format != FORMAT_TSV)
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script) {
     p->script = path_beside(r, p->script);
@@ -176,10 +206,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   }
   if (!p->x || count == 0)
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
-  const char *all[] = { p->x, p->by };
-  for (int i = 0; i < 2; i++)
-    if (all[i] && !has_column(w, all[i]))
-      return refuse_at(r, at, "the table has no column %s", all[i]);
+  if (!has_column(w, p->x))
+    return refuse_at(r, at, "the table has no column %s", p->x);
   for (int i = 0; i < count; i++)
     if (!has_column(w, p->y[i]))
       return refuse_at(r, at, "the table has no column %s", p->y[i]);
@@ -191,17 +219,20 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
 static bool read_output(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   const char *format = NULL;
-  const config_setting_t *digits = config_setting_get_member(at, "digits");
   bool beyond = strcmp(w->what, "steady") == 0 || strcmp(w->what, "phase") == 0 || w->kind == WANT_COMMAND;
+  long most = beyond ? MOST_DIGITS : DOUBLE_DIGITS;
   if (!read_member_text(r, at, "file", &w->file) || !read_member_text(r, at, "format", &format)
-      || !read_member_count(r, at, "digits", 1, beyond ? MOST_DIGITS : DOUBLE_DIGITS, &w->digits))
+      || !read_member_count(r, at, "digits", 1, most, &w->digits))
     return false;
+  if (r->options->digits > most)
+    return refuse_at(r, at, "--digits %ld: in this table a whole number from 1 to %ld", r->options->digits, most);
+  if (r->options->digits > 0)
+    w->digits = r->options->digits;
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
   if (format && strcmp(format, "tsv") != 0 && strcmp(format, "json") != 0)
     return refuse_at(r, config_setting_get_member(at, "format"), "format is \"tsv\" or \"json\"");
-  w->format = format && *format == 'j' ? FORMAT_JSON : FORMAT_TSV;
-  (void)digits;
+  w->format = r->options->has_format ? r->options->format : format && *format == 'j' ? FORMAT_JSON : FORMAT_TSV;
   return true;
 }
 

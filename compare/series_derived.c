@@ -357,6 +357,8 @@ static void note_parameters(struct report *r)
   char line[1200] = "", number[NUMBER_TEXT];
   size_t at = 0;
   for (int i = 0; i < 7 && at < sizeof line; i++) {
+    if (table_varies(&r->table, crawler_parameters[i]))
+      continue;
     number_text(number, crawler_parameter(&o->crawler, crawler_parameters[i]), 0);
     at += (size_t)snprintf(line + at, sizeof line - at, "%s=%.120s ", crawler_parameters[i],
                            o->written[i] ? o->written[i] : number);

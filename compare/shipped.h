@@ -11,4 +11,7 @@ extern const struct shipped shipped_scenes[];
 /* The text of the scene called name ("figure4"), or NULL. */
 const char *shipped_scene(const char *name);
 
+/* The name of one that is near, or NULL. */
+const char *shipped_near(const char *name);
+
 #endif

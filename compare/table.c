@@ -159,13 +159,17 @@ static void put_number(struct table *table, double x, long digits)
   t->used += number_text(room(t, NUMBER_TEXT), x, digits);
 }
 
-/* Is that in front of each row, and varies? */
-static bool is_lead(const struct table *t, const char *name)
+bool table_varies(const struct table *t, const char *name)
 {
+  static const char *const derived[][2] = { { "F1", "F1_over_F2" }, { "m1", "m1_over_m2" }, { "T", "froude" } };
   const struct table *first = t->into ? t->into : t;
-  for (int i = 0; i < first->leads; i++)
+  for (int i = 0; i < first->leads; i++) {
     if (strcmp(first->lead_names[i], name) == 0)
       return true;
+    for (int k = 0; k < 3; k++)
+      if (strcmp(derived[k][0], name) == 0 && strcmp(derived[k][1], first->lead_names[i]) == 0)
+        return true;
+  }
   return false;
 }
 
@@ -175,7 +179,7 @@ void table_parameters(struct table *t, const struct options *o)
     return;
   put_text(t, "# parameters:");
   for (const char *const *name = crawler_parameters; *name; name++) {
-    if (is_lead(t, *name))
+    if (table_varies(t, *name))
       continue;
     put_char(t, ' ');
     put_text(t, *name);

@@ -52,7 +52,9 @@ void table_lead(struct table *table, const char *const *names, int count);
 void table_lead_values(struct table *table, const double *numbers, const char *const *texts);
 /* A '#' line before the columns or after the rows; nothing in JSON, nor before the rows of a later continuation. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* "# parameters: m1=1 ..." */
+/* Does a parameter vary: stands it, or what sets it, in front of each row? */
+bool table_varies(const struct table *table, const char *parameter);
+/* "# parameters: m1=1 ...", those that do not vary */
 void table_parameters(struct table *table, const struct options *options);
 /* The header row: NULL-terminated names, which must outlive the table, of a continuation only until it is closed. May be
  * called in parts. */

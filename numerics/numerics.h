@@ -167,8 +167,8 @@ typedef bool scallop_sampler(void *context, const struct scallop_sample *sample)
 /* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times
  * t = (n + j/samples) T, and once more at the very end. Velocity and position at the period starts
  * are carried in compensated arithmetic: their error does not grow with the number of periods.
- * Statuses as scallop_phase; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after
- * the samples before, where a position overflows. */
+ * Statuses as scallop_phase; SCALLOP_STOPPED where the sampler ended it; SCALLOP_EDOMAIN also for periods or samples < 1;
+ * SCALLOP_ERANGE, after the samples before, where a position overflows. */
 enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);
 

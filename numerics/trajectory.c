@@ -120,5 +120,5 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
                                   .l = 0 };
     sampler(context, &end);
   }
-  return SCALLOP_OK;
+  return r.stopped ? SCALLOP_STOPPED : SCALLOP_OK;
 }

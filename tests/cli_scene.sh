@@ -220,7 +220,22 @@ if not all(near(a, ratio[0], 1e-4) for a in ratio):
 E2
 sed 's/expect = 4/expect = 3/' orders.cfg >bad.cfg
 run 1 run bad.cfg
-grep -q '2 orders are not what is expected' err || note "orders that fail: $(cat err)"
+grep -q 'not as expected: 2' err || note "orders that fail: $(cat err)"
+scene small.cfg <<'E2'
+crawler = { alpha = 0.6; T = 0.001; };
+want = ( { what = "error"; of = [ "text_steady_xC" ]; columns = [ "S = text_steady_xC", "exact.text_steady_xC", "e = error.text_steady_xC" ]; } );
+E2
+run 0 run small.cfg
+[ "$(cells out e)" = 0 ] || note "an error below the accuracy: $(cells out e)"
+sed 's/what = "error";/what = "error"; accuracy = 1e-25;/' small.cfg >fine.cfg
+run 0 run fine.cfg
+[ "$(cells out S)" = 1.875 ] || note "the value beside a certified error is another: $(cells out S)"
+printf 'want = ( { what = "steady"; digits = 40; columns = [ "x = 2*displacement" ]; } );\n' >bad.cfg
+run 2 run bad.cfg
+grep -q '40 digits are more than a double has' err || note "40 digits of doubles: $(cat err)"
+printf 'want = ( { what = "steady"; columns = [ "certified.displacement" ]; digits = 40; } );\n' >forty.cfg
+run 0 run forty.cfg --digits 25
+[ "$(rows out | wc -c)" = 27 ] || note "--digits 25: $(rows out)"
 scene rest.cfg <<'E2'
 start = "rest";
 crawler = { m1 = 1.3; m2 = 0.9; };
@@ -263,13 +278,40 @@ if [(r["part"], r["F1"], r["r"], r["m1"]) for r in rows[99:]] != [("b", f, x, m)
 if not all(near(number(r, "froude"), x, 1e-15) for r, x in zip(rows[99:], (2, 0.5) * 3)):
     bad("froude", rows[99:])
 E2
+# ratios and Froude numbers hold whatever is set after them, and whatever a gait brings
+scene froude.cfg <<'E2'
+vary = ( { froude = [ 3.0, 10.0 ]; }, { F1_over_F2 = [ 2.0, 4.0 ]; m1_over_m2 = 3; }, { F2 = [ 0.7, 3.0 ]; m2 = [ 2.0, 5.0 ]; } );
+want = ( { what = "steady"; columns = [ "F1_over_F2", "r = F1/F2", "m = m1/m2", "froude", "fr = (m1+m2)*L/(F1+F2)/T^2" ]; } );
+E2
+run 0 run froude.cfg
+python out <<'E2'
+rows = read(sys.argv[1])
+if [(r["froude"], r["F1_over_F2"]) for r in rows] != [(f, x) for f in ("3", "10") for x in "2244"]:
+    bad(rows)
+for r in rows:
+    if not (near(number(r, "fr"), number(r, "froude"), 1e-14) and near(number(r, "r"), number(r, "F1_over_F2"), 1e-15) and near(number(r, "m"), 3, 1e-15)):
+        bad(r)
+E2
 mkdir deep
 printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >deep/gait.txt
 printf 'crawler = { gait = "measured:gait.txt"; };\nwant = ( { what = "steady"; columns = [ "T", "alpha", "displacement" ]; } );\n' >deep/measured.cfg
 run 0 run deep/measured.cfg
 [ "$(cells out T alpha)" = "10 0.7" ] || note "a measured gait beside the scene: $(cat out err)"
+grep -q '^# parameters: .* L=4 T=10 alpha=0.7 gait=measured:deep/gait.txt' out || note "the head: $(grep parameters out)"
+printf 'crawler = { gait = "measured:gait.txt"; };\nvary = ( { froude = [ 1.0, 2.0 ]; } );\nwant = ( { what = "steady"; columns = [ "L", "fr = (m1+m2)*L/(F1+F2)/T^2" ]; } );\n' >deep/froude.cfg
+run 0 run deep/froude.cfg --digits 12
+[ "$(cells out L fr | tr '\n' ';')" = "4 1;4 2;" ] || note "a Froude number of a measured gait: $(cat out)"
 printf '@include "measured.cfg"\nphase = "extension";\n' >deep/including.cfg
 run 0 run deep/including.cfg
+printf 'vary = ( { m1_over_m2 = [ 0.5, 2.0 ]; }, { froude = 3.0; } );\nwant = ( { what = "terms"; order = 3; } );\n' >leads.cfg
+run 0 run leads.cfg
+[ "$(header out | cut -d ' ' -f 1-3)" = "m1_over_m2 froude phase" ] || note "rows of commands cannot be told apart: $(header out)"
+grep -q '^# parameters: m2=1 F1=4 F2=1 L=10 alpha=0.75 gait=quadratic$' out || note "the head says what varies: $(grep parameters out)"
+printf 'vary = ( { F1 = [1, 2.5]; } );\nwant = ( { what = "steady"; } );\n' >bad.cfg
+run 2 run bad.cfg
+grep -q 'within \[ \]' err || note "a mixed array: $(cat err)"
+run 4 run figur4
+grep -q "did you mean 'figure4'" err || note "a scene that nearly comes with the tool: $(cat err)"
 finish "overrides, ranges, ratios, labels, points that fail, files beside the scene"
 
 # ---- plots ----
