@@ -1,3 +1,4 @@
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -5,7 +6,9 @@
 #include <unistd.h>
 
 #include "compare/compare.h"
+#include "compare/scene_places.h"
 #include "compare/scene_run.h"
+#include "compare/scene_text.h"
 #include "compare/shipped.h"
 #include "compare/with_flint.h"
 
@@ -17,6 +20,7 @@ enum { MOST_SCENES = 64 };
 
 struct scenes {
   int count;
+  const char *input; /* the text of the one on standard input, or NULL */
   struct scene *scene[MOST_SCENES];
   struct plan *plan[MOST_SCENES];
   struct scene_outputs outputs[MOST_SCENES];
@@ -63,22 +67,21 @@ static bool place_tables(struct scenes *all, const struct options *o, bool to_ou
   return true;
 }
 
-/* Two tables in one place would be one after the other, or one instead of the other. */
-static bool check_places(const struct scenes *all, const char *command)
+/* Tables and plots all go to different places, and none in that of a file that is read. */
+static bool check_places(const struct scenes *all, const struct options *o)
 {
-  const char *seen[MOST_SCENES * SCENE_WANTS];
-  int count = 0;
-  for (int i = 0; i < all->count; i++)
-    for (int w = 0; w < all->scene[i]->wants; w++) {
-      const char *file = all->outputs[i].file[w];
-      for (int k = 0; k < count; k++)
-        if ((!file && !seen[k]) || (file && seen[k] && strcmp(file, seen[k]) == 0)) {
-          complain(command, "two tables would go to %s: give each want a file of its own", file ? file : "standard output");
-          return false;
-        }
-      seen[count++] = file;
-    }
-  return true;
+  struct scene_places *places = calloc(1, sizeof *places);
+  bool good = places != NULL;
+  if (!places)
+    complain(o->command->name, "out of memory");
+  for (int i = 0; good && i < all->count; i++)
+    places_reads(places, all->scene[i]);
+  for (int i = 0; good && i < all->count; i++)
+    for (int w = 0; good && w < all->scene[i]->wants; w++)
+      good = places_writes(places, o->command->name, all->outputs[i].file[w])
+             && (!all->outputs[i].plot[w] || places_writes(places, o->command->name, all->outputs[i].plot[w]));
+  free(places);
+  return good;
 }
 
 /* ---- what the user sees of the plan ---- */
@@ -93,7 +96,8 @@ static enum exit_code explain(const struct scenes *all, const struct options *o)
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: run --explain");
-  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so");
+  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so; "
+                     "where a point cannot be solved, less is done");
   table_columns(&table, plan_columns);
   table_begin_rows(&table);
   for (int i = 0; i < all->count; i++)
@@ -164,6 +168,26 @@ static bool needs_flint(const struct scenes *all)
   return false;
 }
 
+/* Another program may take over, and read it again. */
+static bool put_back(const char *text)
+{
+  FILE *again = tmpfile();
+  bool kept = again && fputs(text, again) >= 0 && fflush(again) == 0 && lseek(fileno(again), 0, SEEK_SET) == 0
+              && dup2(fileno(again), STDIN_FILENO) >= 0;
+  if (again)
+    fclose(again);
+  return kept;
+}
+
+static bool hand_over(const struct scenes *all, const struct options *o)
+{
+  if (all->input && !put_back(all->input)) {
+    complain(o->command->name, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
+    return false;
+  }
+  return has_flint(o, "this scene");
+}
+
 static enum exit_code run_all(struct scenes *all, const struct options *o, bool to_output)
 {
   enum exit_code code = EXIT_DONE;
@@ -176,7 +200,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
     complain(o->command->name, "out of memory");
     return EXIT_UNSOLVED;
   }
-  if (!check_places(all, o->command->name))
+  if (!check_places(all, o))
     return EXIT_USAGE;
   if (o->explain)
     return explain(all, o);
@@ -186,7 +210,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
               scene_points(all->scene[i]), all->scene[i]->wants);
     return EXIT_DONE;
   }
-  if (needs_flint(all) && !has_flint(o, "this scene"))
+  if (needs_flint(all) && !hand_over(all, o))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
     enum exit_code one = scene_run(all->scene[i], all->plan[i], &all->outputs[i], o);
@@ -205,52 +229,15 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
     free(all);
     return EXIT_USAGE;
   }
+  for (int i = 0; i < count; i++)
+    if (strcmp(sources[i].path, "-") == 0)
+      all->input = sources[i].text;
   enum exit_code code = read_all(all, o, sources, count);
   if (code == EXIT_DONE)
     code = run_all(all, o, to_output);
   free_all(all);
   free(all);
   return code;
-}
-
-/* ---- a scene on standard input ---- */
-
-/* All of it; NULL: the message is on stderr. */
-static char *read_input(void)
-{
-  size_t room = 1 << 16, used = 0;
-  char *text = malloc(room);
-  for (size_t got = 1; text && got > 0;) {
-    if (room - used < 2) {
-      char *grown = realloc(text, room *= 2);
-      if (!grown)
-        free(text);
-      text = grown;
-    }
-    got = text ? fread(text + used, 1, room - used - 1, stdin) : 0;
-    used += got;
-  }
-  if (text && (ferror(stdin) || memchr(text, '\0', used))) {
-    complain("run", ferror(stdin) ? "cannot read standard input" : "standard input: this is not a text file");
-    free(text);
-    return NULL;
-  }
-  if (text)
-    text[used] = '\0';
-  else
-    complain("run", "out of memory");
-  return text;
-}
-
-/* Another program may take over, and read it again. */
-static void put_back(const char *text)
-{
-  FILE *again = tmpfile();
-  if (!again)
-    return;
-  fputs(text, again);
-  rewind(again); /* flushes, too */
-  dup2(fileno(again), STDIN_FILENO);
 }
 
 static bool is_input(const char *operand) { return strcmp(operand, "-") == 0 || strcmp(operand, "/dev/stdin") == 0; }
@@ -272,10 +259,10 @@ static enum exit_code run(const struct options *o)
     sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_scene(o->operands[i]) };
     if (!is_input(o->operands[i]))
       continue;
-    if (!input && !(input = read_input()))
-      return EXIT_USAGE;
+    enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);
+    if (read != EXIT_DONE)
+      return read;
     sources[i] = (struct scene_source){ .path = "-", .text = input };
-    put_back(input);
   }
   enum exit_code code = run_scenes(o, sources, count, false);
   free(input);

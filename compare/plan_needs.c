@@ -13,9 +13,22 @@ static void need(bool *what, const char **for_what, const char *name)
     *for_what = name;
 }
 
+static bool every_product_has_v0(const struct scene *s)
+{
+  for (int i = 0; i < s->products; i++) {
+    bool has = false;
+    for (int g = 0; g < s->product[i].groups; g++)
+      for (int v = 0; v < s->product[i].group[g].variables; v++)
+        has |= s->product[i].group[g].variable[v].target == TARGET_V0;
+    if (!has)
+      return false;
+  }
+  return true;
+}
+
 static void need_v0(struct planning *p, const char *name)
 {
-  if (p->scene->start == START_STEADY && !p->scene->varies_v0)
+  if (p->scene->start == START_STEADY && !every_product_has_v0(p->scene))
     need(&p->n.steady, &p->n.for_steady, name);
 }
 
@@ -140,14 +153,22 @@ static void each_quantity(const struct scene_want *w, void visit(struct planning
     for (int k = 0; k < count; k++)
       visit(p, places[k]);
   }
+  if (w->kind == WANT_TRAJECTORY && w->until.is_formula) {
+    int places[ARITHMETIC_STEPS], count = arithmetic_places(&w->until.formula, places);
+    for (int k = 0; k < count; k++)
+      visit(p, places[k]);
+  }
   for (int i = 0; i < w->series; i++)
     visit(p, w->of[i]);
 }
 
+/* A change of velocity in doubles is a small difference of large numbers, which has not the digits that are promised. */
 static void note_error(struct planning *p, int place)
 {
-  enum quantity_kind kind = quantity_at(p, place)->kind;
-  p->n.errors |= kind == QUANTITY_ERROR || kind == QUANTITY_RELATIVE || kind == QUANTITY_EXACT;
+  const struct quantity *q = quantity_at(p, place), *series = q->of >= 0 ? quantity_at(p, q->of) : NULL;
+  p->n.errors |= series != NULL;
+  if (series && series->formula && series->formula->quantity == SCALLOP_VELOCITY_CHANGE)
+    p->plan->needs.certified_errors = true;
 }
 
 /* To how many digits certified values are wanted, and errors against what. */

@@ -10,6 +10,9 @@
 #include "compare/quantity.h"
 
 enum { SCENE_GROUPS = 8, SCENE_VARIABLES = 8, SCENE_PRODUCTS = 16, SCENE_WANTS = 32, SCENE_COLUMNS = 60, SCENE_NOTES = 16 };
+/* What a table of orders has beside parameters and labels; NULL-terminated. */
+extern const char *const order_columns[];
+
 enum { SCENE_RAMP = 1000000, SCENE_TIMES = 4096 }; /* most values of a range; most periods of an order */
 
 /* ---- what varies ---- */
@@ -98,6 +101,7 @@ enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
 struct scene {
   char *name;        /* of the file, without folder and .cfg                                        */
+  const char *path;  /* of the file, NULL: it comes with the tool, or from standard input            */
   const char *title; /* or NULL                                                                     */
   int notes;
   const char *note[SCENE_NOTES];

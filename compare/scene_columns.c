@@ -58,6 +58,11 @@ bool read_column(const struct reading *r, const config_setting_t *at, struct sce
   size_t length = equals ? (size_t)(equals - text) : strlen(text);
   while (length > 0 && text[length - 1] == ' ')
     length--;
+  bool is_plain = true;
+  for (size_t i = 0; i < length; i++)
+    is_plain &= text[i] > ' ' && text[i] < 0x7f && text[i] != '"' && text[i] != '\\' ? true : text[i] == ' ';
+  if (!is_plain)
+    return refuse_at(r, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes", text);
   if (length == 0 || *formula == '\0')
     return refuse_at(r, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
   column->name = keep_text(r, text, (int)length, "");

@@ -54,6 +54,8 @@ static bool add_arguments(const struct reading *r, const config_setting_t *at, s
   return true;
 }
 
+static bool is_parameter(const char *name) { return crawler_place(name) < CRAWLER_NUMBERS || strcmp(name, "gait") == 0; }
+
 /* Parameters that vary must be ones that the command takes. */
 static bool check_varied(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
 {
@@ -90,6 +92,8 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
     int k = 0;
     while (own[k] && strcmp(config_setting_name(member), own[k]) != 0)
       k++;
+    if (!own[k] && is_parameter(config_setting_name(member)))
+      return refuse_at(r, member, "%s belongs into the crawler, or what varies", config_setting_name(member));
     if (!own[k] && !add_arguments(r, member, w, &count))
       return false;
   }

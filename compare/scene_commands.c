@@ -24,6 +24,14 @@ void command_leads(const struct running *r, struct output *o)
     table_lead(&o->table, o->lead_name, o->leads);
 }
 
+bool command_makes_map(const struct scene_want *w)
+{
+  for (int i = 0; i < w->argument_count; i++)
+    if (strcmp(w->arguments[i], "--map") == 0)
+      return true;
+  return false;
+}
+
 enum exit_code command_at_point(const struct running *r, struct output *o)
 {
   const struct scene_want *w = o->want;
@@ -33,21 +41,22 @@ enum exit_code command_at_point(const struct running *r, struct output *o)
   const char *texts[LEADS];
   struct options options;
   int count = 0, code = EXIT_DONE;
-  bool has_map = false;
-  for (; count < w->argument_count; count++) {
+  for (; count < w->argument_count; count++)
     arguments[count] = w->arguments[count];
-    has_map |= strcmp(w->arguments[count], "--map") == 0;
-  }
   for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
     const char *name = crawler_parameters[i], *text = i < CRAWLER_NUMBERS ? at->written[i]
                                                       : at->has_gait      ? at->crawler.gait->name
                                                                           : NULL;
-    bool idle = w->command == &command_breakdown && !has_map && strcmp(name, "T") == 0;
+    bool idle = w->command == &command_breakdown && !command_makes_map(w) && strcmp(name, "T") == 0;
     if (!text || idle || !option_accepted(w->command, name))
       continue;
     snprintf(names[i], sizeof names[i], "--%s", name);
     arguments[count++] = names[i];
     arguments[count++] = (char *)text;
+  }
+  if (at->has_v0 && at->written_v0 && option_accepted(w->command, "v0")) {
+    arguments[count++] = "--v0";
+    arguments[count++] = (char *)at->written_v0;
   }
   if (r->options->quiet && option_accepted(w->command, "quiet"))
     arguments[count++] = "--quiet";

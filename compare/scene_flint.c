@@ -7,7 +7,6 @@
 #include "asymptotics/evaluate.h"
 #include "compare/counts_flint.h"
 #include "compare/decimal.h"
-#include "compare/gaits.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those used last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
@@ -321,8 +320,7 @@ static bool formula_value(arb_t value, struct scene_state *s, struct scene_flint
   struct scallop_symbols symbols;
   struct series sum;
   fmpq_t T;
-  if (!gait_has_ends(s->at.crawler.gait) || (formula_takes_given(formula) && !solve_phase(s, f))
-      || (!steady && !set_v0(s, f)))
+  if ((formula_takes_given(formula) && !solve_phase(s, f)) || (!steady && !set_v0(s, f)))
     return false;
   scallop_symbols_init(&symbols);
   series_init(&sum);

@@ -6,8 +6,8 @@
 
 #include "compare/scene_running.h"
 
-static const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi", "points",
-                                             "state",  "expect", "tolerance", "verdict",  NULL };
+const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi", "points",
+                                      "state",  "expect", "tolerance", "verdict",  NULL };
 
 bool orders_begin(const struct running *r, struct output *o)
 {

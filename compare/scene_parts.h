@@ -35,6 +35,9 @@ bool is_number(const config_setting_t *at, double *value, const char **text);
 /* A number, or a formula of quantities that are known when it is needed. */
 bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end);
 
+/* Is it of parameters, and of sticking_onset (*onset: then that is set)? False: it is said what is not. */
+bool check_end(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset);
+
 bool is_sequence(const config_setting_t *at); /* an array or a list */
 
 /* scene_vary.c: vary = ... */

@@ -1,13 +1,11 @@
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/lines.h"
 #include "compare/scene_parts.h"
-#include "compare/shipped.h"
+#include "compare/scene_text.h"
 
 /* ---- messages ---- */
 
@@ -131,6 +129,8 @@ bool read_member_texts(const struct reading *r, const config_setting_t *group, c
   if (!at)
     return true;
   int n = is_sequence(at) ? members(at) : 1;
+  if (n < 1)
+    return refuse_at(r, at, "%s is empty", name);
   if (n > most)
     return refuse_at(r, at, "%s has %d texts: %d at most", name, n, most);
   for (int i = 0; i < n; i++) {
@@ -260,7 +260,10 @@ static bool read_phase_and_start(const struct reading *r, const config_setting_t
   if (!start)
     return true;
   if (is_number(start, &s->base.v0, &text)) {
+    char written[NUMBER_TEXT];
+    number_text(written, s->base.v0, 0);
     s->start = s->base.v0 == 0 ? START_REST : START_VELOCITY;
+    s->base.written_v0 = text ? text : keep_text(r, written, 0, written);
     return isfinite(s->base.v0) || refuse_at(r, start, "start is a finite velocity");
   }
   if (!text || (strcmp(text, "rest") != 0 && strcmp(text, "steady") != 0))
@@ -269,13 +272,23 @@ static bool read_phase_and_start(const struct reading *r, const config_setting_t
   return true;
 }
 
+/* A line of a comment is one line. */
+static bool are_lines(const struct reading *r, const config_setting_t *root)
+{
+  const struct scene *s = r->scene;
+  bool fine = !s->title || !strpbrk(s->title, "\r\n");
+  for (int i = 0; i < s->notes; i++)
+    fine &= !strpbrk(s->note[i], "\r\n");
+  return fine || refuse_at(r, root, "title and notes are lines, without a line break");
+}
+
 static const char *const root_keys[] = { "title", "notes", "crawler", "phase", "start", "vary", "want", NULL };
 
 static bool read_root(const struct reading *r, const config_setting_t *root)
 {
   struct scene *s = r->scene;
   return keys_known(r, root, root_keys, "a scene") && read_member_text(r, root, "title", &s->title)
-         && read_member_texts(r, root, "notes", s->note, SCENE_NOTES, &s->notes)
+         && read_member_texts(r, root, "notes", s->note, SCENE_NOTES, &s->notes) && are_lines(r, root)
          && read_crawler(r, config_setting_get_member(root, "crawler")) && read_phase_and_start(r, root)
          && read_vary(r, config_setting_get_member(root, "vary")) && read_wants(r, config_setting_get_member(root, "want"));
 }
@@ -294,60 +307,38 @@ static char *name_of(const char *path)
   return name;
 }
 
-/* libconfig reads on behind a NUL byte as if it were the end. */
-static bool is_text(const char *path)
-{
-  FILE *file = fopen(path, "rb");
-  bool text = true;
-  for (int c; file && text && (c = getc(file)) != EOF;)
-    text = c != '\0';
-  if (file)
-    fclose(file);
-  return text;
-}
-
+/* Whole and looked through before libconfig sees it (scene_text.c). */
 static enum exit_code parse(const struct reading *r, const struct scene_source *source, config_t *file)
 {
-  const char *command = r->options->command->name;
-  if (source->text && config_read_string(file, source->text))
-    return EXIT_DONE;
-  if (!source->text) {
-    const char *slash = strrchr(source->path, '/');
-    if (slash && slash > source->path) {
-      char folder[4096];
-      snprintf(folder, sizeof folder, "%.*s", (int)(slash - source->path), source->path);
-      config_set_include_dir(file, folder);
-    }
-    FILE *in = fopen(source->path, "r");
-    int first = in ? getc(in) : EOF, error = errno;
-    bool readable = in && !(first == EOF && ferror(in));
-    if (in)
-      fclose(in);
-    if (!readable) {
-      const char *near = strchr(source->path, '/') || strchr(source->path, '.') ? NULL : shipped_near(source->path);
-      complain(command, "cannot read %s: %s%s%s%s", source->path, strerror(error), near ? "; did you mean '" : "",
-               near ? near : "", near ? "', which comes with the tool?" : "");
-      return EXIT_FILE;
-    }
-    if (!is_text(source->path)) {
-      complain(command, "%s: this is not a text file", source->path);
-      return EXIT_USAGE;
-    }
-    if (config_read_file(file, source->path))
-      return EXIT_DONE;
+  const char *command = r->options->command->name, *slash = strrchr(source->path, '/');
+  char folder[4096] = "", *text = NULL;
+  if (slash && !source->text) {
+    snprintf(folder, sizeof folder, "%.*s", (int)(slash - source->path), source->path);
+    config_set_include_dir(file, folder);
   }
-  const char *at = config_error_file(file);
-  const char *text = config_error_text(file);
-  bool mixed = text && strstr(text, "mismatched element type") != NULL;
-  complain(command, "%s:%d: %s%s", at ? at : r->path, config_error_line(file), text,
-           mixed ? ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" : "");
-  return EXIT_USAGE;
+  enum exit_code code = source->text ? EXIT_DONE : scene_text_read(command, source->path, &text);
+  if (code != EXIT_DONE)
+    return code;
+  const char *whole = source->text ? source->text : text;
+  if (!scene_text_check(command, r->path, slash ? folder : ".", whole))
+    code = EXIT_USAGE;
+  if (code == EXIT_DONE && !config_read_string(file, whole)) {
+    const char *at = config_error_file(file), *said = config_error_text(file);
+    bool mixed = said && strstr(said, "mismatched element type") != NULL;
+    complain(command, "%s:%d: %s%s", at ? at : r->path, config_error_line(file), said,
+             mixed ? ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" : "");
+    code = EXIT_USAGE;
+  }
+  free(text);
+  return code;
 }
 
 enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct options *options)
 {
   config_t *file = malloc(sizeof *file);
-  *s = (struct scene){ .name = name_of(source->path), .base = *options, .file = file };
+  *s = (struct scene){
+    .name = name_of(source->path), .path = source->text ? NULL : source->path, .base = *options, .file = file
+  };
   const struct reading r = { s, options, source->path };
   if (!file || !s->name) {
     free(file);

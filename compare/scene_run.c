@@ -10,16 +10,61 @@
 
 /* ---- rows ---- */
 
+static bool is_of_steady(const struct quantities *all, const struct quantity *q)
+{
+  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(all, q));
+}
+
+/* What a row says of its status is of all its columns, wherever it stands: they are found first. */
+static void find_columns(const struct running *r, const struct scene_want *w)
+{
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+    if (!q)
+      state_formula(r->state, &c->formula);
+    else if (!quantity_is_text(q))
+      state_number(r->state, c->quantity);
+    else if (q->kind != QUANTITY_STATUS)
+      state_text(r->state, c->quantity, 1);
+  }
+}
+
+static bool tells_steady(const struct running *r, const struct scene_want *w)
+{
+  const struct quantities *all = &r->scene->quantities;
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS], count = w->column[i].quantity < 0 ? arithmetic_places(&w->column[i].formula, places) : 1;
+    if (w->column[i].quantity >= 0)
+      places[0] = w->column[i].quantity;
+    for (int k = 0; k < count; k++)
+      if (is_of_steady(all, &all->item[places[k]]))
+        return true;
+  }
+  return false;
+}
+
+static void write_certified(const struct running *r, struct output *o, int quantity)
+{
+  const char *digits = state_text(r->state, quantity, o->options.digits > 0 ? o->options.digits : 17);
+  if (strcmp(digits, "nan") == 0)
+    table_number(&o->table, NAN);
+  else
+    table_digits(&o->table, digits);
+}
+
 static void write_columns(struct running *r, struct output *o)
 {
   const struct scene_want *w = o->want;
+  if (w->kind == WANT_ROWS)
+    find_columns(r, w);
   for (int i = 0; i < w->columns; i++) {
     const struct scene_column *c = &w->column[i];
     const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
     if (!q)
       table_number(&o->table, state_formula(r->state, &c->formula));
     else if (q->kind == QUANTITY_CERTIFIED)
-      table_digits(&o->table, state_text(r->state, c->quantity, o->options.digits > 0 ? o->options.digits : 17));
+      write_certified(r, o, c->quantity);
     else if (quantity_is_text(q))
       table_text(&o->table, state_text(r->state, c->quantity, 0));
     else
@@ -80,30 +125,36 @@ static void begin_columns(struct output *o)
 
 /* ---- points ---- */
 
+static void at_want(struct running *r, struct output *o, bool last_of_times)
+{
+  enum exit_code code = EXIT_DONE;
+  switch (o->want->kind) {
+  case WANT_ROWS: write_columns(r, o); break;
+  case WANT_TRAJECTORY: trace(r, o); break;
+  case WANT_ORDERS:
+    orders_collect(r, o);
+    if (last_of_times)
+      orders_finish(r, o);
+    break;
+  case WANT_COMMAND: code = command_at_point(r, o);
+  }
+  r->code = code > r->code ? code : r->code;
+}
+
 static void at_point(struct running *r, bool last_of_times)
 {
-  struct scene_state *state = r->state;
+  const char *why = r->state->why;
+  bool unsolved = false;
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
-    switch (o->want->kind) {
-    case WANT_ROWS: write_columns(r, o); break;
-    case WANT_TRAJECTORY: trace(r, o); break;
-    case WANT_ORDERS:
-      orders_collect(r, o);
-      if (last_of_times)
-        orders_finish(r, o);
-      break;
-    case WANT_COMMAND: {
-      enum exit_code code = command_at_point(r, o);
-      r->code = code > r->code ? code : r->code;
-    }
-    }
+    state_begin_row(r->state, o->tells_steady);
+    at_want(r, o, last_of_times);
+    if (*why != '\0' && r->unsolved == 0 && !unsolved)
+      snprintf(r->why, sizeof r->why, "%s", why);
+    unsolved |= *why != '\0';
   }
-  if (state->why[0] == '\0')
-    return;
-  if (r->unsolved++ == 0)
-    snprintf(r->why, sizeof r->why, "%s", state->why);
+  r->unsolved += unsolved;
 }
 
 static bool failed(const struct running *r)
@@ -140,8 +191,9 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     o->options.format = o->want->format;
     o->options.digits = o->want->digits;
     o->options.output = o->file;
-    /* A command that runs once opens its table itself: a map then goes on where it was interrupted. */
-    if (o->want->kind == WANT_COMMAND && scene_points(r->scene) == 1)
+    o->tells_steady = tells_steady(r, o->want);
+    /* A map that is made once opens its table itself, and goes on where it was interrupted. */
+    if (command_makes_map(o->want) && scene_points(r->scene) == 1)
       continue;
     if (!table_open_at(&o->table, &o->options, o->file))
       return false;
@@ -159,6 +211,16 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     }
   }
   return true;
+}
+
+/* Every table is complete on the disk before the first takes its place. */
+static bool flush_tables(struct running *r)
+{
+  bool whole = true;
+  for (int i = 0; i < r->scene->wants; i++)
+    if (r->output[i].is_open)
+      whole &= table_flush(&r->output[i].table);
+  return whole;
 }
 
 /* All or none: where something went wrong the earlier files stay. */
@@ -231,7 +293,7 @@ enum exit_code scene_run(const struct scene *scene, const struct plan *plan, con
     r.code = opened ? EXIT_DONE : EXIT_FILE;
     for (int i = 0; opened && i < scene->products; i++)
       each_point(&r, &scene->product[i]);
-    bool keep = opened && r.code != EXIT_USAGE && r.code != EXIT_FILE;
+    bool keep = opened && r.code != EXIT_USAGE && r.code != EXIT_FILE && flush_tables(&r);
     enum exit_code closed = close_tables(&r, keep);
     r.code = closed == EXIT_DONE ? r.code : closed;
     if (keep && closed == EXIT_DONE) {

@@ -13,7 +13,7 @@ struct output {
   const char *file;
   struct options options; /* of the table                                                            */
   struct table table;
-  bool is_open;
+  bool is_open, tells_steady;
   long rows;
   /* orders: the errors of each series at each T so far */
   struct order_point *errors;
@@ -45,6 +45,7 @@ void orders_finish(struct running *r, struct output *o);
 
 /* scene_commands.c: what tells the points apart, in front of the rows; and the command at a point */
 void command_leads(const struct running *r, struct output *o);
+bool command_makes_map(const struct scene_want *want);
 enum exit_code command_at_point(const struct running *r, struct output *o);
 
 #endif

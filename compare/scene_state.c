@@ -17,6 +17,7 @@ void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }
 
 double state_fail(struct scene_state *s, const char *why)
 {
+  s->failures++;
   if (s->why[0] == '\0')
     snprintf(s->why, sizeof s->why, "%s", why);
   return NAN;
@@ -77,11 +78,13 @@ static void settle(struct scene_state *s)
     set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
 }
 
-static void set_v0(struct scene_state *s, double v0)
+static void set_v0(struct scene_state *s, double v0, const char *text)
 {
+  if (!isfinite(v0))
+    state_fail(s, "v0: a finite velocity is wanted");
   s->at.v0 = v0;
   number_text(s->written_v0, v0, 0);
-  s->at.written_v0 = s->written_v0;
+  s->at.written_v0 = text ? text : s->written_v0;
   s->at.has_v0 = true;
 }
 
@@ -95,7 +98,7 @@ static void set_variable(struct scene_state *s, const struct scene_variable *v, 
   switch (v->target) {
   case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
   case TARGET_GAIT: options_set_parameter(&s->at, "gait", text); break; /* it was made when the scene was read */
-  case TARGET_V0: set_v0(s, x); break;
+  case TARGET_V0: set_v0(s, x, text); break;
   case TARGET_LABEL: s->label[v->place] = text; break;
   case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
   case TARGET_M1_OVER_M2: s->m1_over_m2 = x; break;
@@ -109,6 +112,7 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   s->at = scene->base;
   s->at.has_v0 = scene->start != START_STEADY;
   s->why[0] = '\0';
+  s->is_outside = false;
   s->has_steady = s->has_phase = s->has_turnings = false;
   memset(s->has, 0, sizeof s->has);
   memset(s->label, 0, sizeof s->label);
@@ -122,7 +126,15 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
     settle(s);
   }
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
+  s->is_outside = s->why[0] != '\0';
   count_add(COUNT_POINTS, 1);
+}
+
+void state_begin_row(struct scene_state *s, bool tells_steady)
+{
+  s->tells_steady = tells_steady;
+  if (!s->is_outside)
+    s->why[0] = '\0';
 }
 
 /* ---- solutions ---- */
@@ -138,7 +150,7 @@ static const struct scallop_steady_result *steady(struct scene_state *s)
 double state_v0(struct scene_state *s)
 {
   if (s->at.has_v0)
-    return s->scene->start == START_REST && !s->scene->varies_v0 ? 0 : s->at.v0;
+    return s->at.v0;
   const struct scallop_steady_result *r = steady(s);
   return !r ? NAN : s->scene->phase == SCALLOP_EXTENSION ? r->period.v_start : r->period.v_mid;
 }
@@ -195,8 +207,6 @@ static const char no_ends[] =
 static double published(struct scene_state *s, const struct scallop_formula *f)
 {
   double value;
-  if (!gait_has_ends(s->at.crawler.gait))
-    return state_fail(s, no_ends);
   if (f->setting == SCALLOP_STEADY) {
     count_add(COUNT_FORMULAS, 1);
     value = f->steady(&s->at.crawler);
@@ -216,6 +226,8 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
     const struct scallop_phase_point point = scallop_phase_point(&s->at.crawler, s->scene->phase, v0);
     value = published_value(f, &point, &given);
   }
+  if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
+    return state_fail(s, no_ends);
   return isfinite(value) ? value : NAN;
 }
 
@@ -259,6 +271,7 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
 {
   const struct quantity *series = &s->scene->quantities.item[place];
   struct scene_comparison *c = &s->comparison[place];
+  long before = s->failures;
   if (!c->done && s->needs.certified_errors)
     c->error = scene_flint_error(s, series, &c->value, &c->exact);
   else if (!c->done) {
@@ -268,7 +281,7 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
     if (fabs(c->error) < s->needs.accuracy * fabs(c->exact))
       c->error = 0;
   }
-  c->done = true;
+  c->done = s->failures == before;
   return c;
 }
 
@@ -295,10 +308,10 @@ static double compute(struct scene_state *s, const struct quantity *q)
   const struct scallop_steady_result *r;
   const struct exact_phase *p;
   double numbers[CRAWLER_NUMBERS];
+  if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
+    return NAN; /* the point has no such thing */
   if (s->needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
     return compared(s, quantity_find(&s->scene->quantities, q->name))->value; /* rounded from the one that the error is of */
-  if (s->why[0] != '\0' && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
-    return NAN; /* the point has no such thing */
   switch (q->kind) {
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
@@ -321,15 +334,16 @@ static double compute(struct scene_state *s, const struct quantity *q)
 double state_number(struct scene_state *s, int quantity)
 {
   if (!s->has[quantity]) {
+    long before = s->failures;
     s->value[quantity] = compute(s, &s->scene->quantities.item[quantity]);
-    s->has[quantity] = true;
+    s->has[quantity] = s->failures == before; /* a failure is told in each row that it is of; solutions are kept */
   }
   return s->value[quantity];
 }
 
 static const char *steady_text(struct scene_state *s, int which)
 {
-  const struct scallop_steady_result *r = s->why[0] == '\0' ? steady(s) : NULL;
+  const struct scallop_steady_result *r = s->is_outside ? NULL : steady(s);
   if (!r)
     return "-";
   if (which == STEADY_REGIME)
@@ -339,7 +353,7 @@ static const char *steady_text(struct scene_state *s, int which)
 
 static const char *phase_text(struct scene_state *s, int which)
 {
-  const struct exact_phase *p = s->why[0] == '\0' ? phase(s) : NULL;
+  const struct exact_phase *p = s->is_outside ? NULL : phase(s);
   if (!p)
     return "-";
   if (which == PHASE_REGIME)
@@ -352,7 +366,8 @@ static const char *status_text(struct scene_state *s)
 {
   if (s->why[0] != '\0')
     return s->why;
-  return s->has_steady ? steady_status_text(s->text, s->steady_status, s->steady.v_low, s->steady.v_high) : "ok";
+  return s->tells_steady && s->has_steady ? steady_status_text(s->text, s->steady_status, s->steady.v_low, s->steady.v_high)
+                                          : "ok";
 }
 
 const char *state_text(struct scene_state *s, int quantity, long digits)
@@ -364,7 +379,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_STEADY: return steady_text(s, q->which);
   case QUANTITY_PHASE: return phase_text(s, q->which);
-  case QUANTITY_CERTIFIED: return s->why[0] == '\0' ? scene_flint_certified(s, q, digits) : "nan";
+  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
   default: return status_text(s);
   }
 }

@@ -33,7 +33,10 @@ struct scene_state {
   enum scallop_status steady_status, phase_status;
   struct scallop_steady_result steady;
   struct exact_phase phase;
-  bool has_onset; /* of these parameters, whatever T is                                         */
+  bool is_outside;   /* the parameters are no point: nothing but they can be told               */
+  bool tells_steady; /* the row has something of the steady state in doubles                     */
+  long failures;     /* told to state_fail so far                                               */
+  bool has_onset;    /* of these parameters, whatever T is                                         */
   double onset;
   struct scallop_crawler onset_of;
   bool has[MOST_QUANTITIES];
@@ -48,6 +51,9 @@ void state_clear(struct scene_state *state);
 
 /* Goes to a point: index[g] is the place in group g of the product. */
 void state_move(struct scene_state *state, const struct scene_product *product, const long *index);
+
+/* Before each row: what failed for another table is no matter of this one. tells_steady: its status is that of the steady state too. */
+void state_begin_row(struct scene_state *state, bool tells_steady);
 
 /* A quantity by its place in the scene's list: nan where it cannot be had, and state->why then says why. */
 double state_number(struct scene_state *state, int quantity);

@@ -72,6 +72,13 @@ static const char *check_number(const struct reading *r, const struct scene_vari
   return v->target == TARGET_V0 || x > 0 ? NULL : "a number > 0 is wanted";
 }
 
+static bool is_ascii(const char *text)
+{
+  while (*text >= ' ' && *text < 0x7f)
+    text++;
+  return *text == '\0';
+}
+
 static bool read_list(const struct reading *r, const config_setting_t *at, struct scene_variable *v)
 {
   bool several = is_sequence(at), is_words = v->target == TARGET_GAIT || v->target == TARGET_LABEL;
@@ -88,6 +95,8 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
       v->texts[i] = config_setting_get_string(element);
       if (!v->texts[i])
         return refuse_at(r, element, "%s takes texts in quotes", v->name);
+      if (v->target == TARGET_LABEL && !is_ascii(v->texts[i]))
+        return refuse_at(r, element, "a label is of printable ASCII");
       if (v->target == TARGET_LABEL)
         continue;
       struct options probe = r->scene->base;
@@ -107,16 +116,16 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
   return true;
 }
 
-/* A formula knows the parameters that are set further out. *onset: it uses sticking_onset. */
-static bool check_formula(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset)
+bool check_end(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset)
 {
   int places[ARITHMETIC_STEPS], count = end->is_formula ? arithmetic_places(&end->formula, places) : 0;
   for (int i = 0; i < count; i++) {
     const struct quantity *q = &r->scene->quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;
-    if (q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_ONSET && q->kind != QUANTITY_FROUDE)
+    if (q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_ONSET && q->kind != QUANTITY_FROUDE
+        && q->kind != QUANTITY_F1_OVER_F2 && q->kind != QUANTITY_M1_OVER_M2)
       return refuse_at(r, at,
-                       "%s: the ends of a range are formulas of m1 m2 F1 F2 L T alpha froude and sticking_onset, not of %s",
+                       "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
                        config_setting_name(at), q->name);
   }
   return true;
@@ -140,7 +149,7 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   if (!v->is_log && strcmp(spacing, "linear") != 0)
     return refuse_at(r, at, "spacing is \"linear\" or \"log\"");
   for (int i = 0; i < 2; i++) {
-    if (!read_end(r, ends[i], range[i]) || !check_formula(r, ends[i], range[i], &v->needs_onset))
+    if (!read_end(r, ends[i], range[i]) || !check_end(r, ends[i], range[i], &v->needs_onset))
       return false;
     const char *wrong = range[i]->is_formula ? NULL : check_number(r, v, range[i]->number, NULL);
     if (wrong)
@@ -180,6 +189,8 @@ static bool add_label(const struct reading *r, const config_setting_t *at, struc
   int place = 0;
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
+  if (strlen(name) >= QUANTITY_NAME)
+    return refuse_at(r, at, "a label has a name of fewer than %d characters", QUANTITY_NAME);
   if (place == QUANTITY_LABELS)
     return refuse_at(r, at, "more than %d labels", QUANTITY_LABELS);
   if (place == all->labels && quantity_named(all, name) >= 0)

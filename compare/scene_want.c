@@ -64,11 +64,15 @@ static bool read_rows(const struct reading *r, const config_setting_t *at, struc
   if (!keys_known(r, at, keys, "this want") || !read_accuracy(r, at, w)
       || !read_member_texts(r, at, "columns", asked, SCENE_COLUMNS, &count))
     return false;
-  const config_setting_t *idle = is_series || is_error                 ? NULL
-                                 : config_setting_get_member(at, "of") ? config_setting_get_member(at, "of")
-                                                                       : config_setting_get_member(at, "source");
+  static const char *const of_series[] = { "of", "source", "order" };
+  const config_setting_t *idle = NULL;
+  for (int i = 0; i < 3 && !idle && !is_series && !is_error; i++)
+    idle = config_setting_get_member(at, of_series[i]);
   if (idle)
     return refuse_at(r, idle, "%s is for what = \"series\", \"error\" and \"orders\"", config_setting_name(idle));
+  if (count > 0 && config_setting_get_member(at, "of"))
+    return refuse_at(r, config_setting_get_member(at, "of"),
+                     "of and columns exclude each other: columns may name series and what is said of them");
   if (count > 0)
     return add_columns(r, config_setting_get_member(at, "columns"), w, asked) && check_digits(r, at, w);
   return add_labels(r, at, w)
@@ -85,13 +89,15 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
   const char *asked[SCENE_COLUMNS + 1] = { NULL };
   const config_setting_t *until = config_setting_get_member(at, "until");
   int count = 0;
+  bool onset = false;
   w->kind = WANT_TRAJECTORY;
   w->periods = 10;
   w->samples = 40;
   w->until = (struct scene_end){ .number = INFINITY };
   if (!keys_known(r, at, keys, "a trajectory") || !read_member_texts(r, at, "columns", asked, SCENE_COLUMNS, &count)
       || !read_member_count(r, at, "periods", 1, 1000000000, &w->periods)
-      || !read_member_count(r, at, "samples", 1, 1000000000, &w->samples) || (until && !read_end(r, until, &w->until)))
+      || !read_member_count(r, at, "samples", 1, 1000000000, &w->samples)
+      || (until && (!read_end(r, until, &w->until) || !check_end(r, until, &w->until, &onset))))
     return false;
   if (count > 0)
     return add_columns(r, config_setting_get_member(at, "columns"), w, asked);
@@ -141,6 +147,10 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
     return false;
   if (!(w->tolerance > 0))
     return refuse_at(r, config_setting_get_member(at, "tol"), "tol is a number > 0");
+  for (int i = 0; i < r->scene->quantities.labels; i++)
+    for (const char *const *own = order_columns; *own; own++)
+      if (strcmp(*own, r->scene->quantities.label[i]) == 0)
+        return refuse_at(r, at, "the label %s has the name of a column of orders", *own);
   for (w->series = 0; w->series < names.count; w->series++) {
     const char *name = keep_text(r, "error.", 6, names.name[w->series]);
     int place = name ? quantity_named(&r->scene->quantities, name) : -1;

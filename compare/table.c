@@ -413,6 +413,13 @@ static bool closes(int descriptor)
   return other < 0 || close(other) == 0;
 }
 
+bool table_flush(struct table *t)
+{
+  flush_text(t);
+  note_error(t, fflush(t->file) != 0 || (t->is_aside && fsync(fileno(t->file)) != 0 && errno != EINVAL));
+  return !table_failed(t);
+}
+
 bool table_close(struct table *t)
 {
   if (t->into)

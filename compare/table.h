@@ -67,6 +67,8 @@ void table_digits(struct table *table, const char *number);                /* a 
 void table_text(struct table *table, const char *text);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
+/* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
+bool table_flush(struct table *table);
 /* Closes, and puts the file in its place. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. What
  * continues a table leaves that open; false: its columns were refused, or writing has failed, which closing that table
  * says. */
