@@ -39,7 +39,7 @@ static bool add_arguments(const struct reading *r, const config_setting_t *at, s
     return false;
   for (int i = 0; i < values && type != CONFIG_TYPE_BOOL; i++) {
     const config_setting_t *element = is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
-    double x;
+    double x = 0;
     if (values > 2 || !(config_setting_get_string(element) || is_number(element, &x, &texts[0])))
       return refuse_at(r, at, "%s takes what it takes on the command line: a number, a text, or true", name);
     const char *text = config_setting_get_string(element);

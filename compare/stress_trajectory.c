@@ -169,7 +169,7 @@ static void disturb(const struct stress_case *s, int parameter, const struct end
 void stress_judge_trajectory(const struct stress_case *s, struct stress_judgement *j)
 {
   struct ending exact;
-  struct scallop_sample last;
+  struct scallop_sample last = { .t = 0 };
   *j = (struct stress_judgement){ .outcome = STRESS_SOLVED, .only_error = true };
   if (!closed_form(s, &exact)) {
     j->outcome = STRESS_REFUSED;
