@@ -200,7 +200,7 @@ def _complain(columns, shape, row):
 def _texts(codes, text_of):
     """text_of each code, called once for each that is different."""
     different, which = numpy.unique(codes, return_inverse=True)
-    return numpy.array([text_of(code) for code in different], dtype=str)[which].reshape(codes.shape)[()]
+    return numpy.array([text_of(code) for code in different], dtype=str)[which.reshape(-1)].reshape(codes.shape)[()]
 
 
 class _Solution:

@@ -4,7 +4,7 @@ scenes=$(cd "$(dirname "$0")/../data/scenes" && pwd)
 . tests/common.sh
 
 # counted SCENE STAGE: what was done; after `stats SCENE`
-stats() { run "$1" run "$2" --stats --into . --quiet; grep -P '^[a-zA-Z_]+\t[0-9]+$' err >counts; }
+stats() { run "$1" run "$2" --stats --into . --quiet --no-plots; grep -P '^[a-zA-Z_]+\t[0-9]+$' err >counts; }
 counted() { awk -F '\t' -v s="$1" '$1 == s { print $2 }' counts; }
 is() { [ "$(counted "$1")" = "$2" ] || note "$1: $(counted "$1"), not $2"; }
 held() { # CODE SCENE: explain and stats agree
