@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "compare/compare.h"
@@ -76,7 +77,9 @@ static bool check_places(const struct scenes *all, const struct options *o)
     complain(o->command->name, "out of memory");
   for (int i = 0; good && i < all->count; i++)
     places_reads(places, all->scene[i]);
-  for (int i = 0; good && i < all->count; i++)
+  if (good && o->explain)
+    good = !o->has_output || places_writes(places, o->command->name, o->output);
+  for (int i = 0; good && !o->explain && i < all->count; i++)
     for (int w = 0; good && w < all->scene[i]->wants; w++)
       good = places_writes(places, o->command->name, all->outputs[i].file[w])
              && (!all->outputs[i].plot[w] || places_writes(places, o->command->name, all->outputs[i].plot[w]));
@@ -183,6 +186,14 @@ static bool hand_over(const struct scenes *all, const struct options *o)
 {
   if (all->input && !put_back(all->input)) {
     complain(o->command->name, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
+    return false;
+  }
+  for (int i = 0; i < all->count; i++) {
+    struct stat there;
+    const char *path = all->scene[i]->path;
+    if (!path || stat(path, &there) != 0 || S_ISREG(there.st_mode))
+      continue;
+    complain(o->command->name, "%s can be read only once, and scallop-flint is to read it again: give it as '-'", path);
     return false;
   }
   return has_flint(o, "this scene");

@@ -114,14 +114,12 @@ static struct gaits gaits_of(const struct scene *s)
   struct gaits all = { .linear = true, .concave = true };
   struct options probe = s->base;
   const struct scene_variable *variable;
-  bool varied = false;
   for (int i = 0; (variable = scene_variable(s, i)); i++)
     for (long k = 0; variable->target == TARGET_GAIT && k < variable->count; k++) {
       options_set_parameter(&probe, "gait", variable->texts[k]);
       add_gait(&all, probe.crawler.gait, true);
-      varied = true;
     }
-  add_gait(&all, s->base.crawler.gait, !varied);
+  add_gait(&all, s->base.crawler.gait, !every_product_sets(s, TARGET_GAIT));
   return all;
 }
 

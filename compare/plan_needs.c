@@ -13,13 +13,13 @@ static void need(bool *what, const char **for_what, const char *name)
     *for_what = name;
 }
 
-static bool every_product_has_v0(const struct scene *s)
+bool every_product_sets(const struct scene *s, enum scene_target target)
 {
   for (int i = 0; i < s->products; i++) {
     bool has = false;
     for (int g = 0; g < s->product[i].groups; g++)
       for (int v = 0; v < s->product[i].group[g].variables; v++)
-        has |= s->product[i].group[g].variable[v].target == TARGET_V0;
+        has |= s->product[i].group[g].variable[v].target == target;
     if (!has)
       return false;
   }
@@ -28,7 +28,7 @@ static bool every_product_has_v0(const struct scene *s)
 
 static void need_v0(struct planning *p, const char *name)
 {
-  if (p->scene->start == START_STEADY && !every_product_has_v0(p->scene))
+  if (p->scene->start == START_STEADY && !every_product_sets(p->scene, TARGET_V0))
     need(&p->n.steady, &p->n.for_steady, name);
 }
 

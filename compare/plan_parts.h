@@ -23,4 +23,7 @@ struct planning {
 /* plan_needs.c: what the wants need at a point, and how accurately. */
 void plan_needs(struct planning *planning);
 
+/* Does each product have a variable of that kind? Then the base's value is never used. */
+bool every_product_sets(const struct scene *s, enum scene_target target);
+
 #endif

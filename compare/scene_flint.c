@@ -7,6 +7,7 @@
 #include "asymptotics/evaluate.h"
 #include "compare/counts_flint.h"
 #include "compare/decimal.h"
+#include "compare/gaits.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those used last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
@@ -320,7 +321,8 @@ static bool formula_value(arb_t value, struct scene_state *s, struct scene_flint
   struct scallop_symbols symbols;
   struct series sum;
   fmpq_t T;
-  if ((formula_takes_given(formula) && !solve_phase(s, f)) || (!steady && !set_v0(s, f)))
+  count_add(COUNT_FORMULAS, 1);
+  if ((formula_takes_given(formula) && (!solve_phase(s, f) || !f->phase.switches)) || (!steady && !set_v0(s, f)))
     return false;
   scallop_symbols_init(&symbols);
   series_init(&sum);
@@ -337,8 +339,11 @@ static bool formula_value(arb_t value, struct scene_state *s, struct scene_flint
     series_set_ball(&symbols.value[SYMBOL_dT], f->phase.dT);
     series_set_ball(&symbols.value[SYMBOL_x_switch], f->phase.at_last);
   }
-  count_add(COUNT_FORMULAS, 1);
   bool found = scallop_formula_expand(&sum, formula, &symbols, steady ? SCALLOP_EXTENSION : s->scene->phase, &ring);
+  if (!gait_has_ends(s->at.crawler.gait) && (!found || strstr(formula->text, "L_kin"))) {
+    state_fail(s, no_ends); /* L_kin is 0 there, and nothing is said of it */
+    found = false;
+  }
   if (found)
     series_coefficient(value, &sum, 0, precision);
   fmpq_clear(T);
@@ -387,13 +392,14 @@ double scene_flint_error(struct scene_state *s, const struct quantity *series, d
     if (series->kind == QUANTITY_PUBLISHED && series->formula->quantity == SCALLOP_VELOCITY_CHANGE)
       subtract(difference, f->v0, precision);
     *exact = arf_get_d(arb_midref(difference), ARF_RND_NEAR);
-    bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, f, series->formula, precision)
-                                                    : derived_value(value, s, f, series, precision);
-    if (found) {
-      *rounded = arf_get_d(arb_midref(value), ARF_RND_NEAR);
-      arb_sub(value, value, difference, precision);
-      error = told(value, difference, s->needs.accuracy);
-    }
+  }
+  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, f, series->formula, precision)
+                                                  : derived_value(value, s, f, series, precision);
+  if (found)
+    *rounded = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+  if (found && counterpart) {
+    arb_sub(value, value, difference, precision);
+    error = told(value, difference, s->needs.accuracy);
   }
   arb_clear(value);
   arb_clear(difference);

@@ -68,6 +68,9 @@ void places_reads(struct scene_places *all, const struct scene *scene)
   for (int i = 0; (v = scene_variable(scene, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       reads_gait(all, v->texts[k]);
+  for (int w = 0; w < scene->wants; w++)
+    if (scene->want[w].plot.script)
+      reads(all, scene->want[w].plot.script);
 }
 
 bool places_writes(struct scene_places *all, const char *command, const char *path)

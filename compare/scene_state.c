@@ -123,7 +123,10 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   for (int g = 0; g < product->groups; g++) {
     for (int v = 0; v < product->group[g].variables; v++)
       set_variable(s, &product->group[g].variable[v], index[g]);
+    bool was_outside = s->why[0] != '\0';
     settle(s);
+    if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
+      s->why[0] = '\0';
   }
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
   s->is_outside = s->why[0] != '\0';
@@ -201,7 +204,7 @@ static double onset_of_sticking(struct scene_state *s)
 
 /* ---- series and errors ---- */
 
-static const char no_ends[] =
+const char no_ends[] =
     "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
 
 static double published(struct scene_state *s, const struct scallop_formula *f)

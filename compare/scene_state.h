@@ -68,4 +68,6 @@ double state_v0(struct scene_state *state);
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double state_fail(struct scene_state *state, const char *why);
 
+extern const char no_ends[]; /* why a formula has no value                                           */
+
 #endif

@@ -11,7 +11,7 @@
 
 enum { MOST_INCLUDED = 10, NAME = 4096 };
 static const size_t MOST_BYTES = 1 << 24;
-static const double MOST_32_BITS = 2147483647;
+static const double MOST_32_BITS = 2147483647, MOST_64_BITS = 9223372036854775807.0;
 
 /* ---- the file ---- */
 
@@ -115,11 +115,15 @@ static void skip_comment(struct scan *s)
 static bool check_number(struct scan *s)
 {
   const char *begin = s->at;
-  size_t digits = strspn(begin, "0123456789");
+  bool is_hex = begin[0] == '0' && tolower((unsigned char)begin[1]) == 'x';
+  size_t digits = is_hex ? 2 + strspn(begin + 2, "0123456789abcdefABCDEF") : strspn(begin, "0123456789");
   const char *end = begin + digits;
-  bool whole = !strchr(".eExX", *end) || *end == '\0', is_long = *end == 'L';
-  if (whole && !is_long && strtod(begin, NULL) > MOST_32_BITS)
-    return refuse(s, "a whole number beyond 2147483647 is written with a point, or an L behind it", begin, (int)digits);
+  bool whole = is_hex || !strchr(".eE", *end) || *end == '\0', is_long = *end == 'L';
+  if (whole && strtod(begin, NULL) > (is_long ? MOST_64_BITS : MOST_32_BITS))
+    return refuse(s,
+                  is_long ? "a whole number beyond 9223372036854775807 is written with a point"
+                          : "a whole number beyond 2147483647 is written with a point, or an L behind it",
+                  begin, (int)digits);
   while (isalnum((unsigned char)*end) || *end == '.' || *end == '_'
          || (strchr("+-", *end) && *end != '\0' && strchr("eE", end[-1])))
     end++;
@@ -170,7 +174,7 @@ static bool check(struct scan *s)
     else if (isdigit((unsigned char)*at))
       good = check_number(s);
     else if (isalpha((unsigned char)*at)) /* a name, whose digits are no number */
-      skip_to(s, at + strcspn(at, " \t\r\n=:;,(){}[]\"#"));
+      skip_to(s, at + strcspn(at, " \t\r\n=:;,(){}[]\"#/"));
     else
       skip_to(s, at + 1);
   }

@@ -88,6 +88,8 @@ want = ( { what = "steady"; file = "gaits.tsv"; } );
 E2
 held 0 gaits.cfg
 is gaits 1
+printf 'crawler = { gait = "minimum-jerk"; };\nvary = ( ( { gait = "quadratic"; } ), ( { T = [ 1.0, 9.0 ]; } ) );\nwant = ( { what = "steady"; file = "gaits.tsv"; } );\n' >some.cfg
+held 0 some.cfg
 finish "what does not depend on T is not made anew for each T"
 
 for accuracy in 1e-10 1e-12 1e-60 1e-200; do

@@ -120,6 +120,10 @@ refused "1: '4294967297': a whole number beyond" <<'E2'
 crawler = { F1 = 4294967297; }; # libconfig would take 1
 want = ( { what = "steady"; file = "kept.tsv"; } );
 E2
+refused "1: '0x100000003': a whole number beyond" <<'E2'
+crawler = { F1 = 0x100000003; };
+want = ( { what = "steady"; file = "kept.tsv"; } );
+E2
 refused "2: '.*gone.cfg.*there is no such file to include\\|2: 'gone.cfg': there is no such file to include" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; } );
 @include "gone.cfg"
@@ -182,6 +186,7 @@ run 2 run own.cfg
 grep -q 'is read by a scene' err || note "a table in place of the scene: $(cat err)"
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "p.svg"; } );\n' >picture.cfg
 run 2 run picture.cfg
+run 2 run own.cfg --explain -o own.cfg
 printf 'want = ( { what = "steady"; columns = [ "v_start" ]; } );\n' | "$tool" run - >out 2>err
 [ "$(rows out)" = 3.0166206576889527 ] || note "standard input: $(cat out err)"
 printf 'want = ( { what = "steady"; columns = [ "certified.v_start" ]; digits = 20; } );\n' | "$tool" run - >out 2>err
@@ -219,6 +224,12 @@ run 0 run decimal.cfg
 cp out decimal
 run 0 phase --v0 0.1 --certified --digits 30
 [ "$(rows decimal)" = "$(cells out v_end)" ] || note "start = 0.1 is no decimal: $(rows decimal)"
+printf 'crawler = { gait = "minimum-jerk"; };\nwant = ( { what = "error"; of = [ "text_steady_xC" ]; accuracy = 1e-20; columns = [ "S = text_steady_xC", "status" ]; } );\n' | sed 's/of = [^;]*; //; s/"status"/"error.text_steady_xC", "status"/' >ends.cfg
+run 3 run ends.cfg
+[ "$(cells out S status | cut -c 1-10)" = "nan l'' = " ] || note "a certified value where there is none: $(cells out S status)"
+printf 'vary = ( { F1_over_F2 = 1e300; }, { F2 = 1e-300; } );\ncrawler = { F2 = 1e10; };\nwant = ( { what = "phase"; columns = [ "F1" ]; } );\n' >between.cfg
+"$tool" run between.cfg >out 2>err
+[ "$(rows out)" = 1 ] || note "a ratio that is beyond range in between: $(cat out err)"
 printf 'start = "rest";\nwant = ( { what = "phase"; columns = [ "certified.t1" ]; format = "json"; } );\ncrawler = { F1 = 1.0; };\n' >null.cfg
 run 0 run null.cfg
 [ "$(cat out)" = '{"certified.t1": null}' ] || note "JSON: $(cat out)"
