@@ -9,7 +9,7 @@
 #include "compare/options.h"
 #include "compare/quantity.h"
 
-enum { SCENE_GROUPS = 8, SCENE_VARIABLES = 8, SCENE_PRODUCTS = 16, SCENE_WANTS = 32, SCENE_COLUMNS = 60, SCENE_NOTES = 16 };
+enum { SCENE_GROUPS = 8, SCENE_VARIABLES = 8, SCENE_PRODUCTS = 16, SCENE_WANTS = 32, SCENE_COLUMNS = 60, SCENE_NOTES = 16, SCENE_INCLUDED = 64 };
 /* What a table of orders has beside parameters and labels; NULL-terminated. */
 extern const char *const order_columns[];
 
@@ -102,6 +102,8 @@ enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 struct scene {
   char *name;        /* of the file, without folder and .cfg                                        */
   const char *path;  /* of the file, NULL: it comes with the tool, or from standard input            */
+  int included; /* files that it includes                                                        */
+  const char *include[SCENE_INCLUDED];
   const char *title; /* or NULL                                                                     */
   int notes;
   const char *note[SCENE_NOTES];

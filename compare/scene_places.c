@@ -64,6 +64,11 @@ void places_reads(struct scene_places *all, const struct scene *scene)
   const struct scene_variable *v;
   if (scene->path)
     reads(all, scene->path);
+  if (strcmp(scene->name, "-") == 0)
+    reads(all, "/dev/stdin");
+  for (int i = 0; i < scene->included; i++)
+    if (scene->include[i])
+      reads(all, scene->include[i]);
   reads_gait(all, scene->base.crawler.gait->name);
   for (int i = 0; (v = scene_variable(scene, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)

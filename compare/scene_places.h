@@ -22,7 +22,8 @@ struct scene_places {
   struct scene_place place[SCENE_PLACES];
 };
 
-/* Notes the files that a scene reads: itself, and measured gaits. */
+/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard
+ * input, where that is a file. */
 void places_reads(struct scene_places *places, const struct scene *scene);
 /* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
  * pipes take any number. */

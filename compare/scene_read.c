@@ -307,11 +307,19 @@ static char *name_of(const char *path)
   return name;
 }
 
+static void keep_included(void *context, const char *path)
+{
+  const struct reading *r = context;
+  if (r->scene->included < SCENE_INCLUDED)
+    r->scene->include[r->scene->included++] = keep_text(r, path, 0, path);
+}
+
 /* Whole and looked through before libconfig sees it (scene_text.c). */
 static enum exit_code parse(const struct reading *r, const struct scene_source *source, config_t *file)
 {
   const char *command = r->options->command->name, *slash = strrchr(source->path, '/');
   char folder[4096] = "", *text = NULL;
+  struct reading copy = *r;
   if (slash && !source->text) {
     snprintf(folder, sizeof folder, "%.*s", (int)(slash - source->path), source->path);
     config_set_include_dir(file, folder);
@@ -320,7 +328,7 @@ static enum exit_code parse(const struct reading *r, const struct scene_source *
   if (code != EXIT_DONE)
     return code;
   const char *whole = source->text ? source->text : text;
-  if (!scene_text_check(command, r->path, slash ? folder : ".", whole))
+  if (!scene_text_check(command, r->path, slash ? folder : ".", whole, keep_included, &copy))
     code = EXIT_USAGE;
   if (code == EXIT_DONE && !config_read_string(file, whole)) {
     const char *at = config_error_file(file), *said = config_error_text(file);

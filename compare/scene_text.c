@@ -79,6 +79,8 @@ enum exit_code scene_text_read(const char *command, const char *path, char **tex
 
 struct scan {
   const char *command, *path, *folder;
+  scene_text_included *included;
+  void *context;
   int depth;
   const char *at;
   long line;
@@ -153,7 +155,8 @@ static bool check_included(struct scan *s)
   char *text;
   if (scene_text_read(s->command, path, &text) != EXIT_DONE)
     return false;
-  struct scan inner = { s->command, path, s->folder, s->depth + 1, text, 1 };
+  struct scan inner = { s->command, path, s->folder, s->included, s->context, s->depth + 1, text, 1 };
+  s->included(s->context, path);
   bool good = check(&inner);
   free(text);
   skip_to(s, close + 1);
@@ -181,8 +184,9 @@ static bool check(struct scan *s)
   return good;
 }
 
-bool scene_text_check(const char *command, const char *path, const char *folder, const char *text)
+bool scene_text_check(const char *command, const char *path, const char *folder, const char *text,
+                      scene_text_included *included, void *context)
 {
-  struct scan s = { command, path, *folder ? folder : ".", 0, text, 1 };
+  struct scan s = { command, path, *folder ? folder : ".", included, context, 0, text, 1 };
   return check(&s);
 }

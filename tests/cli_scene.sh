@@ -187,6 +187,12 @@ grep -q 'is read by a scene' err || note "a table in place of the scene: $(cat e
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "p.svg"; } );\n' >picture.cfg
 run 2 run picture.cfg
 run 2 run own.cfg --explain -o own.cfg
+echo 'title = "included";' >inc.cfg
+printf '@include "inc.cfg"\nwant = ( { what = "steady"; file = "inc.cfg"; } );\n' >including.cfg
+run 2 run including.cfg
+grep -q 'inc.cfg is read by a scene' err || note "a table in place of what is included: $(cat err)"
+"$tool" run - <own.cfg >out 2>err
+grep -q 'own.cfg is read by a scene' err || note "a table in place of standard input: $(cat err)"
 printf 'want = ( { what = "steady"; columns = [ "v_start" ]; } );\n' | "$tool" run - >out 2>err
 [ "$(rows out)" = 3.0166206576889527 ] || note "standard input: $(cat out err)"
 printf 'want = ( { what = "steady"; columns = [ "certified.v_start" ]; digits = 20; } );\n' | "$tool" run - >out 2>err
