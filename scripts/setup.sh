@@ -26,6 +26,7 @@ look() { # PURPOSE...: what is missing
       report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
       tests)    has_header cmocka.h || need libcmocka-dev
                 command -v pkg-config >/dev/null 2>&1 || need pkgconf
+                command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
                 /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"
                 /usr/bin/python3 -c 'import numpy' 2>/dev/null || need python3-numpy ;;
       lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
