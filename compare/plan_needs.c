@@ -145,11 +145,7 @@ static void need_quantity(struct planning *p, int place)
 static void each_quantity(const struct scene_want *w, void visit(struct planning *, int), struct planning *p)
 {
   for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = 0;
-    if (w->column[i].quantity >= 0)
-      visit(p, w->column[i].quantity);
-    else
-      count = arithmetic_places(&w->column[i].formula, places);
+    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
     for (int k = 0; k < count; k++)
       visit(p, places[k]);
   }

@@ -9,7 +9,15 @@
 #include "compare/options.h"
 #include "compare/quantity.h"
 
-enum { SCENE_GROUPS = 8, SCENE_VARIABLES = 8, SCENE_PRODUCTS = 16, SCENE_WANTS = 32, SCENE_COLUMNS = 60, SCENE_NOTES = 16, SCENE_INCLUDED = 64 };
+enum {
+  SCENE_GROUPS = 8,
+  SCENE_VARIABLES = 8,
+  SCENE_PRODUCTS = 16,
+  SCENE_WANTS = 32,
+  SCENE_COLUMNS = 60,
+  SCENE_NOTES = 16,
+  SCENE_INCLUDED = 64
+};
 /* What a table of orders has beside parameters and labels; NULL-terminated. */
 extern const char *const order_columns[];
 
@@ -100,9 +108,9 @@ struct scene_want {
 enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
 struct scene {
-  char *name;        /* of the file, without folder and .cfg                                        */
-  const char *path;  /* of the file, NULL: it comes with the tool, or from standard input            */
-  int included; /* files that it includes                                                        */
+  char *name;       /* of the file, without folder and .cfg                                        */
+  const char *path; /* of the file, NULL: it comes with the tool, or from standard input            */
+  int included;     /* files that it includes                                                        */
   const char *include[SCENE_INCLUDED];
   const char *title; /* or NULL                                                                     */
   int notes;
@@ -130,6 +138,9 @@ struct scene_source {
  * EXIT_DONE, or the exit code, the message being on stderr. */
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options);
 void scene_free(struct scene *scene);
+
+/* The quantities of a column: that one, or those of its formula. Returns how many. */
+int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
 
 /* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
 const char *scene_variable_sets(const struct scene_variable *variable);

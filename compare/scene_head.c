@@ -70,10 +70,7 @@ static bool has_start(const struct scene *s, const struct scene_want *w)
 {
   bool has = w->kind == WANT_TRAJECTORY;
   for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS];
-    int count = w->column[i].quantity < 0 ? arithmetic_places(&w->column[i].formula, places) : 1;
-    if (w->column[i].quantity >= 0)
-      places[0] = w->column[i].quantity;
+    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
     for (int k = 0; k < count; k++)
       has |= is_of_start(&s->quantities, places[k]);
   }

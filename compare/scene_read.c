@@ -392,6 +392,14 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .products = 0 };
 }
 
+int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS])
+{
+  if (column->quantity < 0)
+    return arithmetic_places(&column->formula, places);
+  places[0] = column->quantity;
+  return 1;
+}
+
 const char *scene_variable_sets(const struct scene_variable *v)
 {
   switch (v->target) {
