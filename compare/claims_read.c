@@ -56,8 +56,8 @@ static struct committed *append(struct committed_ledger *ledger, const char *lin
 static const char *read_line(struct reading *r, struct committed_ledger *ledger)
 {
   char *cells[MOST_CELLS];
-  if (is_binary(&r->lines))
-    return "this is not a text file";
+  if (line_fault(&r->lines))
+    return line_fault(&r->lines);
   if (r->lines.line[0] == '#' || r->lines.line[0] == '\0')
     return NULL;
   if (!r->started)
@@ -85,7 +85,7 @@ enum exit_code committed_read(struct committed_ledger *ledger, const char *name)
   }
   while (!wrong && next_line(&r.lines))
     wrong = read_line(&r, ledger);
-  bool failed = ferror(r.lines.file);
+  bool failed = r.lines.error != 0;
   if (wrong)
     complain("claims", "%s:%ld: %s: `scallop claims` writes one", name, r.lines.number, wrong);
   else if (failed)
@@ -93,7 +93,7 @@ enum exit_code committed_read(struct committed_ledger *ledger, const char *name)
   else if (ledger->count == 0)
     complain("claims", "%s: no row of a ledger: `scallop claims` writes one", name);
   fclose(r.lines.file);
-  free(r.lines.line);
+  lines_free(&r.lines);
   return failed ? EXIT_FILE : wrong || ledger->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }
 

@@ -17,25 +17,27 @@ struct list {
   int count, room;
 };
 
-enum { MESSAGE = 120 };
+enum { MESSAGE = 120, MOST_ROWS = 1000000 };
 
 struct layout {
   int h, value, noise, columns;
   bool values;
 };
 
-static bool append(struct list *list, struct order_point point)
+static const char *append(struct list *list, struct order_point point)
 {
+  if (list->count == MOST_ROWS)
+    return "more than a million rows";
   if (list->count == list->room) {
     int room = list->room ? 2 * list->room : 64;
     struct order_point *grown = realloc(list->points, (size_t)room * sizeof *grown);
     if (!grown)
-      return false;
+      return "out of memory";
     list->points = grown;
     list->room = room;
   }
   list->points[list->count++] = point;
-  return true;
+  return NULL;
 }
 
 /* Reads a number; unlike an option's, it may be nan or inf, which the estimator then refuses. */
@@ -113,7 +115,7 @@ static const char *read_line(char *line, struct list *list, struct layout *layou
       snprintf(message, MESSAGE, "column %d: '%.60s' is not a number", wanted[i].column + 1, cells[wanted[i].column]);
       return message;
     }
-  return append(list, point) ? NULL : "out of memory";
+  return append(list, point);
 }
 
 static enum exit_code read_file(const struct options *options, struct list *list, bool *values)
@@ -128,16 +130,15 @@ static enum exit_code read_file(const struct options *options, struct list *list
     return EXIT_FILE;
   }
   while (!wrong && next_line(&lines))
-    wrong = is_binary(&lines) ? "this is not a text file" : read_line(lines.line, list, &layout, &started, message);
-  bool failed = ferror(lines.file);
-  int error = errno;
+    wrong = line_fault(&lines) ? line_fault(&lines) : read_line(lines.line, list, &layout, &started, message);
+  bool failed = lines.error != 0;
   if (wrong)
     complain("order", "%s:%ld: %s", name, lines.number, wrong);
   else if (failed)
-    complain("order", "cannot read %s: %s", name, strerror(error));
+    complain("order", "cannot read %s: %s", name, strerror(lines.error));
   else if (list->count == 0)
     complain("order", "%s: no data: lines of 'h err' are wanted", name);
-  free(lines.line);
+  lines_free(&lines);
   if (!standard)
     fclose(lines.file);
   *values = layout.values;

@@ -84,8 +84,8 @@ static const char *read_line(struct rows *rows, struct lines *lines, const char 
 {
   char *words[2];
   double t, l;
-  if (is_binary(lines))
-    return at_line(file, lines->number, "this is not a text file");
+  if (line_fault(lines))
+    return at_line(file, lines->number, "%s", line_fault(lines));
   int count = words_of(lines->line, words, 2);
   if (count == 0 || words[0][0] == '#')
     return NULL;
@@ -120,12 +120,12 @@ static const char *read_rows(struct rows *rows, const char *file, bool *unreadab
     return at_line(file, 0, "cannot be read: %s", strerror(errno));
   while (!wrong && next_line(&lines))
     wrong = read_line(rows, &lines, file, &header);
-  if (!wrong && ferror(lines.file)) {
+  if (!wrong && lines.error) {
     *unreadable = true;
     wrong = at_line(file, 0, "cannot be read: %s", strerror(lines.error));
   }
   fclose(lines.file);
-  free(lines.line);
+  lines_free(&lines);
   return wrong;
 }
 

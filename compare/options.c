@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "compare/compare.h"
 #include "compare/gaits.h"
@@ -186,6 +187,18 @@ static bool digits_are_sound(const struct options *o)
   return false;
 }
 
+/* A measurement must not be lost to a slip of the keyboard. */
+static bool output_is_sound(const struct options *o)
+{
+  const char *gait = o->crawler.gait->name, *measured = strncmp(gait, "measured:", 9) == 0 ? gait + 9 : NULL;
+  struct stat in, out;
+  bool lost = measured && o->output && stat(measured, &in) == 0 && stat(o->output, &out) == 0 && in.st_dev == out.st_dev
+              && in.st_ino == out.st_ino;
+  if (lost)
+    complain(o->command->name, "--output: %s is the file of the gait and is not replaced: name another file", o->output);
+  return !lost;
+}
+
 bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
 {
   *o = (struct options){ .command = command,
@@ -207,7 +220,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
   if (!read_arguments(o, count, arguments, code))
     return false;
   options_complete(o);
-  return digits_are_sound(o) || refuse(code);
+  return (digits_are_sound(o) && output_is_sound(o)) || refuse(code);
 }
 
 void options_free(struct options *o)

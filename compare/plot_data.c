@@ -169,9 +169,9 @@ static bool take_row(struct reader *r)
 
 static bool take_line(struct reader *r)
 {
-  if (is_binary(&r->lines)) {
-    complain(r->command, "cannot draw %s: %s:%ld: a NUL byte: this is no text", r->plot->file, r->plot->table,
-             r->lines.number);
+  const char *fault = line_fault(&r->lines);
+  if (fault) {
+    complain(r->command, "cannot draw %s: %s:%ld: %s", r->plot->file, r->plot->table, r->lines.number, fault);
     return false;
   }
   if (r->lines.length == 0 || r->lines.line[0] == '#')
@@ -204,15 +204,15 @@ static bool read_lines(struct reader *r)
   int error = errno;
   while (good && next_line(&r->lines))
     good = take_line(r);
-  if (r->lines.file && ferror(r->lines.file)) {
+  if (r->lines.error) {
     good = false;
     error = r->lines.error;
   }
-  if (!r->lines.file || ferror(r->lines.file))
+  if (!r->lines.file || r->lines.error)
     complain(r->command, "cannot draw %s: cannot read %s: %s", r->plot->file, r->plot->table, strerror(error));
   if (r->lines.file)
     fclose(r->lines.file);
-  free(r->lines.line);
+  lines_free(&r->lines);
   return good && has_points(r);
 }
 

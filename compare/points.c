@@ -1,20 +1,25 @@
 #include "compare/points.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "compare/lines.h"
 
-enum { COLUMNS = 256 };
+enum { COLUMNS = 256, COLUMN_NAME = 40, MESSAGE = 240 };
 
 struct reader {
   struct lines lines;
-  const char *name;               /* of the file, for messages                                       */
+  const char *command, *name;     /* the latter of the file, for messages                                       */
   const char *parameter[COLUMNS]; /* of each column; NULL: a column to ignore                        */
   int place[COLUMNS];             /* of it among the crawler's numbers                               */
-  int columns;
+  int columns, unused;
+  bool quiet;
   long rows, unsolved;
 };
 
@@ -58,60 +63,130 @@ static const char *known_parameter(const char *name, const char *const *extra)
   return NULL;
 }
 
-/* A known parameter that this name, which is none, was probably meant to be; names of one letter are not judged. */
-static const char *meant(const char *name, const char *const *extra)
+/* What other programs call a parameter */
+static const struct {
+  const char *word, *parameter;
+} synonyms[] = { { "period", "T" }, { "stroke", "L" },     { "mass1", "m1" },
+                 { "mass2", "m2" }, { "friction1", "F1" }, { "friction2", "F2" } };
+
+/* The letters and digits of a name */
+static void squeeze(char plain[COLUMN_NAME], const char *name)
 {
-  for (int list = 0; list < 2; list++)
-    for (const char *const *p = list == 0 ? crawler_parameters : extra; *p; p++)
-      if (strlen(*p) > 1 && likely(name, *p))
-        return *p;
-  return NULL;
+  size_t n = 0;
+  for (; *name && n + 1 < COLUMN_NAME; name++)
+    if (isalnum((unsigned char)*name))
+      plain[n++] = *name;
+  plain[n] = '\0';
 }
 
-static enum exit_code read_header(struct reader *r, const char *command, const char *const *extra)
+/* A word like a longer one (alpha, phase): with the same first letter and few others */
+static bool resembles(const char *plain, const char *parameter)
 {
-  bool useful = false;
-  if (!next_data(&r->lines)) {
-    if (ferror(r->lines.file)) {
-      complain(command, "cannot read %s: %s", r->name, strerror(r->lines.error));
-      return EXIT_FILE;
-    }
-    complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
+  const char *const names[] = { parameter, NULL };
+  return strlen(plain) >= 4 && strlen(parameter) >= 5 && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter)
+         && nearest(plain, names);
+}
+
+/* The known parameter that this name, which is none, was probably meant to be, or NULL. Of one letter only what stands around it is
+ * judged: `t` is a time. */
+static const char *meant(const char *name, const char *const *extra)
+{
+  char plain[COLUMN_NAME];
+  squeeze(plain, name);
+  const char *known = known_parameter(plain, extra);
+  for (int list = 0; !known && list < 2; list++)
+    for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
+      if ((strlen(*p) > 1 && likely(plain, *p)) || resembles(plain, *p))
+        known = *p;
+  for (size_t i = 0; !known && i < sizeof synonyms / sizeof *synonyms; i++)
+    if (likely(plain, synonyms[i].word))
+      known = synonyms[i].parameter;
+  return known;
+}
+
+/* Takes a name out of the blanks and the quotes around it. */
+static char *trimmed(char *name)
+{
+  static const char around[] = " '\"";
+  name += strspn(name, around);
+  for (size_t n = strlen(name); n > 0 && strchr(around, name[n - 1]);)
+    name[--n] = '\0';
+  return name;
+}
+
+static enum exit_code refuse_header(const struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static enum exit_code refuse_header(const struct reader *r, const char *format, ...)
+{
+  char text[MESSAGE];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  complain(r->command, "%s:%ld: %s", r->name, r->lines.number, text);
+  return EXIT_USAGE;
+}
+
+static bool is_there(const struct reader *r, const char *parameter)
+{
+  for (int i = 0; i < r->columns; i++)
+    if (r->parameter[i] && strcmp(r->parameter[i], parameter) == 0)
+      return true;
+  return false;
+}
+
+/* Names with commas between, up to where the room ends */
+static void add_name(char names[MESSAGE], const char *name)
+{
+  size_t used = strlen(names);
+  snprintf(names + used, MESSAGE - used, "%s%.40s", used ? ", " : "", *name ? name : "''");
+}
+
+static enum exit_code read_column(struct reader *r, const char *name, const char *const *extra)
+{
+  const char *parameter = known_parameter(name, extra), *near = parameter ? NULL : meant(name, extra);
+  if (r->columns == COLUMNS)
+    return refuse_header(r, "more than %d columns", COLUMNS);
+  if (parameter && is_there(r, parameter))
+    return refuse_header(r, "the column '%s' is there twice", parameter);
+  if (near)
+    return refuse_header(r, "unknown column '%.80s': did you mean '%s'?", name, near);
+  if (!parameter)
+    r->unused++;
+  r->parameter[r->columns] = parameter;
+  r->place[r->columns++] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
+  return EXIT_DONE;
+}
+
+static enum exit_code read_header(struct reader *r, const char *const *extra)
+{
+  if (!next_data(&r->lines) && r->lines.error) {
+    complain(r->command, "cannot read %s: %s", r->name, strerror(r->lines.error));
+    return EXIT_FILE;
+  }
+  if (r->lines.length == 0) {
+    complain(r->command, "%s: no header line: a TSV file with the names of its columns is wanted", r->name);
     return EXIT_USAGE;
   }
-  if (is_binary(&r->lines)) {
-    complain(command, "%s:%ld: this is not a text file", r->name, r->lines.number);
-    return EXIT_USAGE;
-  }
+  if (line_fault(&r->lines))
+    return refuse_header(r, "%s", line_fault(&r->lines));
+  char unused[MESSAGE] = "";
   for (char *cell = r->lines.line; cell;) {
     char *tab = strchr(cell, '\t');
     if (tab)
       *tab = '\0';
-    if (r->columns == COLUMNS) {
-      complain(command, "%s:%ld: more than %d columns", r->name, r->lines.number, COLUMNS);
-      return EXIT_USAGE;
-    }
-    const char *parameter = known_parameter(cell, extra);
-    for (int i = 0; parameter && i < r->columns; i++)
-      if (r->parameter[i] && strcmp(r->parameter[i], parameter) == 0) {
-        complain(command, "%s:%ld: the column '%s' is there twice", r->name, r->lines.number, parameter);
-        return EXIT_USAGE;
-      }
-    const char *near = parameter ? NULL : meant(cell, extra);
-    if (near) {
-      complain(command, "%s:%ld: unknown column '%.80s': did you mean '%s'?", r->name, r->lines.number, cell, near);
-      return EXIT_USAGE;
-    }
-    r->parameter[r->columns] = parameter;
-    r->place[r->columns++] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
-    useful |= parameter != NULL;
+    const char *name = trimmed(cell);
+    enum exit_code code = read_column(r, name, extra);
+    if (code != EXIT_DONE)
+      return code;
+    if (!r->parameter[r->columns - 1])
+      add_name(unused, name);
     cell = tab ? tab + 1 : NULL;
   }
-  if (!useful) {
-    complain(command, "%s:%ld: no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs",
-             r->name, r->lines.number);
-    return EXIT_USAGE;
-  }
+  if (r->unused == r->columns)
+    return refuse_header(r, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
+  if (*unused && !r->quiet)
+    complain(r->command, "note: %s:%ld: these columns are no parameters and are not used: %s", r->name, r->lines.number,
+             unused);
   return EXIT_DONE;
 }
 
@@ -135,8 +210,8 @@ static const char *set_cell(const struct reader *r, struct options *point, int c
 static const char *read_row(struct reader *r, struct options *point, char *status)
 {
   int column = 0;
-  if (is_binary(&r->lines)) {
-    snprintf(status, POINT_STATUS, "line %ld: not text", r->lines.number);
+  if (line_fault(&r->lines)) {
+    snprintf(status, POINT_STATUS, "line %ld: %s", r->lines.number, line_fault(&r->lines));
     return status;
   }
   for (char *cell = r->lines.line; cell; column++) {
@@ -214,7 +289,7 @@ static void solve_blocks(struct reader *r, struct table *table, const struct opt
 
 static enum exit_code finish(struct reader *r, struct table *table, const struct options *options)
 {
-  if (ferror(r->lines.file)) {
+  if (r->lines.error) {
     complain(options->command->name, "cannot read %s: %s", r->name, strerror(r->lines.error));
     table_abandon(table);
     return EXIT_FILE;
@@ -254,19 +329,32 @@ static enum exit_code one_point(const struct options *options, const char *const
   return why ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
+/* Is the file that is read the one that standard output is added to? Then it would never end. */
+static bool feeds_itself(const struct reader *r, const struct options *options)
+{
+  struct stat in, out;
+  bool same = !options->output && fstat(fileno(r->lines.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
+              && S_ISREG(in.st_mode) && in.st_dev == out.st_dev && in.st_ino == out.st_ino;
+  if (same)
+    complain(r->command, "standard output goes to %s, which is read at the same time: use -o for another file", r->name);
+  return same;
+}
+
 /* The points of a file, by row or by rows: one of them is NULL. */
 static enum exit_code each(const struct options *options, const char *const *extra, const char *const *columns,
                            point_row *row, block_rows *rows)
 {
   bool standard = strcmp(options->points, "-") == 0;
   struct reader r = { .lines = { .file = standard ? stdin : fopen(options->points, "r") },
+                      .command = options->command->name,
+                      .quiet = options->quiet,
                       .name = standard ? "standard input" : options->points };
   struct table table;
   if (!r.lines.file) {
     complain(options->command->name, "cannot read %s: %s", r.name, strerror(errno));
     return EXIT_FILE;
   }
-  enum exit_code code = read_header(&r, options->command->name, extra);
+  enum exit_code code = feeds_itself(&r, options) ? EXIT_USAGE : read_header(&r, extra);
   if (code == EXIT_DONE && !begin(&table, options, extra, columns))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
@@ -278,7 +366,7 @@ static enum exit_code each(const struct options *options, const char *const *ext
   }
   if (!standard)
     fclose(r.lines.file);
-  free(r.lines.line);
+  lines_free(&r.lines);
   return code;
 }
 

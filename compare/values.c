@@ -15,6 +15,8 @@ static char message[320];
 bool read_number(const char *text, double *value)
 {
   char *end;
+  if (strnlen(text, NUMBER_LENGTH + 1) > NUMBER_LENGTH)
+    return false;
   if (digits_read(text, value))
     return true;
   if (*text == '\0' || isspace((unsigned char)*text))
@@ -55,9 +57,10 @@ const char *no_number(const char *text, const char *allowed)
   double x = strtod(text, &end);
   bool beyond = !blank && *end == '\0' && errno == ERANGE;
   snprintf(both, sizeof both, "%s%s", allowed,
-           blank                   ? ", without blanks around it"
-           : beyond && fabs(x) < 1 ? "; this one is too small: below 2.2e-308 doubles lose digits"
-           : beyond                ? "; this one is too large: no double is above 1.8e308"
-                                   : "");
+           blank                    ? ", without blanks around it"
+           : length > NUMBER_LENGTH ? "; this one has more than 10100 characters"
+           : beyond && fabs(x) < 1  ? "; this one is too small: below 2.2e-308 doubles lose digits"
+           : beyond                 ? "; this one is too large: no double is above 1.8e308"
+                                    : "");
   return not_allowed(text, both);
 }

@@ -4,7 +4,9 @@
 
 #include <stdbool.h>
 
-/* A finite number in C's decimal or hexadecimal notation and nothing else. */
+/* A finite number in C's decimal or hexadecimal notation and nothing else, of NUMBER_LENGTH characters at most: more digits than
+ * any computation here is asked for. */
+enum { NUMBER_LENGTH = 10100 };
 bool read_number(const char *text, double *value);
 
 /* A whole number from low to high and nothing else. */

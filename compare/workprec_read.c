@@ -142,8 +142,8 @@ static bool read_line(struct reading *r)
 {
   char *cells[MOST_CELLS];
   char *line = r->lines.line;
-  if (is_binary(&r->lines))
-    return refuse(r, "not a text file:", line);
+  if (line_fault(&r->lines))
+    return refuse(r, line_fault(&r->lines), line);
   if (r->table && strncmp(line, "# parameters: ", 14) == 0)
     pass_on(r->table, line + 2);
   if (line[0] == '#' || line[0] == '\0')
@@ -168,8 +168,8 @@ static enum exit_code read_file(const char *name, struct table *table)
   *r = (struct reading){ .name = name, .table = table, .lines = { .file = fopen(name, "r") } };
   while (r->lines.file && code == EXIT_DONE && next_line(&r->lines))
     code = read_line(r) ? EXIT_DONE : EXIT_USAGE;
-  if (!r->lines.file || ferror(r->lines.file)) {
-    complain("workprec", "cannot read %s: %s", name, strerror(errno));
+  if (!r->lines.file || r->lines.error) {
+    complain("workprec", "cannot read %s: %s", name, strerror(r->lines.file ? r->lines.error : errno));
     code = EXIT_FILE;
   } else if (code == EXIT_DONE && r->rows == 0) {
     complain("workprec", "%s: no rows: `scallop workprec` writes such a table, as TSV", name);
@@ -178,7 +178,7 @@ static enum exit_code read_file(const char *name, struct table *table)
   end_point(r);
   if (r->lines.file)
     fclose(r->lines.file);
-  free(r->lines.line);
+  lines_free(&r->lines);
   free(r);
   return code;
 }

@@ -111,6 +111,75 @@ cat points.tsv | "$tool" steady --points - -o written.tsv 2>err || note "$(cat e
 cmp -s written.tsv table.tsv || note "-o: another table"
 finish "standard input, and -o"
 
+tr '\n' '\r' <points.tsv >other.tsv
+same "CR alone ends lines" other.tsv
+sed '1s/m1\tm2/ m1\t"m2" /; 1s/alpha/alpha /' points.tsv >other.tsv
+same "blanks and quotes around the names of columns" other.tsv
+
+# ---- names of columns ----
+misspelt() { # NAME PARAMETER
+  printf '%s\tL\n0.5\t1\n' "$1" >named.tsv
+  run 2 steady --points named.tsv
+  grep -q "named.tsv:1: unknown column '$1': did you mean '$2'?" err || note "$1: $(cat err)"
+}
+misspelt alfa alpha
+misspelt F_1 F1
+misspelt M-2 m2
+misspelt period T
+misspelt T_ T
+misspelt GAIT gait
+finish "names that nearly are a parameter's are refused"
+printf 'T\tcase\tt\tt1\tmean_velocity\n0.5\t1\t2\t3\t4\n' >named.tsv
+run 0 steady --points named.tsv
+grep -q -x 'scallop steady: note: named.tsv:1: these columns are no parameters and are not used: case, t, t1, mean_velocity' err || note "$(cat err)"
+run 0 steady --points named.tsv --quiet
+[ ! -s err ] || note "--quiet: $(cat err)"
+for table in steady phase trajectory series claims breakdown; do
+  "$tool" $table >named.tsv 2>err
+  "$tool" steady --points named.tsv >out 2>err
+  ! grep 'did you mean' err >found || note "$table: $(cat found)"
+done
+finish "other columns are named on standard error"
+
+# ---- files without an end, and files that would be lost ----
+ends() { # CODE MESSAGE ARGUMENT...: within the time, and with the message
+  wanted=$1 message=$2
+  shift 2
+  timeout 20 "$tool" "$@" >out 2>err </dev/null
+  code=$?
+  [ $code = "$wanted" ] || note "scallop $*: exit code $code: $(head -n 1 err)"
+  grep -q "$message" err || note "scallop $*: $(head -n 1 err)"
+}
+ends 2 '/dev/zero:1: this is not a text file' steady --points /dev/zero
+ends 2 '/dev/zero:1: this is not a text file' order /dev/zero
+ends 2 '/dev/zero:1: this is not a text file' steady --gait measured:/dev/zero
+{ printf 'T\n'; head -c 3000000 /dev/zero | tr '\0' 1; } >long.tsv
+ends 4 'cannot read long.tsv: File too large' steady --points long.tsv
+grep -q 'line 2: this line is too long: more than a million characters' out || note "$(tail -n 1 out)"
+{ printf 'T\n'; head -c 20000 /dev/zero | tr '\0' 0; echo 1; } >long.tsv
+ends 3 '1 of 1 points' steady --certified --points long.tsv
+grep -q 'this one has more than 10100 characters' out || note "$(tail -n 1 out | cut -c 1-300)"
+yes '1 1' | timeout 20 "$tool" order - >out 2>err
+grep -q 'standard input:1000001: more than a million rows' err || note "order: $(cat err)"
+finish "input without an end is refused"
+first 3 >fed.tsv
+cp fed.tsv before.tsv
+timeout 20 "$tool" steady --points fed.tsv >>fed.tsv 2>err
+[ $? = 2 ] || note "a table that feeds itself is read"
+timeout 20 "$tool" steady --points - <fed.tsv >>fed.tsv 2>err
+[ $? = 2 ] || note "standard input that feeds itself is read"
+cmp -s fed.tsv before.tsv || note "fed.tsv has grown"
+grep -q 'standard output goes to standard input, which is read at the same time' err || note "$(cat err)"
+printf '0 0\n1 1\n2 1.5\n4 0\n' >motion.txt
+cp motion.txt before.txt
+ln -s motion.txt linked.txt
+for name in motion.txt ./motion.txt linked.txt; do
+  run 2 steady --gait measured:motion.txt -o "$name"
+  grep -q "$name is the file of the gait and is not replaced" err || note "$(cat err)"
+done
+cmp -s motion.txt before.txt || note "the measurement is lost"
+finish "a table does not feed itself, and does not take the place of a measurement"
+
 # ---- JSON, digits ----
 run 3 steady --points broken.tsv --format json
 cp out json

@@ -335,7 +335,7 @@ for command in phase steady series; do
   [ ! -s uneven ] || note "$(cat uneven)"
   n=0
   for expected in '^ok$' "^line 3: T: '-1'.*> 0" "^line 4: alpha: '1'.*between 0 and 1" "^line 5: F1: 'nan'.*finite" \
-    "^line 6: F1: ''.*finite" '^ok$' '^line 8: 1 column.* 3' '^line 9: 4 columns.* 3' '^line 10: not text' \
+    "^line 6: F1: ''.*finite" '^ok$' '^line 8: 1 column.* 3' '^line 9: 4 columns.* 3' '^line 10: this is not a text file' \
     "^line 11: F1: '1e999'.*finite" '^ok$'; do
     n=$((n + 1))
     status_of out $n >status
@@ -460,7 +460,8 @@ cmp -s out series.tsv || note "reading its own table gives another"
 finish "series --points reads back what it printed"
 printf 'T\tgain\twait\n0.5\t1\t2\n' >others.tsv
 run 0 steady --points others.tsv
-finish "columns with names near a parameter's are ignored"
+says 'these columns are no parameters and are not used: gain, wait' err
+finish "columns with names of their own are passed over, and named"
 printf 'T\tGait\n0.5\tquadratic\n' >slip.tsv
 refused "a column that differs by case" 2 "did you mean 'gait'" steady --points slip.tsv
 refused "claims --errors of nothing" 2 'no claim about an order' claims --errors nonsense

@@ -12,12 +12,11 @@ static long data_lines(const uint8_t *data, size_t size)
   long lines = 0;
   size_t begin = size >= 3 && memcmp(data, mark, 3) == 0 ? 3 : 0;
   while (begin < size) {
-    const uint8_t *newline = memchr(data + begin, '\n', size - begin);
-    size_t next = newline ? (size_t)(newline - data) + 1 : size, end = newline ? next - 1 : next;
-    while (end > begin && (data[end - 1] == '\r' || data[end - 1] == '\n'))
-      end--;
+    size_t end = begin;
+    while (end < size && data[end] != '\n' && data[end] != '\r')
+      end++;
     lines += end > begin && data[begin] != '#';
-    begin = next;
+    begin = end + 1;
   }
   return lines;
 }
