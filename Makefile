@@ -209,7 +209,7 @@ lint:
 	@scripts/setup.sh build tests lint
 	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
-	clang-tidy --quiet $(sources) -- -std=c11 -D_XOPEN_SOURCE=700 -I.
+	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy
 
 ## clean:      remove build/
 clean:
