@@ -62,7 +62,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check check-report reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage clean setup-build setup-check setup-plots
+.PHONY: all help check check-report reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage gates clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -138,9 +138,12 @@ $(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(alone)
 include library.mk
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
 
+# The gates build on all cores, unless make was told how many
+at_once = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN))
+
 ## check:      build with warnings as errors and run every test, the commands included
 check: setup-check
-	@$(MAKE) --no-print-directory $(programs) $(libraries) $(tests) $(fuzz)
+	@$(MAKE) --no-print-directory $(at_once) $(programs) $(libraries) $(tests) $(fuzz)
 	@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" scripts/check.sh $(B) $(tests) $(fuzz)
 
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
@@ -183,14 +186,14 @@ fuzz_flags = -fno-omit-frame-pointer -Wno-pass-failed -fsanitize=fuzzer-no-link,
 ## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
 fuzz:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests fuzz
-	@$(MAKE) --no-print-directory fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
+	@$(MAKE) --no-print-directory $(at_once) fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
 	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 fuzz-programs: $(fuzz)
 
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands: some 15 minutes
 valgrind:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests valgrind
-	@$(MAKE) --no-print-directory $(programs) $(tests) $(fuzz)
+	@$(MAKE) --no-print-directory $(at_once) $(programs) $(tests) $(fuzz)
 	@sh scripts/valgrind.sh $(B) $(tests) $(fuzz)
 
 ## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
@@ -209,7 +212,11 @@ lint:
 	@scripts/setup.sh build tests lint
 	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
-	clang-tidy --quiet $(sources) -- -std=c11 -D_XOPEN_SOURCE=700 -I.
+	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy
+
+## gates:      all of the above that guard something, one row each: scripts/gates.txt has the list, docs/contributing.md what each guards
+gates:
+	@sh scripts/gates.sh scripts/gates.txt $(B)/gates
 
 ## clean:      remove build/
 clean:

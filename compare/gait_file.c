@@ -241,7 +241,7 @@ static const char *lay_spline(struct gait_file *gait, const struct rows *rows, c
 {
   const long first[2] = { p->least, p->most }, last[2] = { p->most, p->least + rows->count - 1 };
   const int count[2] = { (int)(last[0] - first[0]) + 1, (int)(last[1] - first[1]) + 1 };
-  struct scallop_knot *knots = malloc((size_t)(count[0] + count[1]) * sizeof *knots);
+  struct scallop_knot *knots = calloc((size_t)count[0] + (size_t)count[1], sizeof *knots);
   const struct scallop_knot *const phases[2] = { knots, knots + count[0] };
   const char *wrong = knots && make_memory(&gait->spline, count) ? NULL : no_memory();
   for (int kind = 0; !wrong && kind < 2; kind++) {

@@ -229,15 +229,15 @@ static bool add_roots(struct plan *plan, const long double *b, int n, bool turns
 static bool make_plan(struct plan *plan)
 {
   long double bend[MOST + 1];
-  int n = plan->n;
+  int n = plan->n, of_bend = n - 2;
   add_place(plan, (struct place){ 0, false, false });
   add_place(plan, (struct place){ 0, true, false });
   add_place(plan, (struct place){ 0.5, false, false });
   if (!add_roots(plan, plan->b[0], n, true))
     return false;
-  for (int j = 0; j + 2 <= n; j++)
+  for (int j = 0; j <= of_bend; j++)
     bend[j] = plan->b[0][j + 2] - 2 * plan->b[0][j + 1] + plan->b[0][j];
-  add_roots(plan, bend, n - 2, false);
+  add_roots(plan, bend, of_bend, false);
   qsort(plan->places, (size_t)plan->count, sizeof *plan->places, in_time);
   return true;
 }

@@ -64,6 +64,7 @@ struct walk {
   real curve[2];            /* c on a curve divided by |l'|                                            */
   real slope[3];            /* of c in each region                                                     */
   real push[2];             /* of friction on c: f eps of the rear and of the front body               */
+  real pull[2];             /* of a linear l' on the body of curve j, beyond c: -curve[j] d|l'|/dt     */
   real extra[3];            /* what a region adds to extra_impulse per unit of time                    */
   real u, c;                /* where we are                                                            */
   real line_u, line_c;      /* where c and its line were, when a piece began of those that it has followed since   */
@@ -206,12 +207,12 @@ static inline real covers(const struct walk *w, real u, const struct rates *ther
 /* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that difference comes first: it is
  * then the same rounded amount in all modes of the phase, and the displacements that come of it, one way and the other, cancel as they
  * should. Where the two frictions nearly balance each other theirs does, which is known exactly. */
-static inline real body_slope(const struct walk *w, int j, real rate)
+static inline real body_slope(const struct walk *w, int j)
 {
-  real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1, pulled = -w->curve[j] * rate - own * w->push[j];
+  real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1, pulled = w->pull[j] - own * w->push[j];
   if (w->region != 1 || magnitude(pulled) < magnitude(w->slope[1]))
     return pulled - (w->region == 1 ? -own : own) * w->push[1 - j];
-  return w->slope[1] - w->curve[j] * rate;
+  return w->slope[1] + w->pull[j];
 }
 
 /* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
@@ -227,7 +228,7 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
     if (met >= 0) /* where the other body moves with |l'| */
       v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
     else if (linear) /* as it is itself, and nothing large need be subtracted */
-      v = w->v[j] + body_slope(w, j, there->rate) * duration;
+      v = w->v[j] + body_slope(w, j) * duration;
     if (linear) {
       way = (w->v[j] + v) / 2 * duration;
       parts = magnitude(way);
@@ -573,6 +574,9 @@ static void enter(struct walk *w, const struct scallop_piece *piece, bool is_las
     place(w);
   } else if (w->stuck >= 0)
     look_again(w);
+  /* once a piece: a compiler that contracts might round it for one body and not for the other */
+  for (int j = 0; j < 2; j++)
+    w->pull[j] = -w->curve[j] * w->here.rate;
 }
 
 /* c0: velocity of the centre of mass at the start. modes: where they go. */

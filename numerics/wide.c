@@ -58,13 +58,37 @@ static bool choose_width(const struct scallop_gait *gait, double left, enum scal
   return is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
 }
 
+static void phase_in(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                     double v0, struct scallop_wide_phase *out)
+{
+  if (width == SCALLOP_LONG_DOUBLE)
+    wide_long_phase(crawler, kind, v0, out);
+  else
+    wide_quad_phase(crawler, kind, v0, out);
+}
+
+static void period_in(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
+                      struct scallop_wide_period *out)
+{
+  if (width == SCALLOP_LONG_DOUBLE)
+    wide_long_period(crawler, v0, out);
+  else
+    wide_quad_period(crawler, v0, out);
+}
+
+static bool steady_in(enum scallop_width width, const struct scallop_crawler *crawler, double guess,
+                      struct scallop_wide_steady *out)
+{
+  return width == SCALLOP_LONG_DOUBLE ? wide_long_steady(crawler, guess, out) : wide_quad_steady(crawler, guess, out);
+}
+
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out)
 {
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, out);
+  phase_in(width, crawler, kind, v0, out);
   return is_kept(out->dx1.high) && is_kept(out->dx2.high) && is_kept(out->dxC.high);
 }
 
@@ -73,7 +97,7 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, out);
+  period_in(width, crawler, v0, out);
   return is_kept(out->displacement.high);
 }
 
@@ -82,8 +106,7 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  return (width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, out)
-         && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
+  return steady_in(width, crawler, guess, out) && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
 }
 
 /* ---- solves ---- */
@@ -96,7 +119,7 @@ enum scallop_status scallop_wide_phase(enum scallop_width width, const struct sc
   enum scallop_status status = check(width, crawler, scallop_phase(crawler, kind, v0, &plain));
   if (status != SCALLOP_OK)
     return status;
-  (width == SCALLOP_LONG_DOUBLE ? wide_long_phase : wide_quad_phase)(crawler, kind, v0, &answer);
+  phase_in(width, crawler, kind, v0, &answer);
   const struct scallop_wide *const numbers[] = { &answer.v_end, &answer.dx1, &answer.dx2, &answer.dxC };
   if (!are_finite(numbers, 4))
     return SCALLOP_ERANGE;
@@ -112,7 +135,7 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
   enum scallop_status status = check(width, crawler, scallop_period(crawler, v0, &plain));
   if (status != SCALLOP_OK)
     return status;
-  (width == SCALLOP_LONG_DOUBLE ? wide_long_period : wide_quad_period)(crawler, v0, &answer);
+  period_in(width, crawler, v0, &answer);
   if (!period_is_finite(&answer))
     return SCALLOP_ERANGE;
   *result = answer;
@@ -128,7 +151,7 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
   if (status != SCALLOP_OK)
     return status;
   double guess = plain.period.v_start;
-  if (!(width == SCALLOP_LONG_DOUBLE ? wide_long_steady : wide_quad_steady)(crawler, guess, &answer))
+  if (!steady_in(width, crawler, guess, &answer))
     return SCALLOP_ECONVERGE;
   if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
     return SCALLOP_ERANGE;

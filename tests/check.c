@@ -1,5 +1,7 @@
 #include "tests/check.h"
 
+#include <stdlib.h>
+
 bool check_near(double got, double wanted, double tolerance)
 {
   if (isnan(got) || isnan(wanted))
@@ -12,6 +14,13 @@ bool check_near(double got, double wanted, double tolerance)
 bool check_relative(double got, double wanted, double tolerance)
 {
   return check_near(got, wanted, tolerance * fabs(wanted));
+}
+
+long check_cases(long many)
+{
+  const char *thin = getenv("SCALLOP_TEST_THIN");
+  long every = thin ? strtol(thin, NULL, 10) : 1;
+  return every > 1 ? (many + every - 1) / every : many;
 }
 
 void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind, const char *file,

@@ -1,6 +1,7 @@
 #!/bin/sh
 # scallop breakdown --map: grids, maps that are interrupted, boundaries between regions.
 . tests/common.sh
+keep_counts_apart
 
 # ---- bad usage: one line, nothing on standard output ----
 refused() { # WORD-IN-THE-MESSAGE ARGUMENT...

@@ -3,8 +3,7 @@
 # signals. What fails below the command line has its tests in tests/test_aside.c.
 # Usage: sh tests/cli_output.sh build/scallop. One line for each check; non-zero if any failed.
 . "$(dirname "$0")/common.sh"
-# make coverage: what is killed while it writes its counts leaves half a file of them, which is not for others to read
-export GCOV_PREFIX="$scratch/counts" GCOV_ERROR_FILE=/dev/null
+keep_counts_apart
 
 says() { # PATTERN FILE
   grep -q -e "$1" "$2" || note "no '$1' in: $(head -n 3 "$2")"

@@ -2,8 +2,7 @@
 # What the command line refuses, with which exit code and message, and what it leaves behind.
 # Usage: sh tests/cli_usage.sh build/scallop. One line for each check; non-zero if any failed.
 . "$(dirname "$0")/common.sh"
-# make coverage: what is killed while it writes its counts leaves half a file of them, which is not for others to read
-export GCOV_PREFIX="$scratch/counts" GCOV_ERROR_FILE=/dev/null
+keep_counts_apart
 input=/dev/null
 
 run() { # CODE ARGUMENT...

@@ -18,6 +18,8 @@ finish() { # NAME: of the checks since the last one
   fi
   problem=''
 }
+# make coverage: a run that is killed, or whose files must not grow, leaves half a file of counts, which no other run may read
+keep_counts_apart() { export GCOV_PREFIX="$scratch/counts" GCOV_ERROR_FILE=/dev/null; }
 run() { # CODE ARGUMENT...
   wanted=$1
   shift

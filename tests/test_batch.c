@@ -9,6 +9,8 @@
 
 enum { MOST = 4000 };
 
+static long most(void) { return check_cases(MOST); }
+
 struct columns {
   double m1[MOST], m2[MOST], F1[MOST], F2[MOST], L[MOST], T[MOST], alpha[MOST];
   const struct scallop_gait *gait[MOST];
@@ -121,7 +123,7 @@ static void every_family(void **state)
   long counts[3] = { 0 };
   for (int which = 0; which < FAMILIES; which++)
     for (int gait = -1; gait < ALL_GAITS; gait++) {
-      long n = gait == 0 ? MOST : 500;
+      long n = gait == 0 ? most() : check_cases(500);
       for (long i = 0; i < n; i++) {
         struct scallop_crawler c = random_crawler(&r, (enum family)which, every_gait[gait < 0 ? i % ALL_GAITS : gait]);
         put(i, &c);
@@ -135,7 +137,8 @@ static void every_family(void **state)
           counts[out.regime[i]]++;
       }
     }
-  assert_true(counts[SCALLOP_SLIDING] > 1000 && counts[SCALLOP_STICK_SLIP] > 1000 && counts[SCALLOP_AT_REST] > 10);
+  assert_true(counts[SCALLOP_SLIDING] > check_cases(1000) && counts[SCALLOP_STICK_SLIP] > check_cases(1000)
+              && counts[SCALLOP_AT_REST] > 10);
 }
 
 /* Blocks that end anywhere, and no crawler at all. */
@@ -155,12 +158,12 @@ static void threads_do_not_matter(void **state)
 {
   (void)state;
   struct random r = { 11 };
-  for (long i = 0; i < MOST; i++) {
+  for (long i = 0; i < most(); i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
     put(i, &c);
   }
   for (int threads = 1; threads <= 5; threads++) {
-    struct scallop_crawlers c = crawlers(MOST);
+    struct scallop_crawlers c = crawlers(most());
     struct scallop_steady_states s = everything(threads == 1 ? &out : &again);
     memset(threads == 1 ? &out : &again, 0, sizeof out);
     assert_int_equal(scallop_steady_batch(&c, &s, threads), 0);
@@ -242,21 +245,22 @@ static void every_family_of_phases(void **state)
   long counts[3] = { 0 };
   for (int which = 0; which < FAMILIES; which++)
     for (int kind = SCALLOP_EXTENSION; kind <= SCALLOP_CONTRACTION; kind++) {
-      for (long i = 0; i < MOST; i++) {
+      for (long i = 0; i < most(); i++) {
         struct scallop_crawler c = random_crawler(&r, (enum family)which, every_gait[i % ALL_GAITS]);
         put(i, &c);
         v0[i] = random_start(&r, &c, (enum scallop_phase_kind)kind);
       }
-      struct scallop_crawlers c = crawlers(MOST);
+      struct scallop_crawlers c = crawlers(most());
       struct scallop_phases p = every_column(&phase_out);
       (void)scallop_phase_batch(&c, (enum scallop_phase_kind)kind, v0, &p, 1);
-      for (long i = 0; i < MOST; i++) {
+      for (long i = 0; i < most(); i++) {
         check_phase(i, (enum scallop_phase_kind)kind);
         if (phase_out.status[i] >= 0)
           counts[phase_out.regime[i]]++;
       }
     }
-  assert_true(counts[SCALLOP_SLIDING] > 1000 && counts[SCALLOP_STICK_SLIP] > 1000 && counts[SCALLOP_AT_REST] > 10);
+  assert_true(counts[SCALLOP_SLIDING] > check_cases(1000) && counts[SCALLOP_STICK_SLIP] > check_cases(1000)
+              && counts[SCALLOP_AT_REST] > 10);
 }
 
 /* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
@@ -285,13 +289,13 @@ static void threads_do_not_matter_to_phases(void **state)
 {
   (void)state;
   struct random r = { 23 };
-  for (long i = 0; i < MOST; i++) {
+  for (long i = 0; i < most(); i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
     put(i, &c);
     v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
   }
   for (int threads = 1; threads <= 5; threads++) {
-    struct scallop_crawlers c = crawlers(MOST);
+    struct scallop_crawlers c = crawlers(most());
     struct phases *to = threads == 1 ? &phase_out : &phase_again;
     struct scallop_phases p = every_column(to);
     memset(to, 0, sizeof *to);

@@ -10,7 +10,7 @@ static void few_terms_and_many(void **state)
   struct random r = { 20260831 };
   struct pair p;
   pair_init(&p);
-  for (int i = 0; i < 6 * GAITS; i++) {
+  for (int i = 0; i < check_cases(6 * GAITS); i++) {
     draw(&p, &r, gaits[i % GAITS]);
     for (int kind = 0; kind < 2 && i % GAITS < WITH_SERIES_OF_PHASES; kind++) {
       assert_true(expand_phase(&p.phase[0], &p.crawler[0], kind, p.v0[0], 6));
@@ -162,7 +162,7 @@ static void mirrored(void **state)
     0, 2, 1, 3, 4, 5, -1, -1
   }; /* at_first, at_last: of the rear body, the front one there */
   pair_init(&p);
-  for (int i = 0; i < 6 * GAITS; i++) {
+  for (int i = 0; i < check_cases(6 * GAITS); i++) {
     draw(&p, &r, gaits[i % GAITS]);
     exchange_bodies(&p.crawler[1]);
     fmpq_neg(p.v0[1], p.v0[0]);

@@ -91,7 +91,7 @@ static void laws(void **state)
   (void)state;
   struct random r = { 20261211 };
   struct random_gait made;
-  for (int i = 0; i < 40 * RANDOM_GAITS; i++) {
+  for (int i = 0; i < check_cases(40 * RANDOM_GAITS); i++) {
     const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % RANDOM_GAITS), &made);
     assert_true(scallop_gait_is_exact(gait) && scallop_gait_is_rational(gait));
     for (int kind = 0; kind < 2; kind++) {
@@ -155,7 +155,7 @@ static void promise(void **state)
   static const enum family families[] = { ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE };
   struct random r = { 20261212 };
   struct random_gait made;
-  for (int i = 0; i < 36 * WITHOUT_TURN; i++) {
+  for (int i = 0; i < check_cases(36 * WITHOUT_TURN); i++) {
     const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % WITHOUT_TURN), &made);
     int pieces = i % WITHOUT_TURN == SPLINE ? gait->phase[0].count + gait->phase[1].count : 0;
     struct stress_case s = { .kind = STRESS_STEADY, .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) };
@@ -186,7 +186,7 @@ static void turning(void **state)
   struct scallop_rational_crawler exact;
   scallop_certified_steady_init(&wanted);
   scallop_rational_init(&exact);
-  for (int i = 0; i < 60; i++) {
+  for (int i = 0; i < check_cases(60); i++) {
     const struct scallop_gait *gait = random_gait(&r, i % 2 ? TURNING_SPLINE : TURNING_POLYNOMIAL, &made);
     struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, gait);
     struct scallop_steady_result got;
@@ -332,7 +332,7 @@ static void turning_far_and_hardly(void **state)
   scallop_certified_steady_init(&e.steady);
   scallop_certified_phase_init(&e.phase);
   fmpq_init(e.v0);
-  for (int i = 0; i < TEXTS + GAITS; i++) {
+  for (int i = 0; i < TEXTS + check_cases(GAITS); i++) {
     struct scallop_polynomial made;
     struct scallop_crawler c = scallop_crawler_default();
     c.gait = i < TEXTS ? gait_of_text(texts[i]).gait : far_turning(&r, &made);

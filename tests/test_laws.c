@@ -372,7 +372,7 @@ static void family(enum family which, uint64_t seed)
   struct random r = { seed };
   worst_share = 0;
   for (int gait = 0; gait < ALL_GAITS; gait++)
-    for (int n = 0; n < CRAWLERS; n++) {
+    for (int n = 0; n < check_cases(CRAWLERS); n++) {
       struct scallop_crawler c = random_crawler(&r, which, every_gait[gait]);
       for (int kind = 0; kind < 2; kind++) {
         check_phase(&c, (enum scallop_phase_kind)kind, 0);
@@ -443,7 +443,7 @@ static void steady_phases(void **state)
 {
   (void)state;
   struct random r = { 8 };
-  for (int n = 0; n < CRAWLERS * FAMILIES; n++) {
+  for (int n = 0; n < check_cases(CRAWLERS * FAMILIES); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % SMOOTH_GAITS]);
     struct scallop_steady_result s;
     assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);

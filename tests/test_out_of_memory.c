@@ -1,6 +1,6 @@
 /* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the first and last
- * of the libraries': in between they fall themselves. Not where a sanitizer has its own allocator, nor with a C library that does not
- * let itself be asked. */
+ * of the libraries': in between they fall themselves. Only where the allocator lets itself be called by another name: glibc's, and the
+ * address sanitizer's. */
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -9,13 +9,25 @@
 #include "numerics/odeiv.h"
 #include "numerics/smoothed.h"
 
-#if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
+#ifdef __GLIBC__
 static volatile long fails_in = -1; /* allocations until one fails; below 0: none does */
 static volatile long in_use;
 
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void __libc_free(void *block);
+#ifdef __has_feature
+#define SANITIZED __has_feature(address_sanitizer)
+#elif defined __SANITIZE_ADDRESS__
+#define SANITIZED 1
+#else
+#define SANITIZED 0
+#endif
+#if SANITIZED
+#define REAL(name) __interceptor_##name
+#else
+#define REAL(name) __libc_##name
+#endif
+void *REAL(malloc)(size_t size);
+void *REAL(calloc)(size_t count, size_t size);
+void REAL(free)(void *block);
 
 static bool refused(void) { return fails_in >= 0 && fails_in-- == 0; }
 
@@ -25,14 +37,14 @@ static void *counted(void *block)
   return block;
 }
 
-void *malloc(size_t size) { return refused() ? NULL : counted(__libc_malloc(size)); }
+void *malloc(size_t size) { return refused() ? NULL : counted(REAL(malloc)(size)); }
 
-void *calloc(size_t count, size_t size) { return refused() ? NULL : counted(__libc_calloc(count, size)); }
+void *calloc(size_t count, size_t size) { return refused() ? NULL : counted(REAL(calloc)(count, size)); }
 
 void free(void *block)
 {
   in_use -= block != NULL;
-  __libc_free(block);
+  REAL(free)(block);
 }
 
 typedef struct scallop_rival *maker(int kind);

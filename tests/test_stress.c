@@ -218,6 +218,18 @@ static void sees_what_is_wrong(void **state)
   assert_string_equal(stress_broken(&j, 5), "reason");
 }
 
+static bool same_cases(const struct stress_case *a, const struct stress_case *b, int count)
+{
+  char text[2][STRESS_ARGUMENTS];
+  bool same = true;
+  for (int i = 0; same && i < count; i++) {
+    stress_arguments(&a[i], text[0]);
+    stress_arguments(&b[i], text[1]);
+    same = a[i].kind == b[i].kind && strcmp(text[0], text[1]) == 0;
+  }
+  return same;
+}
+
 /* Same seed, same cases; another one, others. Families make what they say. */
 static void families(void **state)
 {
@@ -230,8 +242,8 @@ static void families(void **state)
     assert_int_equal(made, COUNT);
     assert_int_equal(stress_make(f, SINUSOIDAL, 1, COUNT, b), COUNT);
     assert_int_equal(stress_make(f, SINUSOIDAL, 2, COUNT, other), COUNT);
-    assert_memory_equal(a, b, sizeof a);
-    assert_true(memcmp(a, other, sizeof a) != 0);
+    assert_true(same_cases(a, b, COUNT));
+    assert_false(same_cases(a, other, COUNT));
     for (int i = 0; i < COUNT; i++) {
       assert_int_equal(a[i].kind, f->kind);
       assert_int_equal(scallop_crawler_check(&a[i].crawler, NULL), SCALLOP_OK);

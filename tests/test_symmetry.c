@@ -80,7 +80,7 @@ static void for_crawlers(uint64_t seed, crawler_test *test)
 {
   struct random r = { seed };
   for (int family = 0; family < FAMILIES; family++)
-    for (int n = 0; n < CRAWLERS; n++) {
+    for (int n = 0; n < check_cases(CRAWLERS); n++) {
       under_test = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
       test(&r, &under_test);
     }
@@ -190,7 +190,7 @@ static void units_of_any_size(void **state)
   (void)state;
   struct random r = { 12 };
   const enum family families[] = { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD };
-  for (int n = 0; n < 4 * CRAWLERS; n++) {
+  for (int n = 0; n < check_cases(4 * CRAWLERS); n++) {
     under_test = random_crawler(&r, families[n % 4], every_gait[n / 4 % SMOOTH_GAITS]);
     any_units(&r, &under_test);
   }

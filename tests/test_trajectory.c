@@ -99,7 +99,7 @@ static void against_phases(void **state)
   (void)state;
   struct random r = { 51 };
   for (int family = 0; family < FAMILIES; family++)
-    for (int n = 0; n < CRAWLERS; n++) {
+    for (int n = 0; n < check_cases(CRAWLERS); n++) {
       struct scallop_crawler c = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
       double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
       ends_of_phases(&c, v0, 1 + random_below(&r, 7));
@@ -111,7 +111,7 @@ static void against_periods(void **state)
 {
   (void)state;
   struct random r = { 52 };
-  for (int n = 0; n < FAMILIES * CRAWLERS; n++) {
+  for (int n = 0; n < check_cases(FAMILIES * CRAWLERS); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), v = v0, x = 0, size = fastest(&c, v0);
     struct track t = run(&c, v0, 20, 1);
@@ -168,7 +168,7 @@ static void velocity_is_the_derivative(void **state)
 {
   (void)state;
   struct random r = { 53 };
-  for (int n = 0; n < 80; n++) {
+  for (int n = 0; n < check_cases(80); n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? ORDINARY : STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
     c.alpha = random_between(&r, 0.1, 0.9);
     one_motion(&c, random_start(&r, &c, SCALLOP_EXTENSION));
@@ -251,7 +251,7 @@ static void converges(void **state)
 {
   (void)state;
   struct random r = { 55 };
-  for (int n = 0; n < 60; n++) {
+  for (int n = 0; n < check_cases(60); n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? ORDINARY : STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
     c.alpha = random_between(&r, 0.1, 0.9);
     set_eps(&c, random_decades(&r, 0.5, 60));

@@ -98,6 +98,7 @@ static void judge_line(const struct command *command, char *text, size_t size)
     judge_number(arguments[i]);
     judge_parameters(arguments[i]);
   }
+  options_free(&options);
   written_free(&w);
   free(before);
 }

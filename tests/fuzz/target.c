@@ -89,6 +89,7 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
   written_begin(written);
   if (options_read(&options, command, count, list, &code))
     code = (int)command->run(&options);
+  options_free(&options);
   written_end(written);
   return code;
 }
