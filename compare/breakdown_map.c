@@ -279,7 +279,7 @@ void map_begin(struct table *t, const struct options *o, const struct axis axes[
   table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
   note_axis(t, "x", &axes[0]);
   note_axis(t, "y", &axes[1]);
-  table_parameters(t, o);
+  table_parameters(t, o, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL }, false);
 }
 
 /* What the axes set, and what may be wanted beside it; F1/F2 as an axis is not F1. */

@@ -78,7 +78,12 @@ run 0 breakdown --F1 1 --only reach --quantity displacement
 [ "$(cells out T | sort -u)" = inf ] || note "F1 = F2: $(cells out T | sort -u)"
 run 0 breakdown --only best --quantity v_start --format json
 /usr/bin/python3 -c 'import json; [json.loads(l) for l in open("out")]' || note "json"
-finish "phases, selections, formulas that reach nowhere, json"
+for phase in "" "--phase extension"; do
+  # shellcheck disable=SC2086
+  run 0 breakdown --only event $phase
+  ! grep -qE "^# parameters:.* (T${phase:+|alpha})=" out || note "$phase: the head names what is not used: $(grep parameters out)"
+done
+finish "phases, selections, formulas that reach nowhere, json, parameters that are not used"
 
 refused() { # WHAT ARGUMENT...
   what=$1

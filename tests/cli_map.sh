@@ -69,7 +69,17 @@ rows = [json.loads(l) for l in open(sys.argv[1])]
 if len(rows) != 4 or [k for k in rows[0] if k.startswith("T_")] != ["T_1e-3_published"] or "error_published" not in rows[0]:
     bad(rows[0])
 END
-finish "a grid: rows in order, what steady gives, T from what it depends on"
+held() { # X Y PARAMETERS: what the head of a map over X and Y says
+  for what in '--source limit' --boundaries; do
+    # shellcheck disable=SC2086
+    run 0 breakdown --map "$1" "$2" --x 0.2:0.3:2 --y 0.4:0.5:2 --quiet $what
+    [ "$(sed -n 's/^# parameters: //p' out)" = "$3" ] || note "the head of a map over $1 and $2: $(grep parameters out)"
+  done
+}
+held F1/F2 froude "m1=1 m2=1 F2=1 L=10 alpha=0.75 gait=quadratic"
+held m1/m2 T "m2=1 F1=4 F2=1 L=10 alpha=0.75 gait=quadratic"
+held alpha F1/F2 "m1=1 m2=1 F2=1 L=10 T=1 gait=quadratic"
+finish "a grid: rows in order, what steady gives, T from what it depends on, and a head without what varies"
 
 # ---- interrupted ----
 map() { # CODE FILE [ARGUMENT...]
