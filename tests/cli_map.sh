@@ -136,6 +136,30 @@ if [ -s some.rows ]; then
   cmp -s other.rows some.rows || note "another map's journal was changed"
   [ ! -e other ] || note "a file was written beside it"
 fi
+# Of another gait by the same name: the file was changed after the map was interrupted.
+measured="breakdown --map F1/F2 alpha --x 1.5:60:99 --y 0.55:0.9:99 --gait measured:gait.txt --L 3 --T 4 -o measured"
+interrupted() { # TEXT FILE: the map goes on until FILE has TEXT
+  # shellcheck disable=SC2086
+  "$tool" $measured >/dev/null 2>err &
+  child=$!
+  for _ in $(seq 500); do
+    grep -q -e "$1" "$2" 2>/dev/null && break
+    sleep 0.01
+  done
+  kill -9 $child 2>/dev/null
+  wait $child 2>/dev/null
+}
+printf '0 0\n1 2\n2 3\n3 1\n4 0\n' >gait.txt
+interrupted '^2' measured.rows
+cp measured.rows kept.rows
+printf '0 0\n1 2.5\n2 3\n3 1\n4 0\n' >gait.txt
+# shellcheck disable=SC2086
+run 4 $measured
+grep -q "measured gait whose file has changed" err || note "of the journal of another measured gait it says: $(cat err)"
+cmp -s kept.rows measured.rows || note "the journal of another measured gait was changed"
+printf 't l\n10 0\n11 2\n12 3\n13 1\n14 0\n' >gait.txt # the first gait, written otherwise
+interrupted 'going on' err
+grep -q "going on from measured.rows" err || note "of the same gait it says: $(cat err)"
 echo "my notes" >mine.rows
 echo earlier >mine
 map 4 mine
