@@ -104,8 +104,7 @@ const char *axis_read(struct axis *axis, const char *name, const char *range)
   return wrong;
 }
 
-/* The parameter that an axis sets */
-static const char *sets(enum axis_kind kind)
+const char *axis_sets(enum axis_kind kind)
 {
   static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
   return parameters[kind];
@@ -113,16 +112,16 @@ static const char *sets(enum axis_kind kind)
 
 static bool go_together(const struct axis axes[2], const struct options *o)
 {
-  if (strcmp(sets(axes[0].kind), sets(axes[1].kind)) == 0) {
+  if (strcmp(axis_sets(axes[0].kind), axis_sets(axes[1].kind)) == 0) {
     complain(o->command->name, "--map %s %s: %s", o->map[0], o->map[1],
              axes[0].kind == axes[1].kind ? "a map needs two different axes"
                                           : "T and froude set the same; a map needs two that can vary apart");
     return false;
   }
   for (int i = 0; i < 2; i++)
-    if (o->written[crawler_place(sets(axes[i].kind))]) {
-      complain(o->command->name, "--%s has nothing to do with --map %s %s, where %s sets it", sets(axes[i].kind), o->map[0],
-               o->map[1], o->map[i]);
+    if (o->written[crawler_place(axis_sets(axes[i].kind))]) {
+      complain(o->command->name, "--%s has nothing to do with --map %s %s, where %s sets it", axis_sets(axes[i].kind),
+               o->map[0], o->map[1], o->map[i]);
       return false;
     }
   return true;

@@ -357,7 +357,9 @@ static bool begin(struct report *r)
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: breakdown");
-  table_parameters(t, r->options);
+  /* T is what is looked for; a phase is one of duration T */
+  static const char *const unused[] = { "T", "alpha", NULL }, *const unused_by_period[] = { "T", NULL };
+  table_parameters(t, r->options, r->subject.steady ? unused_by_period : unused, false);
   if (!r->subject.steady) {
     char v0[NUMBER_TEXT];
     number_text(v0, r->subject.v0, 0);

@@ -10,6 +10,7 @@
 #include "compare/breakdown.h"
 #include "compare/exact.h"
 #include "compare/counts.h"
+#include "compare/gaits.h"
 #include "compare/journal.h"
 #include "compare/map.h"
 #include "compare/with_flint.h"
@@ -228,8 +229,10 @@ static void make_title(const struct map *m, char title[TITLE])
     used += snprintf(title + used, (size_t)(TITLE - used), " %s %a:%a:%ld:%s", axis_name(a->kind), a->from, a->to, a->count,
                      a->log ? "log" : "linear");
   }
-  used += snprintf(title + used, (size_t)(TITLE - used), " m1 %a m2 %a F1 %a F2 %a L %a T %a alpha %a gait %.200s %s", c->m1,
-                   c->m2, c->F1, c->F2, c->L, c->T, c->alpha, c->gait->name, breakdown_quantity_text(m->series[0].quantity));
+  used += snprintf(title + used, (size_t)(TITLE - used),
+                   " m1 %a m2 %a F1 %a F2 %a L %a T %a alpha %a gait %.200s (%08lx) %s", c->m1, c->m2, c->F1, c->F2, c->L,
+                   c->T, c->alpha, c->gait->name, (unsigned long)gait_checksum(c->gait),
+                   breakdown_quantity_text(m->series[0].quantity));
   for (int i = 0; i < m->series_count * (1 + m->tolerance_count); i++)
     used += snprintf(title + used, (size_t)(TITLE - used), " %s", m->names[i]);
   if (m->tolerance_count == 1)
@@ -247,7 +250,8 @@ static enum exit_code open_journal(struct map *m)
   switch (journal_open(&m->journal, path, title, take, m)) {
   case JOURNAL_OTHER:
     complain("breakdown",
-             "%s is no journal of this map: it is of another one, or of another version; remove it, or write elsewhere",
+             "%s is no journal of this map: it is of another map, of another version, or of a measured gait whose file has "
+             "changed since; remove it, or write elsewhere",
              path);
     return EXIT_FILE;
   case JOURNAL_BUSY: complain("breakdown", "%s: another process is at work on this map", path); return EXIT_FILE;
@@ -279,7 +283,7 @@ void map_begin(struct table *t, const struct options *o, const struct axis axes[
   table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
   note_axis(t, "x", &axes[0]);
   note_axis(t, "y", &axes[1]);
-  table_parameters(t, o);
+  table_parameters(t, o, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL }, false);
 }
 
 /* What the axes set, and what may be wanted beside it; F1/F2 as an axis is not F1. */

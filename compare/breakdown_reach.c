@@ -41,49 +41,70 @@ static double time_at(const struct exact_cache *cache, int place)
 
 /* ---- errors ---- */
 
-double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision)
+struct error {
+  double value;  /* series/exact - 1                                                             */
+  double excess; /* |value| - tolerance, rounded once: it has all its digits also where |value| is near the tolerance */
+};
+
+static struct error plain_error(double value, double tolerance) { return (struct error){ value, fabs(value) - tolerance }; }
+
+static struct error error_beside(const struct comparison *c, double T, const arb_t exact, double tolerance, slong precision)
 {
-  arb_t value;
+  struct error error = plain_error(NAN, tolerance);
+  arb_t value, limit;
   arb_init(value);
+  arb_init(limit);
   series_item_value(value, &c->item, c->expansions, T, precision);
   arb_sub(value, value, exact, precision);
-  double error = NAN;
   if (arb_is_zero(value)) {
-    error = 0;
+    error = plain_error(0, tolerance);
   } else if (arb_is_zero(exact)) {
-    error = arb_is_finite(value) ? INFINITY : NAN;
+    error = plain_error(arb_is_finite(value) ? INFINITY : NAN, tolerance);
   } else {
     arb_div(value, value, exact, precision);
-    if (arb_is_finite(value))
-      error = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+    if (arb_is_finite(value)) {
+      error.value = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+      arb_set_d(limit, tolerance);
+      arb_abs(value, value);
+      arb_sub(value, value, limit, precision);
+      error.excess = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+    }
   }
+  arb_clear(limit);
   arb_clear(value);
   return error;
 }
 
-static double error_of(const struct comparison *c, double T, const struct exact *e)
+double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision)
+{
+  return error_beside(c, T, exact, 0, precision).value;
+}
+
+static struct error error_of(const struct comparison *c, double T, const struct exact *e, double tolerance)
 {
   const struct scallop_wide *value = &e->value[c->item.which.quantity];
   arb_t exact, low;
   if (e->status < 0 || !isfinite(value->high))
-    return NAN;
+    return plain_error(NAN, tolerance);
   arb_init(exact);
   arb_init(low);
   arb_set_d(exact, value->high);
   arb_set_d(low, value->low);
   arb_add(exact, exact, low, BREAKDOWN_BITS);
-  double error = comparison_error_beside(c, T, exact, BREAKDOWN_BITS);
+  struct error error = error_beside(c, T, exact, tolerance, BREAKDOWN_BITS);
   arb_clear(exact);
   arb_clear(low);
   return error;
 }
 
-double comparison_error(const struct comparison *c, double T)
+static struct error error_in_wide(const struct comparison *c, double T, double tolerance)
 {
   struct exact e;
   exact_in_wide(c->subject, T, &e);
-  return error_of(c, T, &e);
+  return error_of(c, T, &e, tolerance);
 }
+
+double comparison_error(const struct comparison *c, double T) { return error_in_wide(c, T, 0).value; }
 
 int comparison_certified_side(const struct comparison *c, double T, double tolerance, long digits)
 {
@@ -108,60 +129,78 @@ int comparison_certified_side(const struct comparison *c, double T, double toler
   return side;
 }
 
-/* Errors above this are seen well enough in double. */
-static const double PLAIN = 1e-6;
-
-struct look {     /* at the error from afar                                                          */
-  double T, size; /* |error|                                                                      */
+struct look { /* at the error from afar                                                          */
+  double T;
+  struct error error;
   struct exact exact;
 };
 
-/* In double where that leaves many digits of the error. */
-static void look_at(struct look *look, const struct comparison *c, double T)
+/* A double leaves many digits of the error, and of its distance from the tolerance. */
+static bool is_plain(const struct error *e)
+{
+  static const double PLAIN = 1e-6;
+  return fabs(e->value) > PLAIN && fabs(e->excess) > PLAIN;
+}
+
+/* In double where that is enough. True: in binary128. */
+static bool look_at(struct look *look, const struct comparison *c, double T, double tolerance)
 {
   look->T = T;
   exact_in_double(c->subject, T, &look->exact);
-  look->size = fabs(error_of(c, T, &look->exact));
-  if (look->size > PLAIN)
-    return;
+  look->error = error_of(c, T, &look->exact, tolerance);
+  if (is_plain(&look->error))
+    return false;
   exact_in_wide(c->subject, T, &look->exact);
-  look->size = fabs(error_of(c, T, &look->exact));
+  look->error = error_of(c, T, &look->exact, tolerance);
+  return true;
 }
 
 /* The same at one of the places, from what is known there. */
-static void look_at_place(struct look *look, const struct comparison *c, int place)
+static void look_at_place(struct look *look, const struct comparison *c, int place, double tolerance)
 {
   struct exact_cache *cache = c->cache;
   double T = time_at(cache, place);
   if (cache->place[place]) {
-    *look = (struct look){ T, fabs(error_of(c, T, cache->place[place])), *cache->place[place] };
-    if (look->size > PLAIN || cache->is_wide[place])
+    *look = (struct look){ T, error_of(c, T, cache->place[place], tolerance), *cache->place[place] };
+    if (is_plain(&look->error) || cache->is_wide[place])
       return;
   }
-  look_at(look, c, T);
-  cache->is_wide[place] = !(look->size > PLAIN);
+  cache->is_wide[place] = look_at(look, c, T, tolerance);
   if (!cache->place[place])
     cache->place[place] = malloc(sizeof *cache->place[place]);
   if (cache->place[place])
     *cache->place[place] = look->exact;
 }
 
-static double size_at(const struct comparison *c, int place)
+static double error_at(const struct comparison *c, int place)
 {
   struct look look;
-  look_at_place(&look, c, place);
-  return look.size;
+  look_at_place(&look, c, place, 0);
+  return look.error.value;
 }
 
+/* Searches towards T = 0 begin here. */
+static int middle_place(const struct comparison *c) { return MIDDLE < c->cache->last ? MIDDLE : c->cache->last; }
+
 /* ---- where the error passes the tolerance ---- */
+
+/* log(|error|/tolerance). Where the error changes less than T does, more digits than a double of the error has are needed to tell where
+ * it reaches the tolerance. */
+static double level(const struct comparison *c, double T, double tolerance, bool flat)
+{
+  struct error e = error_in_wide(c, T, tolerance);
+  return flat ? log1p(e.excess / tolerance) : log(fabs(e.value) / tolerance);
+}
 
 /* |error| < tolerance at low, not at high: the double between them at which it no longer is. Along log T the logarithm of the error is nearly
  * straight, so that regula falsi (Illinois) takes a few steps; halving where the error has no logarithm. */
 static double crossing(const struct comparison *c, double low, double high, double tolerance)
 {
   enum { STEPS = 200 };
-  double at_low = log(fabs(comparison_error(c, low)) / tolerance),
-         at_high = log(fabs(comparison_error(c, high)) / tolerance);
+  double at_low = level(c, low, tolerance, false), at_high = level(c, high, tolerance, false);
+  bool flat = at_high - at_low < log(high / low) / 2;
+  if (flat)
+    at_low = level(c, low, tolerance, true), at_high = level(c, high, tolerance, true);
   int side = 0;
   for (int i = 0; i < STEPS && nextafter(low, high) < high; i++) {
     double width = high / low - 1, share = at_low / (at_low - at_high);
@@ -171,7 +210,7 @@ static double crossing(const struct comparison *c, double low, double high, doub
       T = share < 0.5 ? fmax(T, nextafter(low, high)) : fmin(T, nextafter(high, low));
     if (!(T > low && T < high))
       T = low + (high - low) / 2;
-    double at = log(fabs(comparison_error(c, T)) / tolerance);
+    double at = level(c, T, tolerance, flat);
     if (at < 0) {
       at_high = side < 0 ? at_high / 2 : at_high;
       low = T, at_low = at, side = -1;
@@ -207,7 +246,8 @@ static double peak_between(const struct comparison *c, double a, double b, doubl
 static bool peaks_above(const struct comparison *c, const struct look *before, const struct look *here,
                         const struct look *after, double tolerance, double *T)
 {
-  if (!(here->size >= before->size && here->size >= after->size && here->size > tolerance / 16))
+  double size = fabs(here->error.value);
+  if (!(size >= fabs(before->error.value) && size >= fabs(after->error.value) && size > tolerance / 16))
     return false;
   return peak_between(c, before->T, after->T, T) >= tolerance;
 }
@@ -233,20 +273,32 @@ static double zero_between(const struct comparison *c, double low, double high)
   return low;
 }
 
-/* From here down the error only falls, as a power of T, and is far below the tolerance; or -1: it does not fall. */
+/* From here down the error only goes on towards its limit for T -> 0, in steps that fall as a power of T does, and stays below the
+ * tolerance; -1: it stays above, or does not settle. At every octave down the step must be small beside what is left to the tolerance,
+ * several times in a row: one small step may lie across a turn of the error. */
 static int lowest_place(const struct comparison *c, double tolerance)
 {
   static const double NOISE = 1e-25; /* above all that is left of binary128 */
-  enum { DOWN = PER_OCTAVE, STILL = 6 };
-  int place = MIDDLE < c->cache->last ? MIDDLE : c->cache->last, still = 0;
-  for (double before = size_at(c, place); place >= DOWN; place -= DOWN) {
-    double here = size_at(c, place - DOWN), last = before;
-    before = here;
-    if (here < NOISE || (here < tolerance / 64 && here <= last / 1.9))
-      return place - DOWN;
-    still = here > tolerance && here > 0.999 * last && here < 1.001 * last ? still + 1 : 0;
-    if (still >= STILL)
-      return -1;
+  static const double LESS = 0.75, SMALL = 1.0 / 64, STILL = 1e-6;
+  enum { DOWN = PER_OCTAVE, ENOUGH = 3 };
+  struct look above, here;
+  double last = INFINITY;
+  int settled = 0;
+  look_at_place(&above, c, middle_place(c), tolerance);
+  for (int place = middle_place(c) - DOWN; place >= 0; place -= DOWN) {
+    look_at_place(&here, c, place, tolerance);
+    if (fabs(here.error.value) < NOISE)
+      return place;
+    double left = fabs(here.error.excess), step = fabs(above.error.excess - here.error.excess);
+    if (!(above.error.value * here.error.value > 0))
+      step = INFINITY;
+    if (step <= NOISE)
+      return here.error.excess < 0 ? place : -1;
+    settled = step < SMALL * left && (step < LESS * last || step < STILL * left) ? settled + 1 : 0;
+    if (settled == ENOUGH)
+      return here.error.excess < 0 ? place + (ENOUGH - 1) * DOWN : -1;
+    last = step;
+    above = here;
   }
   return -1;
 }
@@ -255,8 +307,8 @@ double comparison_limit(const struct comparison *c)
 {
   enum { DOWN = PER_OCTAVE };
   double last = NAN;
-  for (int place = MIDDLE < c->cache->last ? MIDDLE : c->cache->last; place >= DOWN; place -= DOWN) {
-    double here = size_at(c, place);
+  for (int place = middle_place(c); place >= DOWN; place -= DOWN) {
+    double here = fabs(error_at(c, place));
     if (here < 1e-14)
       return NAN;
     if (here > 0.999999 * last && here < 1.000001 * last)
@@ -290,7 +342,7 @@ static void go_on(struct search *s, const struct look *next)
                      next->T); /* where no double lies on the slope beside it, the series reaches up to the zero */
     s->reach = fabs(comparison_error(c, T)) < s->tolerance ? T : crossing(c, s->here.T, T, s->tolerance);
     s->found = true;
-  } else if (!(next->size < s->tolerance)) {
+  } else if (!(next->error.excess < 0)) {
     s->reach = crossing(c, s->here.T, next->T, s->tolerance);
     s->found = true;
   }
@@ -312,7 +364,7 @@ static void go_over(struct search *s, const struct look *there)
     go_on(s, there);
     return;
   }
-  look_at(&middle, s->comparison, T);
+  look_at(&middle, s->comparison, T, s->tolerance);
   go_over(s, &middle);
   go_over(s, there);
 }
@@ -322,11 +374,11 @@ double comparison_reach(const struct comparison *c, double tolerance)
   struct search s = { .comparison = c, .tolerance = tolerance, .reach = INFINITY };
   int first = lowest_place(c, tolerance);
   if (first < 0)
-    return isnan(size_at(c, MIDDLE < c->cache->last ? MIDDLE : c->cache->last)) ? NAN : 0;
-  look_at_place(&s.here, c, first);
+    return isnan(error_at(c, middle_place(c))) ? NAN : 0;
+  look_at_place(&s.here, c, first, tolerance);
   for (int place = first; place < c->cache->last && !s.found; place++) {
     struct look next;
-    look_at_place(&next, c, place + 1);
+    look_at_place(&next, c, place + 1, tolerance);
     go_over(&s, &next);
   }
   return s.reach;

@@ -102,16 +102,15 @@ static const char *each_row(const struct options *o, claim_sink *sink, void *con
 
 static bool begin(struct table *table, const struct options *o, const char *const *names)
 {
-  const struct scallop_crawler *c = &o->crawler;
+  static const char *const varied[] = { "T", "gait", NULL };
   if (!table_open(table, o))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
   table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->against ? " --check" : "");
-  table_note(table, "parameters: m1=%.12g m2=%.12g F1=%.12g F2=%.12g L=%.12g alpha=%.12g", c->m1, c->m2, c->F1, c->F2, c->L,
-             c->alpha);
+  table_parameters(table, o, varied, false);
   if (o->has_gait)
-    table_note(table, "gait: %s", c->gait->name);
+    table_note(table, "gait: %s", o->crawler.gait->name);
   table_columns(table, names);
   table_begin_rows(table);
   return true;

@@ -164,7 +164,7 @@ static enum exit_code run(const struct options *options)
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: series");
-  table_parameters(&table, options);
+  table_parameters(&table, options, NULL, false);
   if (options->has_v0) {
     char v0[NUMBER_TEXT];
     number_text(v0, options->v0, 0);

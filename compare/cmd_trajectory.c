@@ -23,7 +23,7 @@ static bool begin(struct output *out)
     return false;
   table_note(&out->table, "scallop " SCALLOP_VERSION);
   table_note(&out->table, "command: trajectory");
-  table_parameters(&out->table, o);
+  table_parameters(&out->table, o, NULL, false);
   number_text(v0, out->v0, 0);
   table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0, o->periods,
              o->samples);

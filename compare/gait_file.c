@@ -10,6 +10,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>
 
+#include "compare/checksum.h"
 #include "compare/lines.h"
 #include "compare/options.h"
 
@@ -253,6 +254,8 @@ static const char *lay_spline(struct gait_file *gait, const struct rows *rows, c
     else if (!set_slopes(phase, count[kind]))
       wrong = no_memory();
   }
+  if (!wrong)
+    gait->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, (size_t)(count[0] + count[1]) * sizeof *knots);
   if (!wrong && scallop_make_spline(&gait->spline, text, phases, count) != SCALLOP_OK)
     wrong = at_line(file, 0, "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
   free(knots);

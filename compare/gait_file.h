@@ -2,11 +2,14 @@
 #ifndef SCALLOP_GAIT_FILE_H
 #define SCALLOP_GAIT_FILE_H
 
+#include <stdint.h>
+
 #include "model/gaits.h"
 
 struct gait_file {
   struct scallop_spline spline;
   double L, T, alpha; /* of the table itself                                                    */
+  uint32_t checksum;  /* of the knots                                                           */
 };
 
 /* Reads a table of t and l from file, which is called name in messages, and lays the spline through it. NULL, or what is wrong with it: it

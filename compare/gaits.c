@@ -1,11 +1,11 @@
 #include "compare/gaits.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/checksum.h"
 #include "compare/counts.h"
 #include "compare/gait_file.h"
 #include "compare/options.h"
@@ -55,14 +55,7 @@ static void free_all(void)
     }
 }
 
-/* FNV-1a (Fowler, Noll & Vo) */
-static unsigned bucket_of(const char *text)
-{
-  uint32_t hash = 2166136261U;
-  for (; *text; text++)
-    hash = (hash ^ (unsigned char)*text) * 16777619U;
-  return hash % BUCKETS;
-}
+static unsigned bucket_of(const char *text) { return checksum_after(CHECKSUM_OF_NOTHING, text, strlen(text)) % BUCKETS; }
 
 static struct made *find(const char *text)
 {
@@ -268,10 +261,23 @@ bool gait_has_ends(const struct scallop_gait *gait)
   return true;
 }
 
-bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
+static const struct made *measured(const struct scallop_gait *gait)
 {
   const struct made *made = made_count > 0 ? find(gait->name) : NULL;
-  if (!made || made->gait != gait || !made->is_measured)
+  return made && made->gait == gait && made->is_measured ? made : NULL;
+}
+
+uint32_t gait_checksum(const struct scallop_gait *gait)
+{
+  const struct made *made = measured(gait);
+  uint32_t knots = made ? made->file.checksum : CHECKSUM_OF_NOTHING;
+  return checksum_after(knots, gait->name, strlen(gait->name));
+}
+
+bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
+{
+  const struct made *made = measured(gait);
+  if (!made)
     return false;
   *L = made->file.L;
   *T = made->file.T;

@@ -10,6 +10,8 @@
 #ifndef SCALLOP_COMPARE_GAITS_H
 #define SCALLOP_COMPARE_GAITS_H
 
+#include <stdint.h>
+
 #include "model/model.h"
 
 /* What --help says of them */
@@ -29,6 +31,9 @@ struct gait_answer gait_of_text(const char *text);
 
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
+
+/* Of all that the gait is: its name, and where it is a measured one the knots of its spline, as its file may change. */
+uint32_t gait_checksum(const struct scallop_gait *gait);
 
 /* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
 int gait_reversals(const struct scallop_gait *gait);

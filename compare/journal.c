@@ -9,18 +9,12 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include "compare/checksum.h"
 #include "compare/lines.h"
 
 enum { NUMBER = 32, LINE = (JOURNAL_VALUES + 2) * NUMBER };
 
-/* FNV-1a */
-static uint32_t checksum(const char *text)
-{
-  uint32_t hash = 2166136261U;
-  for (; *text; text++)
-    hash = (hash ^ (unsigned char)*text) * 16777619U;
-  return hash;
-}
+static uint32_t checksum(const char *text) { return checksum_after(CHECKSUM_OF_NOTHING, text, strlen(text)); }
 
 /* ---- reading ---- */
 

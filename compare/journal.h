@@ -1,8 +1,8 @@
 /* What a long computation has found so far, in a file: the same command goes on from there if something ends it.
  *
  * A line each: the number of an item, its values as hexadecimal doubles, and a checksum, so that a line of which only a part was
- * written, or something else in its place, is seen. The first line says whose it is; the journal of another computation is
- * neither used nor touched. */
+ * written, or something else in its place, is seen. The first line says of which computation it is, with all that its values
+ * depend on; the journal of another computation is neither used nor touched. */
 #ifndef SCALLOP_JOURNAL_H
 #define SCALLOP_JOURNAL_H
 

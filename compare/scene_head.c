@@ -25,8 +25,19 @@ static bool goes_with_gait(const struct scene *s, const char *parameter)
   return measured;
 }
 
+/* Has the table a column of that name with something else in it, as "T = alpha*T"? */
+static bool is_renamed(const struct scene *s, const struct scene_want *w, const char *parameter)
+{
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    if (strcmp(c->name, parameter) == 0 && (c->quantity < 0 || strcmp(s->quantities.item[c->quantity].name, parameter) != 0))
+      return true;
+  }
+  return false;
+}
+
 /* What was given on the command line in place of the scene's; false: nothing was. */
-static bool note_given(struct table *t, const struct running *r)
+static bool note_given(struct table *t, const struct running *r, const struct scene_want *w)
 {
   const struct options *o = r->options;
   char text[1024];
@@ -34,29 +45,23 @@ static bool note_given(struct table *t, const struct running *r)
   for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
     const char *given = i < CRAWLER_NUMBERS ? o->written[i] : o->has_gait ? o->crawler.gait->name : NULL;
     if (given)
-      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s", crawler_parameters[i], given);
+      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
+                               is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
   }
   if (used > 0)
     table_note(t, "in place of what the scene says of them:%s", text);
   return used > 0;
 }
 
-/* The parameters that stay the same */
-static void note_parameters(struct table *t, const struct scene *s)
+static void note_parameters(struct table *t, const struct scene *s, const struct scene_want *w)
 {
-  char text[1024];
-  size_t used = 0;
-  for (const char *const *name = crawler_parameters; *name && used < sizeof text; name++) {
-    char number[NUMBER_TEXT];
-    if (varies(s, *name) || goes_with_gait(s, *name))
-      continue;
-    if (crawler_place(*name) < CRAWLER_NUMBERS)
-      number_text(number, crawler_parameter(&s->base.crawler, *name), 0);
-    used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s", *name,
-                             crawler_place(*name) < CRAWLER_NUMBERS ? number : s->base.crawler.gait->name);
-  }
-  if (used > 0)
-    table_note(t, "parameters:%s", text);
+  const char *not_held[CRAWLER_NUMBERS + 2];
+  int count = 0;
+  for (const char *const *name = crawler_parameters; *name; name++)
+    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, w, *name))
+      not_held[count++] = *name;
+  not_held[count] = NULL;
+  table_parameters(t, &s->base, not_held, false);
 }
 
 static bool is_of_start(const struct quantities *all, int place)
@@ -100,9 +105,9 @@ void head_write(const struct running *r, struct output *o)
   table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
     table_note(t, "%s", s->title);
-  bool given = note_given(t, r);
+  bool given = note_given(t, r, o->want);
   for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
-  note_parameters(t, s);
+  note_parameters(t, s, o->want);
   note_start(t, s, o->want);
 }

@@ -350,22 +350,6 @@ static bool report_all(struct report *r)
   return report_steady(r) && done;
 }
 
-/* As they were written: a double would not hold all digits. */
-static void note_parameters(struct report *r)
-{
-  const struct options *o = r->options;
-  char line[1200] = "", number[NUMBER_TEXT];
-  size_t at = 0;
-  for (int i = 0; i < 7 && at < sizeof line; i++) {
-    if (table_varies(&r->table, crawler_parameters[i]))
-      continue;
-    number_text(number, crawler_parameter(&o->crawler, crawler_parameters[i]), 0);
-    at += (size_t)snprintf(line + at, sizeof line - at, "%s=%.120s ", crawler_parameters[i],
-                           o->written[i] ? o->written[i] : number);
-  }
-  table_note(&r->table, "parameters: %sgait=%s", line, o->crawler.gait->name);
-}
-
 static bool begin(struct report *r)
 {
   const struct options *o = r->options;
@@ -376,7 +360,7 @@ static bool begin(struct report *r)
     table_note(&r->table, "command: series --source limit");
   else
     table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order);
-  note_parameters(r);
+  table_parameters(&r->table, o, NULL, true);
   if (o->has_v0)
     table_note(&r->table, "v0: %s", o->written_v0);
   if (o->bound)

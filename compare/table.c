@@ -173,23 +173,33 @@ bool table_varies(const struct table *t, const char *name)
   return false;
 }
 
-void table_parameters(struct table *t, const struct options *o)
+static bool is_among(const char *name, const char *const *names)
 {
+  while (names && *names && strcmp(*names, name) != 0)
+    names++;
+  return names && *names;
+}
+
+void table_parameters(struct table *t, const struct options *o, const char *const *not_held, bool as_written)
+{
+  bool begun = false;
   if (!takes_notes(t))
     return;
-  put_text(t, "# parameters:");
-  for (const char *const *name = crawler_parameters; *name; name++) {
-    if (table_varies(t, *name))
+  for (int i = 0; crawler_parameters[i]; i++) {
+    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? o->written[i] : NULL;
+    if (table_varies(t, name) || is_among(name, not_held))
       continue;
-    put_char(t, ' ');
-    put_text(t, *name);
+    put_text(t, begun ? " " : "# parameters: ");
+    put_text(t, name);
     put_char(t, '=');
-    if (strcmp(*name, "gait") == 0)
-      put_text(t, o->crawler.gait->name);
+    if (written || i == CRAWLER_NUMBERS)
+      put_text(t, written ? written : o->crawler.gait->name);
     else
-      put_number(t, crawler_parameter(&o->crawler, *name), 0);
+      put_number(t, crawler_parameter(&o->crawler, name), 0);
+    begun = true;
   }
-  end_line(t);
+  if (begun)
+    end_line(t);
 }
 
 void table_columns(struct table *t, const char *const *names)

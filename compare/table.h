@@ -54,8 +54,10 @@ void table_lead_values(struct table *table, const double *numbers, const char *c
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Does a parameter vary: stands it, or what sets it, in front of each row? */
 bool table_varies(const struct table *table, const char *parameter);
-/* "# parameters: m1=1 ...", those that do not vary */
-void table_parameters(struct table *table, const struct options *options);
+/* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those that stand in front of the rows, or that a
+ * parameter there sets, and not_held (NULL-terminated, or NULL: none), which the table sets by itself or does not use. as_written: numbers
+ * with all the digits that the options gave; else doubles. No line where nothing holds. */
+void table_parameters(struct table *table, const struct options *options, const char *const *not_held, bool as_written);
 /* The header row: NULL-terminated names, which must outlive the table, of a continuation only until it is closed. May be
  * called in parts. */
 void table_columns(struct table *table, const char *const *names);

@@ -78,14 +78,13 @@ static double call_cost(const struct stopwatch_clock *clock)
 static bool begin(struct run *r)
 {
   const struct options *o = r->options;
-  const struct scallop_crawler *c = &o->crawler;
+  static const char *const columns_of_points[] = { "T", "gait", NULL };
   struct table *t = &r->table;
   if (!table_open(t, o))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "", r->limit);
-  table_note(t, "parameters: m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g alpha=%.17g", c->m1, c->m2, c->F1, c->F2, c->L,
-             c->alpha);
+  table_parameters(t, o, columns_of_points, false);
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
   if (o->summary)

@@ -64,11 +64,26 @@ run 0 breakdown --v0 0.5 --only reach --quantity v_end --source derived --order 
 run 0 breakdown --only reach --quantity displacement --tol 1e-3 --alpha 0.3 --source published
 [ "$(cells out T)" = 0 ] || note "a wrong formula reaches to $(cells out T)"
 grep -q 'the error tends to 1.4' out || note "the limit of its error: $(cells out note)"
+# Above the limit of its error, 0.0241823, it does reach some T.
+reaches() { # T-ROUNDED ARGUMENT...
+  rounded=$1
+  shift
+  run 0 breakdown --only reach --source published --quantity displacement --gait sinusoidal "$@"
+  [ "$(printf '%.6f' "$(cells out T)")" = "$rounded" ] || note "$*: it reaches to $(cells out T), not $rounded"
+}
+reaches 2.622467 --tol 0.1
+reaches 0.752825 --tol 0.05 --m1 2 --m2 0.5 --F1 6 --F2 1.5 --L 3 --alpha 0.6
+reaches 0.000000 --tol 0.0241822
 run 0 breakdown --F1 1 --only reach --quantity displacement
 [ "$(cells out T | sort -u)" = inf ] || note "F1 = F2: $(cells out T | sort -u)"
 run 0 breakdown --only best --quantity v_start --format json
 /usr/bin/python3 -c 'import json; [json.loads(l) for l in open("out")]' || note "json"
-finish "phases, selections, formulas that reach nowhere, json"
+for phase in "" "--phase extension"; do
+  # shellcheck disable=SC2086
+  run 0 breakdown --only event $phase
+  ! grep -qE "^# parameters:.* (T${phase:+|alpha})=" out || note "$phase: the head names what is not used: $(grep parameters out)"
+done
+finish "phases, selections, formulas that reach nowhere, json, parameters that are not used"
 
 refused() { # WHAT ARGUMENT...
   what=$1

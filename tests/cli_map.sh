@@ -70,7 +70,17 @@ rows = [json.loads(l) for l in open(sys.argv[1])]
 if len(rows) != 4 or [k for k in rows[0] if k.startswith("T_")] != ["T_1e-3_published"] or "error_published" not in rows[0]:
     bad(rows[0])
 END
-finish "a grid: rows in order, what steady gives, T from what it depends on"
+held() { # X Y PARAMETERS: what the head of a map over X and Y says
+  for what in '--source limit' --boundaries; do
+    # shellcheck disable=SC2086
+    run 0 breakdown --map "$1" "$2" --x 0.2:0.3:2 --y 0.4:0.5:2 --quiet $what
+    [ "$(sed -n 's/^# parameters: //p' out)" = "$3" ] || note "the head of a map over $1 and $2: $(grep parameters out)"
+  done
+}
+held F1/F2 froude "m1=1 m2=1 F2=1 L=10 alpha=0.75 gait=quadratic"
+held m1/m2 T "m2=1 F1=4 F2=1 L=10 alpha=0.75 gait=quadratic"
+held alpha F1/F2 "m1=1 m2=1 F2=1 L=10 T=1 gait=quadratic"
+finish "a grid: rows in order, what steady gives, T from what it depends on, and a head without what varies"
 
 # ---- interrupted ----
 map() { # CODE FILE [ARGUMENT...]
@@ -127,6 +137,30 @@ if [ -s some.rows ]; then
   cmp -s other.rows some.rows || note "another map's journal was changed"
   [ ! -e other ] || note "a file was written beside it"
 fi
+# Of another gait by the same name: the file was changed after the map was interrupted.
+measured="breakdown --map F1/F2 alpha --x 1.5:60:99 --y 0.55:0.9:99 --gait measured:gait.txt --L 3 --T 4 -o measured"
+interrupted() { # TEXT FILE: the map goes on until FILE has TEXT
+  # shellcheck disable=SC2086
+  "$tool" $measured >/dev/null 2>err &
+  child=$!
+  for _ in $(seq 500); do
+    grep -q -e "$1" "$2" 2>/dev/null && break
+    sleep 0.01
+  done
+  kill -9 $child 2>/dev/null
+  wait $child 2>/dev/null
+}
+printf '0 0\n1 2\n2 3\n3 1\n4 0\n' >gait.txt
+interrupted '^2' measured.rows
+cp measured.rows kept.rows
+printf '0 0\n1 2.5\n2 3\n3 1\n4 0\n' >gait.txt
+# shellcheck disable=SC2086
+run 4 $measured
+grep -q "measured gait whose file has changed" err || note "of the journal of another measured gait it says: $(cat err)"
+cmp -s kept.rows measured.rows || note "the journal of another measured gait was changed"
+printf 't l\n10 0\n11 2\n12 3\n13 1\n14 0\n' >gait.txt # the first gait, written otherwise
+interrupted 'going on' err
+grep -q "going on from measured.rows" err || note "of the same gait it says: $(cat err)"
 echo "my notes" >mine.rows
 echo earlier >mine
 map 4 mine

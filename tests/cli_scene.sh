@@ -435,5 +435,9 @@ for n in 2 3 4 5; do
 done
 run 0 figure 5 --F1 3 --alpha 0.6
 [ "$(rows out | cut -f 2,4 | sort -u)" = "$(printf '0.6\t1.5\n0.6\t3\n0.6\t6\n')" ] || note "figure 5 with parameters: $(rows out | head -n 3)"
+run 0 figure 4 --T 2
+[ "$(cells out T | sort -u)" = 1 ] || note "figure 4 of a period of 2 has phases of $(cells out T | sort -u)"
+! grep -q '^# parameters:.* T=' out || note "T=2 stands over a column T with 1 in it: $(grep parameters out)"
+grep -q 'T=2 (of the crawler, not the column)' out || note "the period that was given is not said: $(grep '^#' out)"
 finish "figures are scenes, with the same bytes"
 exit $failed

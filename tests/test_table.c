@@ -119,13 +119,35 @@ static void parameters_are_said_once(void **state)
     struct table rows;
     struct options o = in(&tsv, &t);
     assert_true(table_open(&rows, &o));
-    table_parameters(&rows, &o);
+    table_parameters(&rows, &o, NULL, false);
     table_columns(&rows, columns);
     table_begin_rows(&rows);
     assert_true(table_close(&rows));
   }
   assert_true(table_close(&t));
   assert_holds("table", "# parameters: m1=1 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.75 gait=quadratic\nT\tstatus\n");
+  entries(true);
+}
+
+/* Not what leads the rows or is set by that, nor what a table says it does not use; no line where nothing is left. */
+static void parameters_that_do_not_hold_are_not_said(void **state)
+{
+  (void)state;
+  static const char *const ratio[] = { "m1_over_m2", NULL }, *const some[] = { "F1", "T", NULL };
+  struct options o = tsv;
+  struct table t;
+  o.crawler = scallop_crawler_default();
+  o.written[0] = "1e0";
+  o.written[6] = "0.750";
+  for (int i = 0; i < 3; i++) {
+    assert_true(table_open_at(&t, &o, "table"));
+    table_lead(&t, ratio, i == 0);
+    table_parameters(&t, &o, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
+    assert_true(table_close(&t));
+    assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
+                          : i == 1 ? "# parameters: m1=1e0 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.750 gait=quadratic\n"
+                                   : "");
+  }
   entries(true);
 }
 
@@ -302,6 +324,7 @@ int main(void)
     cmocka_unit_test(lead_numbers_are_written_as_others),
     cmocka_unit_test(rows_follow_rows),
     cmocka_unit_test(parameters_are_said_once),
+    cmocka_unit_test(parameters_that_do_not_hold_are_not_said),
     cmocka_unit_test(names_need_not_outlive_their_rows),
     cmocka_unit_test(long_continuations_keep_their_order),
     cmocka_unit_test(other_columns_are_refused),

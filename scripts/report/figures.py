@@ -121,8 +121,8 @@ MAPS = [
         "How far a series for the displacement can be trusted",
         (
             "The largest period up to which the relative error stays below 1 % (left) and 10<sup>−6</sup> (right), for"
-            " the published formula (28) and for the derived series with all terms below <i>T</i><sup>8</sup>. Grey: it"
-            " is never that small, because the formula has another limit there."
+            " the published formula (28) and for the derived series with all terms below <i>T</i><sup>8</sup>. Grey: as"
+            " <i>T</i> tends to 0, the error tends to a limit above that, because the formula is wrong at leading order."
         ),
         [Panel("0 0 1100 900", "Reach of formula (28) and of the derived series over F1/F2 and alpha")],
         ["map_reach"],
