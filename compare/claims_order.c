@@ -119,6 +119,16 @@ static const char *label(const struct claimed *claimed, int kind, bool mirrored)
   return formula_quantity_text(&f, (enum scallop_phase_kind)(mirrored ? 1 - kind : kind));
 }
 
+/* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
+static void see_in_mirror(struct ledger_proof *proof, struct order_point *points, int count, enum scallop_quantity quantity)
+{
+  if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
+    return;
+  series_neg(&proof->coefficient, &proof->coefficient);
+  for (int i = 0; i < count; i++)
+    points[i].err = -points[i].err;
+}
+
 static void add_row(struct book *book, const struct claimed *claimed, int kind, int index, bool mirrored)
 {
   const struct condition *condition = &conditions_of(claimed->setting, kind)[index];
@@ -144,8 +154,10 @@ static void add_row(struct book *book, const struct claimed *claimed, int kind, 
     row.verdict = CLAIM_UNDECIDED;
     snprintf(row.reason, sizeof row.reason, "this motion has no expansion in powers of T");
   } else {
-    claim_judge(&row, &proof);
     row.count = ledger_measure(points, &row.slope, c, claimed->formula, claimed->quantity, claimed->limit);
+    if (mirrored)
+      see_in_mirror(&proof, points, row.count, claimed->quantity);
+    claim_judge(&row, &proof);
     name_correction(book, &row, claimed, condition, kind);
   }
   book_enter(book, &row, points);
