@@ -10,7 +10,7 @@
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 
-enum { MOST = 512 };
+enum { MOST = 1024 };
 
 static struct claim_row rows[MOST];
 static int count;
@@ -79,6 +79,59 @@ static void orders_inside(void **state)
       CHECK_NEAR(row->fit.order, g ? known[k].sinusoidal : known[k].quadratic, 1e-6);
       CHECK_EQUAL((double)row->derived_order, g ? known[k].sinusoidal : known[k].quadratic);
       assert_int_equal(row->verdict, known[k].verdicts[g]);
+    }
+}
+
+/* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3 k0/(6 T^4) + ...
+ * The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
+static void lines_with_given_times(void **state)
+{
+  (void)state;
+  double m1 = 1.7, m2 = 0.8, M = m1 + m2, L = 11.3, pi = 3.14159265358979324, v0 = 1.8;
+  double l0 = pi * pi * L / 2, k0 = -pi * pi * pi * pi * L / 2;
+  double of_1 = m2 / M * k0 / 6 * pow(v0 * M / (m2 * l0), 3), of_2 = m1 / M * k0 / 6 * pow(v0 * M / (m1 * l0), 3);
+  const struct {
+    const char *claim;
+    long order;
+    double coefficient;
+  } known[] = { { "A_v1_first_switch", 2, -of_1 },
+                { "A_x1_switch_from_times", 3, of_1 },
+                { "A_x1_switch_collected", 3, of_1 },
+                { "B_x2_switch_from_times", 3, of_2 } };
+  CHECK_NEAR(0.37 * sqrt(L * 5.4 / M), v0, 0.05);
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+    const struct claim_row *row = find(known[k].claim, "sinusoidal", NULL, true);
+    double coefficient;
+    assert_int_equal(row->verdict, CLAIM_REFUTED);
+    CHECK_EQUAL((double)row->derived_order, (double)known[k].order);
+    assert_int_equal(sscanf(row->coefficient, "[%lf", &coefficient), 1);
+    CHECK_RELATIVE(coefficient, known[k].coefficient, 1e-11);
+    row = find(known[k].claim, "quadratic", NULL, true);
+    assert_true(row->exact && row->verdict == CLAIM_SHARPER);
+  }
+  const struct claim_row *row = find("B_x2_switch_collected", "sinusoidal", NULL, true);
+  assert_int_equal(row->verdict, CLAIM_REFUTED);
+  CHECK_EQUAL((double)row->derived_order, 2);
+}
+
+/* What is printed as an equality holds if nothing is left out, and is refuted by whatever is. */
+static void equalities(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *claim;
+    enum claim_verdict verdicts[2];
+  } known[] = {
+    { "equal_v1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },     { "equal_x1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "equal_xC_end", { CLAIM_REFUTED, CLAIM_REFUTED } }, { "corrected_equal_xC_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "A_v1_switch", { CLAIM_HOLDS, CLAIM_REFUTED } },    { "A_v1_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
+  };
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    for (int g = 0; g < 2; g++) {
+      const struct claim_row *row = find(known[k].claim, g ? "sinusoidal" : "quadratic", NULL, true);
+      assert_true(isinf(row->claimed_order));
+      assert_int_equal(row->verdict, known[k].verdicts[g]);
+      assert_int_equal(row->exact, row->verdict == CLAIM_HOLDS);
     }
 }
 
@@ -445,12 +498,20 @@ static void units_do_not_matter(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(orders_inside),  cmocka_unit_test(steady_outside),           cmocka_unit_test(every_row_is_decided),
-    cmocka_unit_test(words),          cmocka_unit_test(example_moves_backward),   cmocka_unit_test(units_do_not_matter),
-    cmocka_unit_test(physics),        cmocka_unit_test(boundary_is_a_kink),       cmocka_unit_test(jump_of_the_slope),
-    cmocka_unit_test(alphas_from_to), cmocka_unit_test(figures_of_steady_states), cmocka_unit_test(extension_from_rest),
-    cmocka_unit_test(mirrored_rows_are_about_the_motion_itself)
-  };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(orders_inside),
+                                      cmocka_unit_test(steady_outside),
+                                      cmocka_unit_test(every_row_is_decided),
+                                      cmocka_unit_test(lines_with_given_times),
+                                      cmocka_unit_test(equalities),
+                                      cmocka_unit_test(mirrored_rows_are_about_the_motion_itself),
+                                      cmocka_unit_test(words),
+                                      cmocka_unit_test(example_moves_backward),
+                                      cmocka_unit_test(units_do_not_matter),
+                                      cmocka_unit_test(physics),
+                                      cmocka_unit_test(boundary_is_a_kink),
+                                      cmocka_unit_test(jump_of_the_slope),
+                                      cmocka_unit_test(alphas_from_to),
+                                      cmocka_unit_test(figures_of_steady_states),
+                                      cmocka_unit_test(extension_from_rest) };
   return cmocka_run_group_tests_name("claims", tests, fill, NULL);
 }
