@@ -450,6 +450,48 @@ static void extension_from_rest(void **state)
   }
 }
 
+/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dv_C = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at the root of
+ * s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
+static double integral(double s) { return s + 3 / (1 + s) - 1 / ((1 + s) * (1 + s)); }
+
+static void onset_of_sticking(void **state)
+{
+  (void)state;
+  static const double ratios[] = { 2, 10, 40 };
+  static const char *const whose[] = { "the paper's crawler, from rest, F1/F2 = 2, 10, 40",
+                                       "the ledger's crawler, from rest, F1/F2 = 2, 10, 40" };
+  for (int k = 0; k < 2; k++) {
+    const struct claim_row *row = find("velocity_change_is_not_monotone", "quadratic", whose[k], k == 0);
+    double peak[3], least, delta = 39. / 41, before = delta * (399. / 400) * (399. / 400);
+    assert_int_equal(sscanf(row->measured, "dv_C peaks at %lf, %lf, %lf", &peak[0], &peak[1], &peak[2]), 3);
+    for (int i = 0; i < 3; i++) {
+      double d = (ratios[i] - 1) / (ratios[i] + 1), s = (sqrt((3 + d) * (3 + d) + 4 * d) - (3 + d)) / 2;
+      CHECK_NEAR(peak[i], sqrt(s / d), 1e-6);
+    }
+    row = find("displacement_grows_with_duration", "quadratic", whose[k], k == 0);
+    assert_int_equal(
+        sscanf(row->measured, "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %lf", &least), 1);
+    CHECK_NEAR(least, 1 - (1 + delta) / delta * (integral(delta) - integral(before)) / (delta - before), 1e-6);
+  }
+}
+
+/* Where T alone is varied, mean velocity is given in L/T0, T0 being the T of the crawler. */
+static void speeds_where_T_is_varied(void **state)
+{
+  (void)state;
+  const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", "quadratic", by_period, true);
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_steady_result s;
+  double speed, highest, at, T0;
+  const char *figures = strstr(row->measured, "<U> T0/L is ");
+  assert_non_null(figures);
+  assert_int_equal(sscanf(figures, "<U> T0/L is %lf there, highest %lf at %lf; T0 = %lf", &speed, &highest, &at, &T0), 4);
+  assert_null(strstr(row->measured, "<U> T/L"));
+  c.T = at;
+  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  CHECK_RELATIVE(highest, s.mean_velocity * T0 / c.L, 1e-4);
+}
+
 /* A refutation in words comes with a command; the crawler in it does what the row says. */
 static void example_moves_backward(void **state)
 {
@@ -512,6 +554,8 @@ int main(void)
                                       cmocka_unit_test(jump_of_the_slope),
                                       cmocka_unit_test(alphas_from_to),
                                       cmocka_unit_test(figures_of_steady_states),
-                                      cmocka_unit_test(extension_from_rest) };
+                                      cmocka_unit_test(extension_from_rest),
+                                      cmocka_unit_test(onset_of_sticking),
+                                      cmocka_unit_test(speeds_where_T_is_varied) };
   return cmocka_run_group_tests_name("claims", tests, fill, NULL);
 }
