@@ -33,6 +33,22 @@ double B_dT(point *p)
   return leading * T2 - D / kT * cube(p->T) + leading * (D / kT + 2 * p->F2 / k0) * (T2 * T2);
 }
 
+double B_x2_switch_from_times(point *p)
+{
+  double T = p->T, dT = p->dT, t1 = p->t1, mu = p->m1 / mass(p), a0 = p->l0 / (T * T), aT = p->lT / (T * T);
+  double between = T - dT - t1;
+  return -mu * p->l_start + 0.5 * mu * (dT * dT * aT - t1 * t1 * a0) - mu * t1 * a0 * between
+         - 0.5 * drive(p) * (between * between) + p->v0 * t1 / 2;
+}
+
+double B_x2_switch_collected(point *p)
+{
+  double T = p->T, dT = p->dT, t1 = p->t1, mu = p->m1 / mass(p), a0 = p->l0 / (T * T), aT = p->lT / (T * T);
+  return -mu * p->l_start - T * T * (0.5 * drive(p)) - t1 * T * (mu * a0 - drive(p)) + T * dT * drive(p)
+         + dT * dT * (0.5 * mu * aT - 0.5 * drive(p)) + t1 * t1 * (mu * a0 - 0.5 * drive(p)) + t1 * dT * (mu * a0 - drive(p))
+         + p->v0 * t1 / 2;
+}
+
 double B_x2_switch(point *p)
 {
   double T = p->T;
@@ -46,6 +62,9 @@ double B_v2_end_from_dT(point *p)
 }
 
 double B_v2_end(point *p) { return p->v0 - drive(p) * p->T + p->v0 * (2 * p->F2 / p->m1) * (1 / p->l0 - 1 / p->lT); }
+
+/* The position at T - Delta T is printed with a dot, x2'(T - Delta T), and that velocity is 0. */
+double B_x2_end_from_dT(point *p) { return 0.5 * p->m1 / mass(p) * (p->dT * p->dT) * p->lT / (p->T * p->T); }
 
 double B_x2_end(point *p)
 {

@@ -20,9 +20,9 @@ static void modes_text(char *text, size_t size, const struct branch *b, enum sca
 
 #define PHASE_SERIES(e) \
   { \
-    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last \
+    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, &(e)->turning_velocity \
   }
-enum { PHASE_QUANTITIES = 8 };
+enum { PHASE_QUANTITIES = 9 };
 
 void scallop_phase_expansion_init(struct scallop_phase_expansion *e)
 {
@@ -353,6 +353,8 @@ const struct series *scallop_phase_quantity(const struct scallop_phase_expansion
   case SCALLOP_CENTRE_AT_END: return &e->dxC;
   case SCALLOP_VELOCITY_AT_END:
   case SCALLOP_VELOCITY_CHANGE: return &e->v_end;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return &e->turning_velocity;
   case SCALLOP_STEADY_VELOCITY:
   case SCALLOP_STEADY_DISPLACEMENT: break;
   }

@@ -21,6 +21,7 @@ struct scallop_phase_expansion {
   struct series v_end;
   struct series dx1, dx2, dxC;
   struct series at_first, at_last; /* the rear body, from its start, at the first and the last change of mode */
+  struct series turning_velocity;  /* of the body that turns there: 0                                    */
   char modes[SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++"                                    */
 };
 void scallop_phase_expansion_init(struct scallop_phase_expansion *e);

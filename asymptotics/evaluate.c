@@ -150,7 +150,7 @@ static bool look_up(void *context, const char *name, size_t length, struct serie
 bool scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
                             enum scallop_phase_kind kind, const struct ring *ring)
 {
-  bool of_extension = f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION;
-  struct lookup lookup = { s, of_extension && kind == SCALLOP_CONTRACTION };
+  bool of_contraction = f->setting == SCALLOP_MOVING_CONTRACTION || f->setting == SCALLOP_STEADY;
+  struct lookup lookup = { s, !of_contraction && kind == SCALLOP_CONTRACTION };
   return expression_evaluate(value, f->text, look_up, &lookup, ring);
 }

@@ -3,7 +3,21 @@
 
 typedef const struct scallop_crawler crawler;
 
+/* ---- section 4.1 ---- */
+
+double equal_v1_end(point *p)
+{
+  const double speed = 0; /* l'(T) */
+  return -p->m2 / mass(p) * speed;
+}
+
+double equal_x1_end(point *p) { return -p->m2 / mass(p) * (p->l_end - p->l_start); }
+
+double equal_xC_end(point *p) { return 0.5 * (p->m1 / p->m2 - 1) * equal_x1_end(p); }
+
 /* ---- section 4.3.1 ---- */
+
+double rest_v1_switch(point *p) { return p->dT * (p->m2 * p->lT / (p->T * p->T) - p->F1 + p->F2) + (p->F1 - p->F2) * p->T; }
 
 double rest_dT_unexpanded(point *p) { return -(p->F1 - p->F2) / (p->m2 * p->lT / (p->T * p->T) - p->F1 + p->F2) * p->T; }
 

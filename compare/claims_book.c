@@ -70,8 +70,11 @@ void claim_judge(struct claim_row *row, const struct ledger_proof *proof)
     return;
   }
   if (row->exact) {
-    row->verdict = CLAIM_SHARPER;
-    snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
+    row->verdict = isinf(row->claimed_order) ? CLAIM_HOLDS : CLAIM_SHARPER;
+    if (proof->known >= SERIES_ALL)
+      snprintf(row->reason, sizeof row->reason, "every coefficient vanishes");
+    else
+      snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
     return;
   }
   set_coefficient(row, &proof->coefficient);

@@ -5,7 +5,7 @@
 #include "compare/claims.h"
 #include "compare/ledger.h"
 
-enum { MOST_CONDITIONS = 5, SETTINGS = 3, MOST_ROWS = 1024 };
+enum { MOST_CONDITIONS = 5, SETTINGS = 5, MOST_ROWS = 1024 };
 
 struct entry {
   char claim[64];

@@ -17,7 +17,7 @@ struct family {
 /* "F1/F2", "F2", "T" */
 const char *family_name(const struct family *f);
 struct scallop_crawler family_member(const struct family *f, double x);
-/* Mean velocity T/L, T that of the family's crawler; nan where there is none */
+/* Mean velocity T/L, T that of the family's crawler, even where T is varied; nan where there is none */
 double family_speed(const struct family *f, double x);
 
 /* A member proven. The family's numbers are the shortest decimals that read back, x is exactly what it is. */

@@ -21,6 +21,10 @@ static const struct condition contraction_from_rest[] = { /* the bodies exchange
                                                           { .text = "contraction from rest, F2 < F1", .reversed = true },
                                                           { .text = NULL }
 };
+static const struct condition equal_forces[][2] = {
+  { { .text = "extension from rest, F1 = F2", .inside = true, .equal_forces = true }, { .text = NULL } },
+  { { .text = "contraction from rest, F2 = F1", .inside = true, .equal_forces = true }, { .text = NULL } },
+};
 static const struct condition moving[] = { { .text = "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
                                            { .text = "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
                                            { .text = "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
@@ -33,16 +37,25 @@ static const struct condition steady[] = { { .text = "alpha > 1/2, F1 > F2", .in
                                            { .text = NULL } };
 static const struct condition *conditions_of(enum scallop_setting setting, int kind)
 {
-  return setting == SCALLOP_STEADY          ? steady
-         : setting != SCALLOP_AT_REST_START ? moving
-         : kind == SCALLOP_EXTENSION        ? extension_from_rest
-                                            : contraction_from_rest;
+  switch (setting) {
+  case SCALLOP_AT_REST_START: return kind == SCALLOP_EXTENSION ? extension_from_rest : contraction_from_rest;
+  case SCALLOP_AT_REST_EQUAL_FORCES: return equal_forces[kind];
+  case SCALLOP_STEADY: return steady;
+  case SCALLOP_MOVING_EXTENSION:
+  case SCALLOP_MOVING_CONTRACTION: break;
+  }
+  return moving;
+}
+
+static bool is_from_rest(enum scallop_setting setting)
+{
+  return setting == SCALLOP_AT_REST_START || setting == SCALLOP_AT_REST_EQUAL_FORCES;
 }
 
 /* Each motion is solved once, and serves all the formulas about it. NULL if it has no expansion. */
 static struct ledger_case *case_of(struct book *book, enum scallop_setting setting, int kind, int condition, bool mirrored)
 {
-  int s = setting == SCALLOP_AT_REST_START ? 0 : setting == SCALLOP_STEADY ? 2 : 1;
+  int s = setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_MOVING_EXTENSION : setting;
   struct ledger_case *c = &book->cases[s][kind][condition][mirrored];
   if (!book->opened[s][kind][condition][mirrored]) {
     book->opened[s][kind][condition][mirrored] = true;
@@ -119,6 +132,16 @@ static const char *label(const struct claimed *claimed, int kind, bool mirrored)
   return formula_quantity_text(&f, (enum scallop_phase_kind)(mirrored ? 1 - kind : kind));
 }
 
+/* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
+static void see_in_mirror(struct ledger_proof *proof, struct order_point *points, int count, enum scallop_quantity quantity)
+{
+  if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
+    return;
+  series_neg(&proof->coefficient, &proof->coefficient);
+  for (int i = 0; i < count; i++)
+    points[i].err = -points[i].err;
+}
+
 static void add_row(struct book *book, const struct claimed *claimed, int kind, int index, bool mirrored)
 {
   const struct condition *condition = &conditions_of(claimed->setting, kind)[index];
@@ -129,7 +152,7 @@ static void add_row(struct book *book, const struct claimed *claimed, int kind, 
                            .quantity = label(claimed, kind, mirrored),
                            .conditions = condition->text,
                            .inside = condition->inside,
-                           .claimed_order = claimed->order,
+                           .claimed_order = claimed->order == SCALLOP_EQUALITY ? INFINITY : claimed->order,
                            .slope = NAN };
   bool is_new = claimed->formula && !claimed->formula->phase && !claimed->formula->steady;
   row.ours = mirrored || is_new || claimed->limit;
@@ -144,8 +167,10 @@ static void add_row(struct book *book, const struct claimed *claimed, int kind, 
     row.verdict = CLAIM_UNDECIDED;
     snprintf(row.reason, sizeof row.reason, "this motion has no expansion in powers of T");
   } else {
-    claim_judge(&row, &proof);
     row.count = ledger_measure(points, &row.slope, c, claimed->formula, claimed->quantity, claimed->limit);
+    if (mirrored)
+      see_in_mirror(&proof, points, row.count, claimed->quantity);
+    claim_judge(&row, &proof);
     name_correction(book, &row, claimed, condition, kind);
   }
   book_enter(book, &row, points);
@@ -164,8 +189,8 @@ static void add_rows(struct book *book, const struct claimed *claimed, int kind,
 static void add_formula(struct book *book, const struct scallop_formula *f, bool mirrored)
 {
   const struct claimed claimed = { f, f->name, f->equation, f->setting, f->quantity, f->remainder, false };
-  int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
-  for (int kind = first; f->remainder > 0 && kind <= last; kind++)
+  int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = is_from_rest(f->setting) ? 1 : first;
+  for (int kind = first; f->remainder != 0 && kind <= last; kind++)
     add_rows(book, &claimed, kind, mirrored);
   if (f->phase == A_x1_first_switch && !mirrored) {
     const struct claimed size = { NULL, "A_x1_first_switch_size", f->equation, f->setting, f->quantity, 2, false };
@@ -177,15 +202,16 @@ static void add_formula(struct book *book, const struct scallop_formula *f, bool
 static void add_corrected(struct book *book, const struct scallop_formula *f)
 {
   const struct claimed claimed = { f, f->name, f->equation, f->setting, f->quantity, f->remainder, false };
-  const struct condition *conditions = conditions_of(f->setting, SCALLOP_EXTENSION);
   bool is_steady = f->setting == SCALLOP_STEADY;
-  for (int kind = 0; kind < (is_steady ? 1 : 2); kind++)
+  for (int kind = 0; kind < (is_steady ? 1 : 2); kind++) {
+    const struct condition *conditions = conditions_of(f->setting, kind);
     for (int i = 0; conditions[i].text; i++) {
       const char *turn = is_steady && has_closed_limit(book) ? no_turn(book, i) : "";
       size_t length = strlen(f->name), ending = strlen(turn);
       if (!is_steady || (*turn && length > ending && strcmp(f->name + length - ending, turn) == 0))
         add_row(book, &claimed, kind, i, conditions[i].reversed);
     }
+  }
 }
 
 static void add_limits(struct book *book)
@@ -215,7 +241,7 @@ static bool lists_formula(const char *list, const struct scallop_formula *formul
   for (const struct scallop_formula *f = formulas; f->name; f++)
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
       snprintf(name, sizeof name, "%s%s", f->name, endings[i]);
-      if (f->remainder > 0 && claim_is_listed(list, name))
+      if (f->remainder != 0 && claim_is_listed(list, name))
         return true;
     }
   return false;
@@ -224,7 +250,8 @@ static bool lists_formula(const char *list, const struct scallop_formula *formul
 bool claims_have_order(const char *list)
 {
   static const char *const others[] = { "A_x1_first_switch_size", "limit_steady_velocity", "limit_steady_xC" };
-  bool found = lists_formula(list, scallop_published) || lists_formula(list, scallop_corrected);
+  bool found = lists_formula(list, scallop_equal_forces) || lists_formula(list, scallop_published)
+               || lists_formula(list, scallop_corrected);
   for (size_t i = 0; i < sizeof others / sizeof *others; i++)
     found |= claim_is_listed(list, others[i]);
   return found || claims_of_ends_listed(list);
@@ -232,6 +259,8 @@ bool claims_have_order(const char *list)
 
 static void fill(struct book *book)
 {
+  for (const struct scallop_formula *f = scallop_equal_forces; f->name; f++)
+    add_formula(book, f, false);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     add_formula(book, f, false);
   book_add_ends(book);

@@ -41,6 +41,16 @@ static const char *range_text(enum varied varied)
   return text[varied];
 }
 
+/* How mean velocity is printed: T0 is the T of the family's crawler, also where T is varied. */
+static const char *speed_text(const struct family *f) { return f->varied == VARY_PERIOD ? "<U> T0/L" : "<U> T/L"; }
+
+static void say_T0(char measured[MEASURED], const struct family *f)
+{
+  size_t used = strlen(measured);
+  if (f->varied == VARY_PERIOD)
+    snprintf(measured + used, MEASURED - used, "; T0 = %.6g", f->crawler.T);
+}
+
 static void boundary_row(const struct words *w, const struct survey *s, const char *whose, bool inside)
 {
   char conditions[CONDITIONS], measured[MEASURED];
@@ -78,9 +88,10 @@ static void peak_row(const struct words *w, const struct survey *s, const char *
   bool holds = peaks_at_boundary(s);
   snprintf(conditions, sizeof conditions, "%s; %s", whose, range_text(s->family.varied));
   snprintf(measured, sizeof measured,
-           "at %s = %.10g the certified slope d(<U> T/L)/d ln is %.6f before, %.6f after; <U> T/L is %.6f there, highest "
-           "%.6f at %.4g",
-           family_name(&s->family), b->at, b->before, b->after, b->speed, family_speed(&s->family, top), top);
+           "at %s = %.10g the certified slope d(%s)/d ln is %.6f before, %.6f after; %s is %.6f there, highest %.6f at %.4g",
+           family_name(&s->family), b->at, speed_text(&s->family), b->before, b->after, speed_text(&s->family), b->speed,
+           family_speed(&s->family, top), top);
+  say_T0(measured, &s->family);
   bool proven = !holds && example(reason, s);
   const struct words_claim claim = { "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", conditions, inside };
   words_enter(w, &claim, words_verdict(holds, proven), measured, reason);
@@ -145,9 +156,10 @@ static void decay_row(const struct words *w, const struct survey *s, const char 
   if (rises) {
     const double places[] = { short_number(s->scan.x[low], SHORT), short_number(s->scan.x[high], SHORT) };
     proven = family_rises(&s->family, places[0], places[1]);
-    snprintf(measured, sizeof measured, "%s: <U> T/L rises from %.6f at %s = %.6g to %.6f at %.6g",
-             proven ? "certified" : "not proven", family_speed(&s->family, places[0]), family_name(&s->family), places[0],
-             family_speed(&s->family, places[1]), places[1]);
+    snprintf(measured, sizeof measured, "%s: %s rises from %.6f at %s = %.6g to %.6f at %.6g",
+             proven ? "certified" : "not proven", speed_text(&s->family), family_speed(&s->family, places[0]),
+             family_name(&s->family), places[0], family_speed(&s->family, places[1]), places[1]);
+    say_T0(measured, &s->family);
     size_t used = (size_t)snprintf(reason, sizeof reason, "mean_velocity rises, in stick-slip: ");
     family_command(reason + used, sizeof reason - used, &s->family, places, 2);
   }

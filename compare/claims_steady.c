@@ -315,9 +315,11 @@ static void from_velocity_row(const struct words *w, const double *forces, int c
   if (falls) {
     double T = short_duration(worst.T), longer = short_duration(worst.longer);
     proven = certainly_less(w, worst.F1, worst.v0, T, longer);
-    snprintf(measured, sizeof measured, "%s: from v0 = %g at F1 = %g dx_C/L is %.6f for T = %.4g and %.6f for T = %.4g",
-             proven ? "certified" : "not proven", worst.v0, worst.F1, moved(w, worst.F1, worst.v0, T), T,
-             moved(w, worst.F1, worst.v0, longer), longer);
+    snprintf(
+        measured, sizeof measured,
+        "%s: from v0 = %g at F1 = %g dx_C/L is %.6f for T = %.4g and %.6f for T = %.4g; these extensions last %.6g and %.6g",
+        proven ? "certified" : "not proven", worst.v0, worst.F1, moved(w, worst.F1, worst.v0, T), T,
+        moved(w, worst.F1, worst.v0, longer), longer, T * w->crawler.alpha, longer * w->crawler.alpha);
     snprintf(reason, sizeof reason,
              "dxC falls from the first row to the second: printf 'T\\n%.4g\\n%.4g\\n' | scallop phase --points - --F1 %g "
              "--v0 %g%s | cut -f 6,16",

@@ -57,7 +57,7 @@ const struct command command_claims = {
       "the reason. corrected: the row of the formula that holds where this one does not (source 'corrected'; ':mirrored'\n"
       "is a formula with the bodies exchanged and seen in a mirror, ':contraction' with the bodies exchanged).\n"
       "conditions: what was assumed; inside: whether the paper assumes it too. Claims in words have the figure that\n"
-      "decides in 'measured'. A summary goes to standard error.\n"
+      "decides in 'measured'. claimed_order inf: the formula is printed as an equality. A summary goes to standard error.\n"
       "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
       "names may not hold, either: see their verdicts.\n"
       "--check: the verdicts are compared with those of data/claims.tsv; anything that differs is printed, and the exit "

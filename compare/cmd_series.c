@@ -191,6 +191,8 @@ const struct command command_series = {
       "alpha T or (1 - alpha) T. Formulas from rest start from rest; the others start with --v0, and without it with the\n"
       "exact steady velocity of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the\n"
       "appendices); phase; quantity; the remainder as printed; published, exact and error = published - exact.\n"
+      "v(t1) and v(T-dT) are the velocity of the body that turns then, and 0; equations (A.4) and (12) print the remainders\n"
+      "O(t1^2) and O(dT^2).\n"
       "With --points: one row for each point, the published value of every formula in a column of its own.\n\n"
       "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it is given, and of\n"
       "the steady state. Columns: phase, start, quantity as in `phase` and `steady`; power of T, the duration of the phase\n"

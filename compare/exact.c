@@ -71,6 +71,8 @@ double exact_quantity(const struct exact_phase *e, enum scallop_quantity quantit
   case SCALLOP_CENTRE_AT_END: return e->phase.dxC;
   case SCALLOP_VELOCITY_AT_END: return e->phase.v_end;
   case SCALLOP_VELOCITY_CHANGE: return e->phase.v_end - e->v0;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return isnan(e->phase.dT) ? NAN : 0;
   case SCALLOP_STEADY_VELOCITY:
   case SCALLOP_STEADY_DISPLACEMENT: break;
   }
@@ -97,6 +99,8 @@ const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_
   static const char *const of_extension[] = {
     "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0"
   };
+  if (f->quantity == SCALLOP_VELOCITY_AT_FIRST || f->quantity == SCALLOP_VELOCITY_AT_LAST)
+    return f->quantity == SCALLOP_VELOCITY_AT_FIRST ? "v(t1)" : "v(T-dT)";
   if (f->setting == SCALLOP_STEADY)
     return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
   return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];

@@ -70,6 +70,9 @@ static void random_rational(fmpq_t x, uint64_t *state)
   fmpq_set_si(x, (slong)(1 + random_bits(state) % 997), 1 + random_bits(state) % 997);
 }
 
+/* Not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1. */
+static void make_forces_equal(struct scallop_rational_crawler *c) { fmpq_mul_si(c->F2, c->F1, 1); }
+
 /* Another crawler that the condition allows, and with the sinusoidal gait another number in place of pi^2. */
 static void randomise(struct ledger_motion *m, const struct ledger_case *c, uint64_t *state)
 {
@@ -83,12 +86,20 @@ static void randomise(struct ledger_motion *m, const struct ledger_case *c, uint
   fmpq_set_si(m->crawler.alpha, (slong)(1 + random_bits(state) % 996), 997);
   if (c->condition->light_1)
     fmpq_div_2exp(m->crawler.m1, m->crawler.m1, 7);
+  if (c->condition->equal_forces)
+    make_forces_equal(&m->crawler);
   if (sign != 0) {
     random_rational(m->v0, state);
     fmpq_mul_si(m->v0, m->v0, sign);
   }
   random_rational(m->pi_squared, state);
   m->has_pi_squared = !scallop_gait_is_rational(m->crawler.gait) && c->setting != SCALLOP_STEADY;
+}
+
+static int order_of_forces(const struct scallop_rational_crawler *c)
+{
+  int order = fmpq_cmp(c->F1, c->F2);
+  return (order > 0) - (order < 0);
 }
 
 /* The same ordering of forces and side of 1/2 */
@@ -99,7 +110,7 @@ static bool condition_allows(const struct ledger_motion *m, const struct ledger_
   fmpq_init(here);
   fmpq_add(twice, m->crawler.alpha, m->crawler.alpha);
   fmpq_add(here, c->crawler.alpha, c->crawler.alpha);
-  bool allowed = fmpq_cmp(m->crawler.F1, m->crawler.F2) * fmpq_cmp(c->crawler.F1, c->crawler.F2) > 0
+  bool allowed = order_of_forces(&m->crawler) == order_of_forces(&c->crawler)
                  && (fmpq_cmp_si(twice, 1) > 0) == (fmpq_cmp_si(here, 1) > 0);
   fmpq_clear(twice);
   fmpq_clear(here);
@@ -157,6 +168,8 @@ static double set_condition(struct ledger_case *c, const struct condition *condi
   struct scallop_rational_crawler *r = &c->crawler;
   if (condition->exchange_forces)
     fmpq_swap(r->F1, r->F2);
+  if (condition->equal_forces)
+    make_forces_equal(r);
   if (condition->light_1)
     fmpq_div_fmpz(r->m1, r->m1, (fmpz[]){ 100 });
   if (condition->mirror_alpha)
@@ -176,7 +189,8 @@ static double set_condition(struct ledger_case *c, const struct condition *condi
 static double decades_apart(const struct scallop_rational_crawler *c)
 {
   double m1 = fmpq_get_d(c->m1), m2 = fmpq_get_d(c->m2), F1 = fmpq_get_d(c->F1), F2 = fmpq_get_d(c->F2);
-  double apart = fmin(m1, m2) / (m1 + m2) * fmin(fmin(F1, F2), fabs(F1 - F2)) / (F1 + F2);
+  double force = F1 == F2 ? F1 : fmin(fmin(F1, F2), fabs(F1 - F2)); /* equal forces cancel */
+  double apart = fmin(m1, m2) / (m1 + m2) * force / (F1 + F2);
   return apart < 0.001 ? ceil(-log10(apart)) : 0;
 }
 

@@ -15,6 +15,7 @@ struct condition {
   bool inside;
   double v0;                                   /* in units of sqrt(L (F1 + F2)/M)                     */
   bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
+  bool equal_forces;                           /* F2 = F1                                             */
   bool reversed;                               /* the bodies exchange their roles against the paper   */
 };
 

@@ -15,6 +15,7 @@ struct ledger_sample {
   long digits;
   struct scallop_certified_phase phase;
   struct scallop_certified_steady steady;
+  arb_t turning_velocity; /* of the body that turns: 0                                         */
 };
 
 /* Of a term c T^p with p <= 9 or so, c of size 1, ten digits are left. decades: by which T0 has been made smaller. */
@@ -59,6 +60,7 @@ struct ledger_sample *ledger_take_samples(const struct ledger_case *c, const fmp
     s->digits = digits_at(k, decades);
     scallop_certified_phase_init(&s->phase);
     scallop_certified_steady_init(&s->steady);
+    arb_init(s->turning_velocity);
     take_sample(s, c);
   }
   return samples;
@@ -70,13 +72,22 @@ void ledger_free_samples(struct ledger_sample *samples)
     fmpq_clear(samples[k].T);
     scallop_certified_phase_clear(&samples[k].phase);
     scallop_certified_steady_clear(&samples[k].steady);
+    arb_clear(samples[k].turning_velocity);
   }
   free(samples);
 }
 
+static bool is_of_a_turn(enum scallop_quantity quantity)
+{
+  return quantity <= SCALLOP_REAR_AT_LAST || quantity == SCALLOP_VELOCITY_AT_FIRST || quantity == SCALLOP_VELOCITY_AT_LAST;
+}
+
+/* NULL where the motion has no such quantity: no body turns */
 static const arb_struct *sampled(const struct ledger_sample *s, const struct ledger_case *c, enum scallop_quantity quantity)
 {
   bool extension = c->kind == SCALLOP_EXTENSION;
+  if (!s->phase.switches && is_of_a_turn(quantity))
+    return NULL;
   switch (quantity) {
   case SCALLOP_LAG: return s->phase.dT;
   case SCALLOP_FIRST_SWITCH: return s->phase.t1;
@@ -87,6 +98,8 @@ static const arb_struct *sampled(const struct ledger_sample *s, const struct led
   case SCALLOP_CENTRE_AT_END: return s->phase.dxC;
   case SCALLOP_VELOCITY_AT_END:
   case SCALLOP_VELOCITY_CHANGE: return s->phase.v_end;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return s->turning_velocity;
   case SCALLOP_STEADY_VELOCITY: return s->steady.v_start;
   case SCALLOP_STEADY_DISPLACEMENT: return s->steady.displacement;
   }
@@ -117,7 +130,7 @@ static bool error_at(arb_t error, const struct ledger_sample *s, const struct le
   const arb_struct *exact = sampled(s, c, quantity);
   struct scallop_symbols symbols;
   struct series value;
-  bool evaluated = s->solved && exact && (c->setting == SCALLOP_STEADY || s->phase.switches || !arb_is_zero(exact));
+  bool evaluated = s->solved && exact;
   scallop_symbols_init(&symbols);
   series_init(&value);
   if (evaluated && formula) {

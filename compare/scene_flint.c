@@ -34,6 +34,7 @@ struct scene_flint {
   const char *steady_why, *phase_why;
   struct scallop_certified_steady steady;
   struct scallop_certified_phase phase;
+  arb_t turning_velocity; /* of the body that turns: 0                                         */
   char *text;
 };
 
@@ -48,6 +49,7 @@ static struct scene_flint *flint_new(void)
   fmpq_init(f->v0);
   scallop_certified_steady_init(&f->steady);
   scallop_certified_phase_init(&f->phase);
+  arb_init(f->turning_velocity);
   return f;
 }
 
@@ -72,6 +74,7 @@ void scene_flint_free(struct scene_flint *f)
   fmpq_clear(f->v0);
   scallop_certified_steady_clear(&f->steady);
   scallop_certified_phase_clear(&f->phase);
+  arb_clear(f->turning_velocity);
   flint_free(f->text);
   free(f);
 }
@@ -308,6 +311,8 @@ static const arb_struct *formula_counterpart(struct scene_state *s, struct scene
   case SCALLOP_REAR_AT_END: return extension ? f->phase.dx1 : f->phase.dx2;
   case SCALLOP_FRONT_AT_END: return extension ? f->phase.dx2 : f->phase.dx1;
   case SCALLOP_CENTRE_AT_END: return f->phase.dxC;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return f->phase.switches ? f->turning_velocity : NULL;
   default: return f->phase.v_end;
   }
 }

@@ -10,7 +10,7 @@
 #include "compare/digits.h"
 #include "compare/options.h"
 
-enum { TABLE_COLUMNS = 64, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
+enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
 
 /* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);

@@ -48,7 +48,7 @@ echo "exact solver the cheapest general-purpose method takes, and the cheapest s
 echo
 echo "Refuted under the paper's own conditions:"
 ledger 'c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] != "-" {
-  printf "  %-24s %-7s %-13s %-11s claimed O(T^%s), proven T^%s; right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
-    c["claimed_order"], c["derived_order"], c["corrected"] }
+  printf "  %-24s %-7s %-13s %-11s claimed %s, proven T^%s; right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
+    c["claimed_order"] == "inf" ? "equality" : "O(T^" c["claimed_order"] ")", c["derived_order"], c["corrected"] }
   c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] == "-" {
   printf "  %s (%s%s), %s, %s:\n      %s\n", c["claim"], c["equation"] ~ /^\(/ ? "" : "section ", c["equation"], c["gait"], c["conditions"], c["measured"] }'

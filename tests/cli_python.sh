@@ -117,7 +117,8 @@ for row in rows:
         continue
     taken = {}
     if row["phase"] != "period":
-        exact = scallop.phase(row["phase"], 2.5, F1=3, gait="sinusoidal")
+        start = 0 if row["formula"].startswith("rest_") else 2.5
+        exact = scallop.phase(row["phase"], start, F1=3, gait="sinusoidal")
         taken = dict(t1=exact.t1, dT=exact.dT)
     value = scallop.published(row["formula"], 2.5, F1=3, gait="sinusoidal", **taken)
     if math.isnan(value) and "_end_from_dT" in row["formula"]:

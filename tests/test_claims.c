@@ -10,7 +10,7 @@
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 
-enum { MOST = 512 };
+enum { MOST = 1024 };
 
 static struct claim_row rows[MOST];
 static int count;
@@ -80,6 +80,76 @@ static void orders_inside(void **state)
       CHECK_EQUAL((double)row->derived_order, g ? known[k].sinusoidal : known[k].quadratic);
       assert_int_equal(row->verdict, known[k].verdicts[g]);
     }
+}
+
+/* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3 k0/(6 T^4) + ...
+ * The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
+static void lines_with_given_times(void **state)
+{
+  (void)state;
+  double m1 = 1.7, m2 = 0.8, M = m1 + m2, L = 11.3, pi = 3.14159265358979324, v0 = 1.8;
+  double l0 = pi * pi * L / 2, k0 = -pi * pi * pi * pi * L / 2;
+  double of_1 = m2 / M * k0 / 6 * pow(v0 * M / (m2 * l0), 3), of_2 = m1 / M * k0 / 6 * pow(v0 * M / (m1 * l0), 3);
+  const struct {
+    const char *claim;
+    long order;
+    double coefficient;
+  } known[] = { { "A_v1_first_switch", 2, -of_1 },
+                { "A_x1_switch_from_times", 3, of_1 },
+                { "A_x1_switch_collected", 3, of_1 },
+                { "B_x2_switch_from_times", 3, of_2 } };
+  CHECK_NEAR(0.37 * sqrt(L * 5.4 / M), v0, 0.05);
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+    const struct claim_row *row = find(known[k].claim, "sinusoidal", NULL, true);
+    double coefficient;
+    assert_int_equal(row->verdict, CLAIM_REFUTED);
+    CHECK_EQUAL((double)row->derived_order, (double)known[k].order);
+    assert_int_equal(sscanf(row->coefficient, "[%lf", &coefficient), 1);
+    CHECK_RELATIVE(coefficient, known[k].coefficient, 1e-11);
+    row = find(known[k].claim, "quadratic", NULL, true);
+    assert_true(row->exact && row->verdict == CLAIM_SHARPER);
+  }
+  const struct claim_row *row = find("B_x2_switch_collected", "sinusoidal", NULL, true);
+  assert_int_equal(row->verdict, CLAIM_REFUTED);
+  CHECK_EQUAL((double)row->derived_order, 2);
+}
+
+/* What is printed as an equality holds if nothing is left out, and is refuted by whatever is. */
+static void equalities(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *claim;
+    enum claim_verdict verdicts[2];
+  } known[] = {
+    { "equal_v1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },     { "equal_x1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "equal_xC_end", { CLAIM_REFUTED, CLAIM_REFUTED } }, { "corrected_equal_xC_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "A_v1_switch", { CLAIM_HOLDS, CLAIM_REFUTED } },    { "A_v1_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
+  };
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    for (int g = 0; g < 2; g++) {
+      const struct claim_row *row = find(known[k].claim, g ? "sinusoidal" : "quadratic", NULL, true);
+      assert_true(isinf(row->claimed_order));
+      assert_int_equal(row->verdict, known[k].verdicts[g]);
+      assert_int_equal(row->exact, row->verdict == CLAIM_HOLDS);
+    }
+}
+
+/* Seen in a mirror these formulas are themselves, so that they leave out the same. */
+static void mirrored_rows_are_about_the_motion_itself(void **state)
+{
+  (void)state;
+  static const char *const claims[] = { "rest_v1_end", "rest_xC_end" };
+  static const char *const conditions[] = { "extension from rest, F1 < F2", "contraction from rest, F2 < F1" };
+  for (int i = 0; i < 8; i++) {
+    const char *gait = i & 4 ? "sinusoidal" : "quadratic";
+    char mirrored[64];
+    snprintf(mirrored, sizeof mirrored, "%s:mirrored", claims[i & 1]);
+    const struct claim_row *row = find(claims[i & 1], gait, conditions[i >> 1 & 1], false);
+    const struct claim_row *seen = find(mirrored, gait, conditions[i >> 1 & 1], false);
+    assert_string_equal(seen->quantity, row->quantity);
+    assert_string_equal(seen->coefficient, row->coefficient);
+  }
 }
 
 /* For alpha < 1/2 and F1 > F2 the start velocity is negative, and with body names exchanged the appendices' result is
@@ -380,6 +450,48 @@ static void extension_from_rest(void **state)
   }
 }
 
+/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dv_C = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at the root of
+ * s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
+static double integral(double s) { return s + 3 / (1 + s) - 1 / ((1 + s) * (1 + s)); }
+
+static void onset_of_sticking(void **state)
+{
+  (void)state;
+  static const double ratios[] = { 2, 10, 40 };
+  static const char *const whose[] = { "the paper's crawler, from rest, F1/F2 = 2, 10, 40",
+                                       "the ledger's crawler, from rest, F1/F2 = 2, 10, 40" };
+  for (int k = 0; k < 2; k++) {
+    const struct claim_row *row = find("velocity_change_is_not_monotone", "quadratic", whose[k], k == 0);
+    double peak[3], least, delta = 39. / 41, before = delta * (399. / 400) * (399. / 400);
+    assert_int_equal(sscanf(row->measured, "dv_C peaks at %lf, %lf, %lf", &peak[0], &peak[1], &peak[2]), 3);
+    for (int i = 0; i < 3; i++) {
+      double d = (ratios[i] - 1) / (ratios[i] + 1), s = (sqrt((3 + d) * (3 + d) + 4 * d) - (3 + d)) / 2;
+      CHECK_NEAR(peak[i], sqrt(s / d), 1e-6);
+    }
+    row = find("displacement_grows_with_duration", "quadratic", whose[k], k == 0);
+    assert_int_equal(
+        sscanf(row->measured, "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %lf", &least), 1);
+    CHECK_NEAR(least, 1 - (1 + delta) / delta * (integral(delta) - integral(before)) / (delta - before), 1e-6);
+  }
+}
+
+/* Where T alone is varied, mean velocity is given in L/T0, T0 being the T of the crawler. */
+static void speeds_where_T_is_varied(void **state)
+{
+  (void)state;
+  const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", "quadratic", by_period, true);
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_steady_result s;
+  double speed, highest, at, T0;
+  const char *figures = strstr(row->measured, "<U> T0/L is ");
+  assert_non_null(figures);
+  assert_int_equal(sscanf(figures, "<U> T0/L is %lf there, highest %lf at %lf; T0 = %lf", &speed, &highest, &at, &T0), 4);
+  assert_null(strstr(row->measured, "<U> T/L"));
+  c.T = at;
+  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  CHECK_RELATIVE(highest, s.mean_velocity * T0 / c.L, 1e-4);
+}
+
 /* A refutation in words comes with a command; the crawler in it does what the row says. */
 static void example_moves_backward(void **state)
 {
@@ -428,11 +540,22 @@ static void units_do_not_matter(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(orders_inside),  cmocka_unit_test(steady_outside),           cmocka_unit_test(every_row_is_decided),
-    cmocka_unit_test(words),          cmocka_unit_test(example_moves_backward),   cmocka_unit_test(units_do_not_matter),
-    cmocka_unit_test(physics),        cmocka_unit_test(boundary_is_a_kink),       cmocka_unit_test(jump_of_the_slope),
-    cmocka_unit_test(alphas_from_to), cmocka_unit_test(figures_of_steady_states), cmocka_unit_test(extension_from_rest)
-  };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(orders_inside),
+                                      cmocka_unit_test(steady_outside),
+                                      cmocka_unit_test(every_row_is_decided),
+                                      cmocka_unit_test(lines_with_given_times),
+                                      cmocka_unit_test(equalities),
+                                      cmocka_unit_test(mirrored_rows_are_about_the_motion_itself),
+                                      cmocka_unit_test(words),
+                                      cmocka_unit_test(example_moves_backward),
+                                      cmocka_unit_test(units_do_not_matter),
+                                      cmocka_unit_test(physics),
+                                      cmocka_unit_test(boundary_is_a_kink),
+                                      cmocka_unit_test(jump_of_the_slope),
+                                      cmocka_unit_test(alphas_from_to),
+                                      cmocka_unit_test(figures_of_steady_states),
+                                      cmocka_unit_test(extension_from_rest),
+                                      cmocka_unit_test(onset_of_sticking),
+                                      cmocka_unit_test(speeds_where_T_is_varied) };
   return cmocka_run_group_tests_name("claims", tests, fill, NULL);
 }

@@ -117,7 +117,7 @@ static struct sized sum(struct reader *r)
 
 static bool of_extension(const struct scallop_formula *f)
 {
-  return f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION;
+  return f->setting != SCALLOP_MOVING_CONTRACTION && f->setting != SCALLOP_STEADY;
 }
 
 static void check_value(const struct scallop_formula *f, const struct scallop_symbols *s, enum scallop_phase_kind kind,
@@ -170,9 +170,11 @@ static void check_phase_texts(const struct scallop_crawler *c, struct scallop_sy
   set_symbol(s, SYMBOL_dT, p.dT);
   set_symbol(s, SYMBOL_x_switch, p.x_switch);
   struct scallop_phase_point x = scallop_exchanged(&p);
-  for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
-      check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
+  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++)
+      if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
+        check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
   fmpq_clear(v0);
   scallop_rational_clear(&exact);
 }
@@ -218,16 +220,19 @@ static const struct scallop_formula *corrected_named(const char *name)
 static void corrected_ones_exist(void **state)
 {
   (void)state;
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    if (!f->corrected)
-      continue;
-    const struct scallop_formula *right = corrected_named(f->corrected);
-    assert_non_null(right);
-    assert_int_equal(right->quantity, f->quantity);
-    assert_true(right->remainder >= f->remainder);
-    assert_true((right->setting == SCALLOP_STEADY) == (f->setting == SCALLOP_STEADY));
-    assert_non_null(strstr(right->equation, f->equation));
-  }
+  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++) {
+      if (!f->corrected)
+        continue;
+      const struct scallop_formula *right = corrected_named(f->corrected);
+      assert_non_null(right);
+      assert_int_equal(right->quantity, f->quantity);
+      assert_true(right->remainder >= f->remainder);
+      assert_true(right->setting == f->setting
+                  || (f->setting == SCALLOP_MOVING_CONTRACTION && right->setting == SCALLOP_MOVING_EXTENSION));
+      assert_non_null(strstr(right->equation, f->equation));
+    }
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     assert_true(f->text && !f->corrected && !f->phase && !f->steady);
 }

@@ -26,6 +26,8 @@ def paragraph(content, **attributes):
 
 def order(power):
     """O(T^power) as the paper prints it; the power is what it is sorted by."""
+    if power == "inf":
+        return element("data", "none: an equality", value=power)
     if tables.value(power) is None:
         return text(power)
     shown = f"{float(power):g}".replace("-", "−")
