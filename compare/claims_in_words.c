@@ -1,8 +1,9 @@
 /* The claims in words, table by table. */
 #include "compare/claims_words.h"
 
-static const struct words_claim *const tables[] = { words_at_random, words_of_peaks, words_of_figures,
-                                                    words_of_steady_states };
+static const struct words_claim *const tables[] = { words_at_random,        words_of_peaks,  words_of_figures,
+                                                    words_of_steady_states, words_of_phases, words_of_regimes,
+                                                    words_of_appendices };
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static void decide(const struct words *w, enum words_scope first, enum words_scope last)

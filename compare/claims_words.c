@@ -12,6 +12,13 @@
 
 const char *words_whose(const struct words *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
 
+struct scallop_crawler words_paper_crawler(const struct words *w)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = w->crawler.gait;
+  return c;
+}
+
 enum claim_verdict words_verdict(bool holds, bool proven)
 {
   return holds ? CLAIM_HOLDS : proven ? CLAIM_REFUTED : CLAIM_UNDECIDED;

@@ -18,6 +18,8 @@ struct words {
 #define WORDS_ZERO 1e-14
 
 const char *words_whose(const struct words *w);
+/* The paper's crawler with the gait in question */
+struct scallop_crawler words_paper_crawler(const struct words *w);
 
 /* For what a claim is decided: once, for each gait, for each gait with the paper's crawler and with the ledger's, with the paper's. */
 enum words_scope { WORDS_ONCE, WORDS_EACH_GAIT, WORDS_EACH_CRAWLER, WORDS_OF_THE_PAPER };
@@ -30,7 +32,8 @@ struct words_claim {
   void (*decide)(const struct words *w, const struct words_claim *claim);
   int which;
 };
-extern const struct words_claim words_at_random[], words_of_peaks[], words_of_figures[], words_of_steady_states[];
+extern const struct words_claim words_at_random[], words_of_peaks[], words_of_figures[], words_of_steady_states[],
+    words_of_phases[], words_of_regimes[], words_of_appendices[];
 
 /* holds, or refuted where that is proven, or else undecided */
 enum claim_verdict words_verdict(bool holds, bool proven);

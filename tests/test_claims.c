@@ -10,7 +10,7 @@
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 
-enum { MOST = 512 };
+enum { MOST = 1024 };
 
 static struct claim_row rows[MOST];
 static int count;
