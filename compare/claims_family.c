@@ -303,20 +303,16 @@ double short_number(double x, int digits)
   return strtod(text, NULL);
 }
 
-/* The options of what differs from the default and is not varied */
-static void options_text(char *text, size_t size, const struct family *f)
+void crawler_options(char *text, size_t size, const struct scallop_crawler *c, const bool left_out[7])
 {
   static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
-  static const bool in_table[][7] = {
-    [VARY_RATIO] = { [2] = true }, [VARY_FORCES] = { [2] = true, [3] = true }, [VARY_PERIOD] = { [5] = true }
-  };
-  const struct scallop_crawler d = scallop_crawler_default(), *c = &f->crawler;
+  const struct scallop_crawler d = scallop_crawler_default();
   const double defaults[] = { d.m1, d.m2, d.F1, d.F2, d.L, d.T, d.alpha };
   const double values[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
   char number[NUMBER_TEXT];
   *text = '\0';
   for (int i = 0; i < 7; i++)
-    if (!in_table[f->varied][i] && values[i] != defaults[i]) {
+    if (!(left_out && left_out[i]) && values[i] != defaults[i]) {
       number_text(number, values[i], 0);
       snprintf(text + strlen(text), size - strlen(text), " --%s %s", names[i], number);
     }
@@ -324,9 +320,20 @@ static void options_text(char *text, size_t size, const struct family *f)
     snprintf(text + strlen(text), size - strlen(text), " --gait %s", c->gait->name);
 }
 
-void family_command(char *text, size_t size, const struct family *f, const double *x, int count)
+void crawler_command(char *text, size_t size, const char *before, const char *command, const struct scallop_crawler *c,
+                     const char *after)
 {
-  static const char *const head[] = { "F1", "F1\\tF2", "T" }, *const cut[] = { "3,13", "3,4,13", "6,12,13" };
+  char options[160];
+  crawler_options(options, sizeof options, c, NULL);
+  snprintf(text, size, "%sscallop %s%s%s", before, command, options, after);
+}
+
+void family_points(char *text, size_t size, const struct family *f, const double *x, int count)
+{
+  static const char *const head[] = { "F1", "F1\\tF2", "T" };
+  static const bool in_table[][7] = {
+    [VARY_RATIO] = { [2] = true }, [VARY_FORCES] = { [2] = true, [3] = true }, [VARY_PERIOD] = { [5] = true }
+  };
   char options[160];
   snprintf(text, size, "printf '%s\\n", head[f->varied]);
   for (int i = 0; i < count; i++) {
@@ -337,6 +344,13 @@ void family_command(char *text, size_t size, const struct family *f, const doubl
       snprintf(text + strlen(text), size - strlen(text), "\\t%.10g", c.F2);
     snprintf(text + strlen(text), size - strlen(text), "\\n");
   }
-  options_text(options, sizeof options, f);
-  snprintf(text + strlen(text), size - strlen(text), "' | scallop steady --points -%s | cut -f %s", options, cut[f->varied]);
+  crawler_options(options, sizeof options, &f->crawler, in_table[f->varied]);
+  snprintf(text + strlen(text), size - strlen(text), "' | scallop steady --points -%s", options);
+}
+
+void family_command(char *text, size_t size, const struct family *f, const double *x, int count)
+{
+  static const char *const cut[] = { "3,13", "3,4,13", "6,12,13" };
+  family_points(text, size, f, x, count);
+  snprintf(text + strlen(text), size - strlen(text), " | cut -f %s", cut[f->varied]);
 }

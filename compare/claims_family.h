@@ -67,6 +67,13 @@ bool peaks_at(const struct peaks *p, double x);
 
 /* The number with so many digits: what a command says */
 double short_number(double x, int digits);
+/* " --F1 2 --gait sinusoidal": what differs from the default, but what is left out (NULL: nothing is) */
+void crawler_options(char *text, size_t size, const struct scallop_crawler *c, const bool left_out[7]);
+/* "scallop COMMAND" on that crawler, between two texts */
+void crawler_command(char *text, size_t size, const char *before, const char *command, const struct scallop_crawler *c,
+                     const char *after);
+/* A command that prints the steady states of some members */
+void family_points(char *text, size_t size, const struct family *f, const double *x, int count);
 /* A command that prints x, v_start (VARY_PERIOD: also) and mean velocity of some members. */
 void family_command(char *text, size_t size, const struct family *f, const double *x, int count);
 

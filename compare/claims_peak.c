@@ -27,6 +27,19 @@ static void survey(struct survey *s, const struct scallop_crawler *c, enum varie
   s->peaks = family_peaks(&s->family, &s->scan, true);
 }
 
+/* Of the crawler and what is varied; the last one is kept, as rows of one survey come one after another. */
+static const struct survey *survey_of(const struct words *w, enum varied varied)
+{
+  static struct survey last;
+  const struct scallop_crawler *c = &w->crawler, *of = &last.family.crawler;
+  bool same = last.scan.count > 0 && last.family.varied == varied && of->gait == c->gait && of->m1 == c->m1
+              && of->m2 == c->m2 && of->F1 == c->F1 && of->F2 == c->F2 && of->L == c->L && of->T == c->T
+              && of->alpha == c->alpha;
+  if (!same)
+    survey(&last, c, varied);
+  return &last;
+}
+
 /* v_start vanishes, mean velocity rises up to there and falls behind, proven, and nowhere in the scan is it higher. */
 static bool peaks_at_boundary(const struct survey *s)
 {
@@ -51,15 +64,16 @@ static void say_T0(char measured[MEASURED], const struct family *f)
     snprintf(measured + used, MEASURED - used, "; T0 = %.6g", f->crawler.T);
 }
 
-static void boundary_row(const struct words *w, const struct survey *s, const char *whose, bool inside)
+static void boundary_row(const struct words *w, const struct words_claim *claim)
 {
+  const struct survey *s = survey_of(w, (enum varied)claim->which);
   char conditions[CONDITIONS], measured[MEASURED];
   const struct boundary *b = &s->boundary;
-  snprintf(conditions, sizeof conditions, "%s; %s", whose, range_text(s->family.varied));
+  snprintf(conditions, sizeof conditions, "%s; %s", words_whose(w), range_text(s->family.varied));
   snprintf(measured, sizeof measured, "certified: v_start > 0 at %s = %.10g (1 - 2^-60) and not at (1 + 2^-60)",
            family_name(&s->family), b->at);
-  const struct words_claim claim = { "start_velocity_changes_sign", "4.4", "v_start", conditions, inside };
-  words_enter(w, &claim, words_verdict(b->found, false), b->found ? measured : "-", "no change of sign was proven");
+  words_enter(w, claim, conditions, w->of_the_paper, words_verdict(b->found, false), b->found ? measured : "-",
+              "no change of sign was proven");
 }
 
 /* Where the mean velocity is higher than at the boundary: on the scan's highest peak, or at its first point */
@@ -80,30 +94,31 @@ static bool example(char reason[REASON], const struct survey *s)
   return family_rises(&s->family, places[0], places[1]);
 }
 
-static void peak_row(const struct words *w, const struct survey *s, const char *whose, bool inside)
+static void peak_row(const struct words *w, const struct words_claim *claim)
 {
+  const struct survey *s = survey_of(w, (enum varied)claim->which);
   char conditions[CONDITIONS], measured[MEASURED], reason[REASON] = "";
   const struct boundary *b = &s->boundary;
   double top = higher_place(s);
   bool holds = peaks_at_boundary(s);
-  snprintf(conditions, sizeof conditions, "%s; %s", whose, range_text(s->family.varied));
+  snprintf(conditions, sizeof conditions, "%s; %s", words_whose(w), range_text(s->family.varied));
   snprintf(measured, sizeof measured,
            "at %s = %.10g the certified slope d(%s)/d ln is %.6f before, %.6f after; %s is %.6f there, highest %.6f at %.4g",
            family_name(&s->family), b->at, speed_text(&s->family), b->before, b->after, speed_text(&s->family), b->speed,
            family_speed(&s->family, top), top);
   say_T0(measured, &s->family);
   bool proven = !holds && example(reason, s);
-  const struct words_claim claim = { "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", conditions, inside };
-  words_enter(w, &claim, words_verdict(holds, proven), measured, reason);
+  words_enter(w, claim, conditions, w->of_the_paper, words_verdict(holds, proven), measured, reason);
 }
 
 /* ---- is it the only maximum? ---- */
 
-static void single_peak_row(const struct words *w, const struct survey *s, const char *whose, bool inside)
+static void single_peak_row(const struct words *w, const struct words_claim *claim)
 {
+  const struct survey *s = survey_of(w, (enum varied)claim->which);
   char conditions[CONDITIONS], measured[MEASURED], reason[REASON] = "";
   const struct peaks *p = &s->peaks;
-  snprintf(conditions, sizeof conditions, "%s; %s", whose, range_text(s->family.varied));
+  snprintf(conditions, sizeof conditions, "%s; %s", words_whose(w), range_text(s->family.varied));
   snprintf(measured, sizeof measured, "certified maxima of <U> T/L: %d;", p->count);
   for (int i = 0; i < p->count; i++)
     snprintf(measured + strlen(measured), sizeof measured - strlen(measured), " %.6f at %.4g%s", p->speed[i], p->at[i],
@@ -121,8 +136,7 @@ static void single_peak_row(const struct words *w, const struct survey *s, const
     size_t used = (size_t)snprintf(reason, sizeof reason, "mean_velocity falls and rises again: ");
     family_command(reason + used, sizeof reason - used, &s->family, places, 3);
   }
-  const struct words_claim claim = { "mean_velocity_has_one_maximum", "4.5", "mean velocity", conditions, inside };
-  words_enter(w, &claim, words_verdict(p->count == 1, p->count > 1), measured, reason);
+  words_enter(w, claim, conditions, w->of_the_paper, words_verdict(p->count == 1, p->count > 1), measured, reason);
 }
 
 /* ---- does it decay once a body sticks? ---- */
@@ -147,12 +161,13 @@ static bool largest_rise(const struct scan *scan, int *low, int *high)
   return most > 0;
 }
 
-static void decay_row(const struct words *w, const struct survey *s, const char *whose, bool inside)
+static void decay_row(const struct words *w, const struct words_claim *claim)
 {
+  const struct survey *s = survey_of(w, (enum varied)claim->which);
   char conditions[CONDITIONS], measured[MEASURED] = "it never rises between neighbours", reason[REASON] = "";
   int low = 0, high = 0;
   bool rises = largest_rise(&s->scan, &low, &high), proven = false;
-  snprintf(conditions, sizeof conditions, "%s; %s, where a body sticks", whose, range_text(s->family.varied));
+  snprintf(conditions, sizeof conditions, "%s; %s, where a body sticks", words_whose(w), range_text(s->family.varied));
   if (rises) {
     const double places[] = { short_number(s->scan.x[low], SHORT), short_number(s->scan.x[high], SHORT) };
     proven = family_rises(&s->family, places[0], places[1]);
@@ -163,9 +178,7 @@ static void decay_row(const struct words *w, const struct survey *s, const char 
     size_t used = (size_t)snprintf(reason, sizeof reason, "mean_velocity rises, in stick-slip: ");
     family_command(reason + used, sizeof reason - used, &s->family, places, 2);
   }
-  const struct words_claim claim = { "mean_velocity_decays_once_sticking_begins", "4.5", "mean velocity", conditions,
-                                     inside };
-  words_enter(w, &claim, words_verdict(!rises, proven), measured, reason);
+  words_enter(w, claim, conditions, w->of_the_paper, words_verdict(!rises, proven), measured, reason);
 }
 
 /* ---- for which alpha, for which masses ---- */
@@ -203,70 +216,53 @@ static int last_like(struct survey *s, const struct scallop_crawler *c, int from
   return from;
 }
 
-static void alpha_row(const struct words *w, struct survey *s)
+static void alpha_row(const struct words *w, const struct words_claim *claim)
 {
   enum { FIRST = 510000, STEP = 20000, STEPS = 25 };
   char conditions[CONDITIONS], measured[MEASURED], reason[REASON] = "";
+  struct survey s;
   int from = 0, to = 0;
   for (int i = 0; i < STEPS && !to; i++) {
-    bool holds = holds_for_alpha(s, &w->crawler, FIRST + i * STEP);
+    bool holds = holds_for_alpha(&s, &w->crawler, FIRST + i * STEP);
     if (holds && !from)
       from = FIRST + i * STEP;
     if (!holds && from)
       to = FIRST + i * STEP;
   }
-  int first = from > FIRST ? last_like(s, &w->crawler, from, from - STEP) : from;
-  int last = to ? last_like(s, &w->crawler, to - STEP, to) : FIRST + (STEPS - 1) * STEP;
+  int first = from > FIRST ? last_like(&s, &w->crawler, from, from - STEP) : from;
+  int last = to ? last_like(&s, &w->crawler, to - STEP, to) : FIRST + (STEPS - 1) * STEP;
   snprintf(measured, sizeof measured, "certified slopes: it holds from alpha = %.6f to %.6f, and not at %.6f and %.6f",
            first / 1e6, last / 1e6, (first - 1) / 1e6, (last + 1) / 1e6);
-  holds_for_alpha(s, &w->crawler, 520000);
-  bool proven = example(reason, s);
+  holds_for_alpha(&s, &w->crawler, 520000);
+  bool proven = example(reason, &s);
   snprintf(conditions, sizeof conditions, "%s, alpha from 0.51 to 0.99 by 0.02; %s", words_whose(w), coarse);
-  const struct words_claim claim = { "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", conditions, true };
-  words_enter(w, &claim, words_verdict(first <= FIRST && !to, proven), measured, reason);
+  words_enter(w, claim, conditions, true, words_verdict(first <= FIRST && !to, proven), measured, reason);
 }
 
-static void masses_row(const struct words *w, struct survey *s)
+static void masses_row(const struct words *w, const struct words_claim *claim)
 {
   enum { DOUBLINGS = 5 };
   char conditions[CONDITIONS], measured[MEASURED] = "", reason[REASON] = "";
   int held = 0;
   bool proven = false;
+  struct survey s;
   for (int i = -DOUBLINGS; i <= DOUBLINGS; i++) {
     struct scallop_crawler c = w->crawler;
     c.m1 = ldexp(1, i);
     c.m2 = 1;
-    bool holds = holds_for(s, &c);
+    bool holds = holds_for(&s, &c);
     held += holds;
     if (!holds && !proven)
-      proven = example(reason, s);
+      proven = example(reason, &s);
   }
   snprintf(measured, sizeof measured, "certified slopes: it holds for %d of %d", held, 2 * DOUBLINGS + 1);
   snprintf(conditions, sizeof conditions, "%s, m2 = 1, m1 = 1/32, 1/16, ..., 32; %s", words_whose(w), coarse);
-  const struct words_claim claim = { "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", conditions, true };
-  words_enter(w, &claim, words_verdict(held == 2 * DOUBLINGS + 1, proven), measured, reason);
-}
-
-void words_of_peaks(const struct words *w)
-{
-  struct survey s;
-  for (int varied = VARY_RATIO; varied <= VARY_PERIOD; varied++) {
-    survey(&s, &w->crawler, (enum varied)varied);
-    boundary_row(w, &s, words_whose(w), w->of_the_paper);
-    peak_row(w, &s, words_whose(w), w->of_the_paper);
-    if (varied == VARY_RATIO)
-      single_peak_row(w, &s, words_whose(w), w->of_the_paper);
-    decay_row(w, &s, words_whose(w), w->of_the_paper);
-  }
-  if (!w->of_the_paper)
-    return;
-  alpha_row(w, &s);
-  masses_row(w, &s);
+  words_enter(w, claim, conditions, true, words_verdict(held == 2 * DOUBLINGS + 1, proven), measured, reason);
 }
 
 /* ---- at random ---- */
 
-void words_of_random_peaks(const struct words *w)
+static void random_row(const struct words *w, const struct words_claim *claim)
 {
   enum { CRAWLERS = 100 };
   char measured[MEASURED], reason[REASON] = "";
@@ -291,9 +287,26 @@ void words_of_random_peaks(const struct words *w)
     gsl_qrng_free(q);
   snprintf(measured, sizeof measured, "in doubles: %d have a boundary, and for %d of these it is the highest point",
            with_boundary, held);
-  const struct words_claim claim = {
-    "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity",
-    "100 quasi-random crawlers, masses and forces within 100:1, alpha > 1/2; F1/F2 from 1.01 to 7732 by 4 %", true
-  };
-  words_enter(w, &claim, words_verdict(q && held == with_boundary, proven), measured, reason);
+  words_enter(w, claim,
+              "100 quasi-random crawlers, masses and forces within 100:1, alpha > 1/2; F1/F2 from 1.01 to 7732 by 4 %", true,
+              words_verdict(q && held == with_boundary, proven), measured, reason);
 }
+
+static const char peaks[] = "mean_velocity_peaks_where_v_start_is_0", decays[] = "mean_velocity_decays_once_sticking_begins";
+
+const struct words_claim words_of_peaks[] = {
+  { peaks, "4.4", "mean velocity", WORDS_EACH_GAIT, random_row, 0 },
+  { "start_velocity_changes_sign", "4.4", "v_start", WORDS_EACH_CRAWLER, boundary_row, VARY_RATIO },
+  { peaks, "4.4", "mean velocity", WORDS_EACH_CRAWLER, peak_row, VARY_RATIO },
+  { "mean_velocity_has_one_maximum", "4.5", "mean velocity", WORDS_EACH_CRAWLER, single_peak_row, VARY_RATIO },
+  { decays, "4.5", "mean velocity", WORDS_EACH_CRAWLER, decay_row, VARY_RATIO },
+  { "start_velocity_changes_sign", "4.4", "v_start", WORDS_EACH_CRAWLER, boundary_row, VARY_FORCES },
+  { peaks, "4.4", "mean velocity", WORDS_EACH_CRAWLER, peak_row, VARY_FORCES },
+  { decays, "4.5", "mean velocity", WORDS_EACH_CRAWLER, decay_row, VARY_FORCES },
+  { "start_velocity_changes_sign", "4.4", "v_start", WORDS_EACH_CRAWLER, boundary_row, VARY_PERIOD },
+  { peaks, "4.4", "mean velocity", WORDS_EACH_CRAWLER, peak_row, VARY_PERIOD },
+  { decays, "4.5", "mean velocity", WORDS_EACH_CRAWLER, decay_row, VARY_PERIOD },
+  { peaks, "4.4", "mean velocity", WORDS_OF_THE_PAPER, alpha_row, 0 },
+  { peaks, "4.4", "mean velocity", WORDS_OF_THE_PAPER, masses_row, 0 },
+  { .claim = NULL }
+};

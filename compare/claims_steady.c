@@ -100,8 +100,12 @@ static double relative_error(const struct scallop_crawler *crawler, int alpha_hu
   return error;
 }
 
-static void alpha_row(const struct words *w, int first, int last, int example, bool mirrored)
+enum { LONGER_EXTENSION, LONGER_CONTRACTION, MIRRORED };
+
+static void alpha_row(const struct words *w, const struct words_claim *claim)
 {
+  bool mirrored = claim->which == MIRRORED, longer = claim->which == LONGER_EXTENSION;
+  int first = longer ? 51 : 1, last = longer ? 99 : 49, example = longer ? 75 : 25;
   char conditions[120], measured[MEASURED], reason[REASON];
   double worst = 0;
   int at = first;
@@ -123,10 +127,8 @@ static void alpha_row(const struct words *w, int first, int last, int example, b
   snprintf(reason, sizeof reason,
            "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^text_steady_velocity.(27)'",
            example / 100., gait_option(w));
-  const struct words_claim claim = { mirrored ? "text_steady_velocity_mirrored_in_the_limit"
-                                              : "text_steady_velocity_in_the_limit",
-                                     "(27)", "v_start", conditions, !mirrored && first > 50 };
-  words_enter(w, &claim, words_verdict(holds, isfinite(worst)), measured, w->of_the_paper ? reason : NULL);
+  words_enter(w, claim, conditions, longer, words_verdict(holds, isfinite(worst)), measured,
+              w->of_the_paper ? reason : NULL);
 }
 
 /* ---- when is the steady state reached? ---- */
@@ -163,8 +165,10 @@ static bool proven_multiplier(const struct scallop_crawler *crawler, double *mul
   return solved;
 }
 
-static void reached_row(const struct words *w, double T)
+/* which: T */
+static void reached_row(const struct words *w, const struct words_claim *claim)
 {
+  double T = claim->which;
   char conditions[120], measured[MEASURED], reason[REASON];
   struct scallop_crawler c = w->crawler;
   double multiplier;
@@ -183,13 +187,12 @@ static void reached_row(const struct words *w, double T)
   snprintf(conditions, sizeof conditions, "the paper's crawler, T = %g, from rest; read as: after finitely many periods", T);
   snprintf(reason, sizeof reason, "the multiplier is not 0: scallop steady --certified --T %g%s | cut -f 14", T,
            gait_option(w));
-  const struct words_claim claim = { "steady_state_is_reached", "5", "v", conditions, true };
-  words_enter(w, &claim, words_verdict(proven && zero, proven), measured, reason);
+  words_enter(w, claim, conditions, true, words_verdict(proven && zero, proven), measured, reason);
 }
 
 /* ---- one steady state, or many? ---- */
 
-static void unique_row(const struct words *w)
+static void unique_row(const struct words *w, const struct words_claim *claim)
 {
   enum { CRAWLERS = 400 };
   char measured[MEASURED];
@@ -206,9 +209,8 @@ static void unique_row(const struct words *w)
            "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
            "quasi-random crawlers",
            single);
-  const struct words_claim claim = { "steady_state_is_unique", "5", "v_start",
-                                     "l' continuous, any masses, forces > 0 and alpha", true };
-  words_enter(w, &claim, words_verdict(single == CRAWLERS, true), measured, NULL);
+  words_enter(w, claim, "l' continuous, any masses, forces > 0 and alpha", true, words_verdict(single == CRAWLERS, true),
+              measured, NULL);
 }
 
 static const struct scallop_piece out[] = {
@@ -221,7 +223,7 @@ static const struct scallop_gait sawtooth = {
   "sawtooth", { { out, 1, 0, 0, 1, 1, false, false }, { back, 1, 0, 0, 1, -1, false, false } }
 };
 
-void words_of_jumps(const struct words *w)
+static void jumps_row(const struct words *w, const struct words_claim *claim)
 {
   char measured[MEASURED], reason[REASON];
   struct words of = *w;
@@ -235,9 +237,8 @@ void words_of_jumps(const struct words *w)
   snprintf(reason, sizeof reason,
            "by hand: while |x_C'| < L/T the bodies move oppositely throughout; x_C' gains (F1-F2)T/(2M) = 0.75 in the "
            "extension and loses it again");
-  const struct words_claim claim = { "steady_state_is_unique", "5", "v_start",
-                                     "l' constant out and back, with jumps; alpha = 1/2, else the paper's crawler", false };
-  words_enter(&of, &claim, words_verdict(!many, true), measured, reason);
+  words_enter(&of, claim, "l' constant out and back, with jumps; alpha = 1/2, else the paper's crawler", false,
+              words_verdict(!many, true), measured, reason);
 }
 
 /* ---- one extension from a start velocity, against its duration ---- */
@@ -303,14 +304,21 @@ static double short_duration(double T)
   return strtod(text, NULL);
 }
 
-static void from_velocity_row(const struct words *w, const double *forces, int count, const char *which)
+enum { STRONGER_REAR, WEAKER_REAR };
+
+static void from_velocity_row(const struct words *w, const struct words_claim *claim)
 {
+  static const struct {
+    double forces[4];
+    int count;
+    const char *text;
+  } over[] = { { { 2, 4, 10, 40 }, 4, "F1/F2 = 2, 4, 10, 40" }, { { 0.25, 0.5 }, 2, "F1/F2 = 1/4, 1/2" } };
   static const double velocities[] = { 0.5, 1, 2, 5, 10, 20 };
   char conditions[120], measured[MEASURED] = "it never falls by more than 1e-14 L", reason[REASON] = "";
   struct fall worst = { .size = 1e-14 };
-  for (int i = 0; i < count; i++)
+  for (int i = 0; i < over[claim->which].count; i++)
     for (size_t j = 0; j < sizeof velocities / sizeof *velocities; j++)
-      largest_fall(&worst, w, forces[i], velocities[j]);
+      largest_fall(&worst, w, over[claim->which].forces[i], velocities[j]);
   bool falls = worst.F1 > 0, proven = false;
   if (falls) {
     double T = short_duration(worst.T), longer = short_duration(worst.longer);
@@ -326,13 +334,12 @@ static void from_velocity_row(const struct words *w, const double *forces, int c
              T, longer, worst.F1, worst.v0, gait_option(w));
   }
   snprintf(conditions, sizeof conditions,
-           "the paper's crawler, %s, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%", which);
-  const struct words_claim claim = { "displacement_grows_with_duration", "4.4", "dx_C", conditions, false };
-  words_enter(w, &claim, words_verdict(!falls, proven), measured, reason);
+           "the paper's crawler, %s, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%", over[claim->which].text);
+  words_enter(w, claim, conditions, false, words_verdict(!falls, proven), measured, reason);
 }
 
 /* From rest the displacement grows in the direction of F1 - F2, proven in docs/theory.md: here at random, past sticking too. */
-static void from_rest_row(const struct words *w)
+static void from_rest_row(const struct words *w, const struct words_claim *claim)
 {
   enum { CRAWLERS = 100, DURATIONS = 150 };
   char measured[MEASURED];
@@ -356,23 +363,22 @@ static void from_rest_row(const struct words *w)
            "proven (docs/theory.md, One extension against its duration); of 100 quasi-random crawlers and 150 durations "
            "each it falls for %d",
            fell);
-  const struct words_claim claim = { "displacement_grows_with_duration", "4.4", "dx_C",
-                                     "from rest, any masses, forces and duration; in the direction of F1 - F2", true };
-  words_enter(w, &claim, words_verdict(q && fell == 0, true), measured, NULL);
+  words_enter(w, claim, "from rest, any masses, forces and duration; in the direction of F1 - F2", true,
+              words_verdict(q && fell == 0, true), measured, NULL);
 }
 
-void words_of_steady_states(const struct words *w)
-{
-  static const double stronger[] = { 2, 4, 10, 40 }, weaker[] = { 0.25, 0.5 };
-  alpha_row(w, 51, 99, 75, false);
-  alpha_row(w, 1, 49, 25, false);
-  if (!w->of_the_paper)
-    return;
-  alpha_row(w, 1, 49, 25, true);
-  from_velocity_row(w, stronger, 4, "F1/F2 = 2, 4, 10, 40");
-  from_velocity_row(w, weaker, 2, "F1/F2 = 1/4, 1/2");
-  from_rest_row(w);
-  unique_row(w);
-  reached_row(w, 2);
-  reached_row(w, 4);
-}
+static const char limit[] = "text_steady_velocity_in_the_limit", grows[] = "displacement_grows_with_duration";
+
+const struct words_claim words_of_steady_states[] = {
+  { "steady_state_is_unique", "5", "v_start", WORDS_ONCE, jumps_row, 0 },
+  { limit, "(27)", "v_start", WORDS_EACH_CRAWLER, alpha_row, LONGER_EXTENSION },
+  { limit, "(27)", "v_start", WORDS_EACH_CRAWLER, alpha_row, LONGER_CONTRACTION },
+  { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start", WORDS_OF_THE_PAPER, alpha_row, MIRRORED },
+  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_velocity_row, STRONGER_REAR },
+  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_velocity_row, WEAKER_REAR },
+  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_rest_row, 0 },
+  { "steady_state_is_unique", "5", "v_start", WORDS_OF_THE_PAPER, unique_row, 0 },
+  { "steady_state_is_reached", "5", "v", WORDS_OF_THE_PAPER, reached_row, 2 },
+  { "steady_state_is_reached", "5", "v", WORDS_OF_THE_PAPER, reached_row, 4 },
+  { .claim = NULL }
+};

@@ -151,6 +151,22 @@ if not all(met.values()):
     bad(met)
 END
 finish "claims: the commands that refute a claim in words show it"
+python "$tool" <<'END'
+import subprocess
+met = 0
+for r in read("claims.tsv"):
+    if r["measured"] == "-" or "scallop " not in r["reason"]:
+        continue
+    command = r["reason"].split(": ", 1)[-1]
+    said = subprocess.run(["sh", "-c", "scallop() { '%s' \"$@\"; }\n%s" % (sys.argv[1], command)], capture_output=True, text=True)
+    met += 1
+    cells = [c for line in said.stdout.splitlines() if line[:1] != "#" for c in line.split("\t")]
+    if said.stderr or not any(c.lstrip("-")[:1].isdigit() for c in cells):
+        bad(r["claim"], r["conditions"], "is not shown by:", r["reason"], said.stdout, said.stderr)
+if met < 100:
+    bad(met, "commands")
+END
+finish "claims: every command behind a verdict in words can be pasted"
 python <<'END'
 seen = {}
 for i, r in enumerate(read("claims.tsv")):

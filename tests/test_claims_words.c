@@ -1,0 +1,388 @@
+/* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from another route, the
+ * double solver, a closed form of the quadratic gait, or pencil and paper. */
+#include "tests/check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/claims_words.h"
+#include "tests/random_crawler.h"
+
+enum { MOST = 160 };
+
+static struct kept {
+  struct claim_row row;
+  char conditions[160];
+} rows[MOST];
+static int count;
+
+static void keep(void *context, const struct claim_row *row)
+{
+  (void)context;
+  assert_true(count < MOST);
+  rows[count].row = *row;
+  snprintf(rows[count].conditions, sizeof rows[count].conditions, "%s", row->conditions);
+  count++;
+}
+
+static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
+
+static int fill(void **state)
+{
+  const struct words_claim *const tables[] = { words_at_random, words_of_phases, words_of_regimes, words_of_appendices };
+  (void)state;
+  for (int g = 0; g < 2; g++) {
+    struct words w = { .crawler = scallop_crawler_default(), .sink = keep };
+    w.crawler.gait = gaits[g];
+    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
+      for (const struct words_claim *claim = tables[t]; claim->claim; claim++)
+        claim->decide(&w, claim);
+  }
+  return 0;
+}
+
+/* The row whose conditions hold the text */
+static const struct claim_row *find(const char *claim, int g, const char *conditions)
+{
+  for (int i = 0; i < count; i++)
+    if (strcmp(rows[i].row.claim, claim) == 0 && rows[i].row.gait == gaits[g]->name
+        && strstr(rows[i].conditions, conditions))
+      return &rows[i].row;
+  fail_msg("no row %s, %s, %s", claim, gaits[g]->name, conditions);
+  return &rows[0].row;
+}
+
+/* The first numbers after a text in what was measured */
+static const char *after(const struct claim_row *row, const char *text)
+{
+  const char *at = strstr(row->measured, text);
+  if (!at)
+    fail_msg("%s: no '%s' in '%s'", row->claim, text, row->measured);
+  return at ? at + strlen(text) : "";
+}
+
+static double number_after(const struct claim_row *row, const char *text)
+{
+  double x = NAN;
+  assert_int_equal(sscanf(after(row, text), "%lf", &x), 1);
+  return x;
+}
+
+static void verdicts(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *claim, *conditions;
+    enum claim_verdict quadratic, sinusoidal;
+  } known[] = {
+    { "one_body_always_moves", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "which_body_is_1_does_not_matter", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "equal_forces_bodies_oppose", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "velocity_rises_over_extension", "steady states", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "velocity_rises_over_extension", "v0 = 20", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "symmetric_timing_starts_backward", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "centre_moves_forward_in_an_extension", "m1 = m2", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "centre_moves_forward_in_an_extension", "m2 = 4", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "centre_moves_backward_in_a_contraction", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "longer_extension_is_faster", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "extension_from_rest_has_two_intervals", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "first_interval_is_the_greater_part", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "first_interval_accelerates_l", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "body_1_is_slower_in_the_first_interval", "crawler, from rest", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "body_1_is_slower_in_the_first_interval", "m1 = 0.5", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "last_interval_carries_the_centre_forward", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "last_interval_grows_with_duration", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "start_velocity_adds_displacement", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "start_velocity_takes_velocity_change", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "contraction_is_the_opposite_of_the_extension", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "kinematic_length", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "the_forces_must_differ_not_the_coefficients", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "equal_forces_centre", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "equal_forces_and_masses_keep_the_centre", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "only_body_1_sticks", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "with_one_body_stuck_that_of_less_friction_moves", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "moving_needs_a_high_Froude_number", "sliding", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "moving_needs_a_high_Froude_number", "T = 6", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "moving_needs_a_high_Froude_number", "T = 14", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "one_degree_of_freedom_can_move", "the paper's crawler", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "one_degree_of_freedom_can_move", "F1 = 300", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "two_asymmetries_suffice_to_move", "F1 varied", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "two_asymmetries_suffice_to_move", "F1 = 1000", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "start_velocity_is_forward_where_dv_C_rises", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "start_velocity_is_backward_where_dv_C_falls", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "v_mid_peaks_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "v_mid_peaks_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "v_mid_peaks_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "contraction_loses_least_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "contraction_loses_least_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "contraction_loses_least_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "start_velocity_is_forward_at_high_Froude", "", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "start_velocity_opposes_motion_at_low_Froude", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "t1_is_small", "v0 = 1", CLAIM_HOLDS, CLAIM_HOLDS },
+    { "t1_is_small", "v_start", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "B_x2_first_switch_exceeds_its_remainder", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "rest_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+    { "A_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+    { "A_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+    { "B_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+    { "B_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+  };
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    for (int g = 0; g < 2; g++) {
+      const struct claim_row *row = find(known[k].claim, g, known[k].conditions);
+      if (row->verdict != (g ? known[k].sinusoidal : known[k].quadratic))
+        print_error("%s %s, %s: %s\n", row->claim, row->gait, known[k].conditions, row->measured);
+      assert_int_equal(row->verdict, g ? known[k].sinusoidal : known[k].quadratic);
+      assert_true(row->verdict == CLAIM_HOLDS || strstr(row->reason, "scallop"));
+    }
+}
+
+static struct scallop_crawler paper(int g)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = gaits[g];
+  return c;
+}
+
+static struct scallop_steady_result steady(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result s;
+  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
+  return s;
+}
+
+static struct scallop_phase_result phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+{
+  struct scallop_phase_result r;
+  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
+  return r;
+}
+
+/* The displacement of a sliding crawler with both asymmetries changes its sign where the row says, and stays 0 at F1 = 1000. */
+static void both_asymmetries_and_no_displacement(void **state)
+{
+  (void)state;
+  for (int g = 0; g < 2; g++) {
+    const struct claim_row *row = find("two_asymmetries_suffice_to_move", g, "F1 varied");
+    double low, high, up, down;
+    assert_int_equal(sscanf(after(row, "displacement/L "), "%lf at F1 = %lf, %lf at %lf", &up, &low, &down, &high), 4);
+    assert_true(low < high && high < low * (1 + 1e-9));
+    for (int i = 0; i < 2; i++) {
+      struct scallop_crawler c = paper(g);
+      c.alpha = 0.55;
+      c.F1 = i ? high * (1 + 1e-9) : low * (1 - 1e-9);
+      struct scallop_steady_result s = steady(&c);
+      assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+      assert_true(i ? s.period.displacement < 0 : s.period.displacement > 0);
+    }
+    struct scallop_crawler rests = paper(g);
+    rests.F1 = 1000; /* above m2 l'' + F2 at its largest: 641 and 790 */
+    assert_int_equal(steady(&rests).period.regime, SCALLOP_AT_REST);
+    CHECK_EQUAL(steady(&rests).period.displacement, 0);
+  }
+}
+
+/* Rows of one steady state: Froude number, start velocity and displacement as the double solver has them. */
+static void figures_of_steady_states(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *claim, *conditions;
+    double m1, F1, T, alpha;
+    enum scallop_regime regime;
+  } known[] = {
+    { "moving_needs_a_high_Froude_number", "sliding", 1, 34.9776, 1, 0.75, SCALLOP_SLIDING },
+    { "moving_needs_a_high_Froude_number", "T = 6", 1, 4, 6, 0.75, SCALLOP_STICK_SLIP },
+    { "moving_needs_a_high_Froude_number", "T = 14", 1, 4, 14, 0.75, SCALLOP_STICK_SLIP },
+    { "one_degree_of_freedom_can_move", "the paper's crawler", 1, 4, 1, 0.75, SCALLOP_SLIDING },
+    { "one_degree_of_freedom_can_move", "F1 = 300", 1, 300, 1, 0.75, SCALLOP_STICK_SLIP },
+    { "start_velocity_opposes_motion_at_low_Froude", "", 1, 90, 1, 0.55, SCALLOP_SLIDING },
+    { "the_forces_must_differ_not_the_coefficients", "", 4, 4, 1, 0.75, SCALLOP_SLIDING },
+  };
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    for (int g = 0; g < 2; g++) {
+      const struct claim_row *row = find(known[k].claim, g, known[k].conditions);
+      struct scallop_crawler c = paper(g);
+      c.m1 = known[k].m1, c.F1 = known[k].F1, c.T = known[k].T, c.alpha = known[k].alpha;
+      struct scallop_steady_result s = steady(&c);
+      assert_int_equal(s.period.regime, known[k].regime);
+      CHECK_RELATIVE(number_after(row, "Froude "), s.froude, 1e-5);
+      CHECK_NEAR(number_after(row, "v_start T/L = "), s.period.v_start * c.T / c.L, 1e-6);
+      CHECK_NEAR(number_after(row, "displacement/L = "), s.period.displacement / c.L, 1e-6);
+    }
+}
+
+/* For the quadratic gait, from rest and sliding, with s = (F1-F2) T^2/(4 m2 L), dT = T s/(1 + s) and
+ * dv_C = [F1 - F2 - 2 F1 s/(1 + s)] T/M, whose slope is F1 - F2 - 2 F1 [s/(1 + s) + 2 s/(1 + s)^2], over M. */
+static void slope_of_figure_4B(void **state)
+{
+  (void)state;
+  static const double durations[] = { 0.49, 0.51, 1.65 }, alpha[] = { 0.51, 0.51, 0.75 }, T[] = { 1, 1, 2.2 };
+  for (int i = 0; i < 3; i++) {
+    double s = 3 * durations[i] * durations[i] / 40, slope = 3 - 8 * (s / (1 + s) + 2 * s / ((1 + s) * (1 + s)));
+    struct scallop_crawler c = paper(0);
+    c.alpha = alpha[i], c.T = T[i];
+    struct scallop_steady_result r = steady(&c);
+    assert_true(i < 2 ? slope > 0 : slope < 0);
+    assert_true(slope * r.period.v_start < 0 && r.period.displacement > 0);
+    struct scallop_crawler one = paper(0);
+    one.alpha = 0.5, one.T = 2 * durations[i];
+    struct scallop_phase_result p = phase(&one, SCALLOP_EXTENSION, 0);
+    CHECK_NEAR(p.dT, durations[i] * s / (1 + s), 1e-14);
+    CHECK_NEAR(p.v_end, (3 - 8 * s / (1 + s)) * durations[i] / 2, 1e-13);
+  }
+  double s[2];
+  for (int i = 0; i < 2; i++)
+    s[i] = 3 * (i ? 1.65 : 1.64) * (i ? 1.65 : 1.64) / 40;
+  CHECK_NEAR(number_after(find("start_velocity_is_backward_where_dv_C_falls", 0, ""), "dv_C changes by "),
+             (3 - 8 * s[1] / (1 + s[1])) * 1.65 / 2 - (3 - 8 * s[0] / (1 + s[0])) * 1.64 / 2, 1e-6);
+}
+
+struct centre {
+  double at[5];
+  int samples;
+};
+
+static bool note_centre(void *context, const struct scallop_sample *sample)
+{
+  struct centre *c = context;
+  c->at[c->samples++] = sample->xC;
+  return true;
+}
+
+/* What the centre does in each phase of the steady motion, from its trajectory: alpha = 3/4 is the third of four samples. */
+static void boundary_from_trajectories(void **state)
+{
+  (void)state;
+  static const char *const which[] = { "F1/F2", "together", "T alone" };
+  for (int k = 0; k < 6; k++) {
+    int g = k / 3, varied = k % 3;
+    const struct claim_row *row = find("v_mid_peaks_where_v_start_is_0", g, which[varied]);
+    const struct claim_row *moves = find("contraction_loses_least_where_v_start_is_0", g, which[varied]);
+    double v[3], x[3], back[3], out[3];
+    assert_int_equal(sscanf(after(row, "v_mid T/L = "), "%lf, %lf, %lf", &v[0], &v[1], &v[2]), 3);
+    assert_int_equal(sscanf(after(row, varied == 0   ? "F1/F2 = "
+                                       : varied == 1 ? "F2 = "
+                                                     : "T = "),
+                            "%lf, %lf, %lf", &x[0], &x[1], &x[2]),
+                     3);
+    assert_int_equal(sscanf(after(moves, "contraction is "), "%lf, %lf, %lf there; of the extension %lf, %lf, %lf", &back[0],
+                            &back[1], &back[2], &out[0], &out[1], &out[2]),
+                     6);
+    for (int i = 0; i < 3; i++) {
+      struct scallop_crawler c = paper(g);
+      struct centre centre = { .samples = 0 };
+      c.F1 = varied == 0 ? x[i] : varied == 1 ? 4 * x[i] : 4;
+      c.F2 = varied == 1 ? x[i] : 1;
+      c.T = varied == 2 ? x[i] : 1;
+      struct scallop_steady_result s = steady(&c);
+      assert_int_equal(scallop_trajectory(&c, s.period.v_start, 1, 4, note_centre, &centre), SCALLOP_OK);
+      CHECK_NEAR(v[i], s.period.v_mid * c.T / c.L, 1e-6);
+      CHECK_NEAR(out[i], (centre.at[3] - centre.at[0]) / c.L, 1e-6);
+      CHECK_NEAR(back[i], (centre.at[4] - centre.at[3]) / c.L, 1e-6);
+      if (i != 1)
+        assert_true(i ? s.period.v_start < 0 : s.period.v_start > 0);
+    }
+    assert_true(v[0] > v[1] && v[1] > v[2] && back[0] > back[1] && back[1] > back[2] && back[2] > 0);
+    assert_true(out[0] < out[1] && out[1] > out[2]);
+  }
+}
+
+/* Pencil and paper, for the quadratic gait: duration 3/4, |l'| = L/tau at a quarter of it */
+static void by_hand(void **state)
+{
+  (void)state;
+  double tau = 0.75, s = 3 * tau * tau / 40, dT = tau * s / (1 + s);
+  const struct claim_row *row = find("body_1_is_slower_in_the_first_interval", 0, "m1 = 0.5");
+  CHECK_NEAR(number_after(row, "v1 T/L = "), -1 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
+  CHECK_NEAR(number_after(row, "v2 T/L = "), 0.5 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
+  row = find("last_interval_carries_the_centre_forward", 0, "");
+  CHECK_NEAR(number_after(row, "dx_C/L = "), (3 * tau * tau / 4 - 4 * dT * dT / 2) / 10, 1e-9); /* - F1 dT^2/M */
+  CHECK_NEAR(number_after(row, "would be "), 3 * tau * tau / 40, 1e-9);
+  row = find("first_interval_accelerates_l", 0, "");
+  CHECK_NEAR(number_after(row, "ends, "), s / (1 + s), 1e-6);
+  CHECK_NEAR(number_after(row, "l'' = "), -4, 1e-6);
+  row = find("equal_forces_centre", 0, ""); /* dx_1 = -m2 L/M, dx_2 = m1 L/M */
+  CHECK_NEAR(number_after(row, "dx_C/L = "), (-1. / 3 + 2. / 3) / 2, 1e-6);
+  CHECK_NEAR(number_after(row, "(8) gives "), (2 - 1) / 2. * (-1. / 3), 1e-6);
+  CHECK_NEAR(number_after(find("kinematic_length", 0, ""), "= "), 1, 1e-12);
+  CHECK_NEAR(number_after(find("kinematic_length", 1, ""), "= "), 9.869604401089358 / 8, 1e-12);
+  /* x0' t1/2 = x0'^2 M tau^2/(2 m1 4 L); t1 = x0' M tau^2/(4 m2 L) = U alpha tau/(2 L), U = 30/9.25 from (28) */
+  CHECK_NEAR(number_after(find("B_x2_first_switch_exceeds_its_remainder", 0, ""), "x2(0), is "), 2 / 80., 1e-6);
+  CHECK_NEAR(number_after(find("t1_is_small", 0, "v_start"), "t1 is "), 30 / 9.25 * 0.75 / 20, 5e-5);
+}
+
+/* The formulas printed without a remainder, once more from the paper; the exact times from the double solver */
+static void formulas_without_remainder(void **state)
+{
+  (void)state;
+  for (int g = 0; g < 2; g++) {
+    struct scallop_crawler c = paper(g);
+    double e = 0.75, k = 0.25, l0 = (g ? 9.869604401089358 / 2 : 4) * 10, F = 3, S = 5, M = 2, v0 = 1;
+    double e0 = l0 / (e * e), eT = -e0, k0 = -l0 / (k * k), kT = -k0;
+    const struct {
+      const char *claim;
+      double exact, printed;
+    } known[] = {
+      { "rest_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
+      { "A_t1_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
+      { "A_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).dT,
+        -1 / (eT - F) * (v0 * M * (e0 - F) / (e0 + S) + F * e) },
+      { "B_t1_without_remainder", phase(&c, SCALLOP_CONTRACTION, v0).t1, v0 * M / (-k0 + S) },
+      { "B_dT_without_remainder", phase(&c, SCALLOP_CONTRACTION, v0).dT,
+        1 / (kT - F) * (v0 * M * (k0 - F) / (k0 - S) - F * k) },
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+      const struct claim_row *row = find(known[i].claim, g, "");
+      CHECK_NEAR(number_after(row, " = "), known[i].exact, 1e-12);
+      CHECK_NEAR(number_after(row, "gives "), known[i].printed, 1e-12);
+      assert_int_equal(fabs(known[i].exact - known[i].printed) > 1e-8, g);
+    }
+  }
+}
+
+/* What holds for every crawler, for others than the ledger's: an extension of the quadratic gait in closed form, and start velocities of
+ * any size. The ledger's scans meet hundreds of crawlers that they are about. */
+static void statements_about_every_crawler(void **state)
+{
+  (void)state;
+  struct random r = { 4711 };
+  for (int n = 0; n < 1000; n++) {
+    struct scallop_crawler c = { .L = 1, .alpha = random_between(&r, 0.05, 0.95), .gait = gaits[n % 2], .T = 1 };
+    c.m1 = random_decades(&r, 0.1, 10), c.m2 = random_decades(&r, 0.1, 10);
+    c.F2 = random_decades(&r, 0.1, 10), c.F1 = c.F2 * random_decades(&r, 1.01, 10);
+    double s = random_between(&r, 0.01, 0.99), delta = (c.F1 - c.F2) / (c.F1 + c.F2);
+    c.T = sqrt(4 * c.m2 * s / (c.F1 - c.F2)) / c.alpha;
+    struct scallop_phase_result rest = phase(&c, SCALLOP_EXTENSION, 0);
+    if (n % 2 == 0)
+      assert_int_equal(rest.regime == SCALLOP_SLIDING, s < delta);
+    if (n % 2 == 0 && s < delta)
+      CHECK_RELATIVE(rest.dT / (c.alpha * c.T), s / (1 + s), 1e-13); /* below 1/2, and growing with s */
+    double v0 = random_between(&r, 0.01, 4) / c.T; /* at the largest a body may never turn: friction then takes all it can */
+    struct scallop_phase_result from_v0 = phase(&c, SCALLOP_EXTENSION, v0);
+    assert_true(from_v0.dxC > rest.dxC && from_v0.v_end - v0 < rest.v_end);
+    struct scallop_steady_result steady_state = steady(&c);
+    assert_true(steady_state.period.v_mid >= steady_state.period.v_start);
+  }
+  static const char *const counted[] = { "velocity_rises_over_extension", "centre_moves_forward_in_an_extension",
+                                         "extension_from_rest_has_two_intervals", "first_interval_is_the_greater_part",
+                                         "last_interval_grows_with_duration" };
+  for (size_t i = 0; i < sizeof counted / sizeof *counted; i++)
+    for (int g = 0; g < 2; g++)
+      CHECK_AT_MOST(300, number_after(find(counted[i], g, "quasi-random"), "("));
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(verdicts),
+    cmocka_unit_test(both_asymmetries_and_no_displacement),
+    cmocka_unit_test(figures_of_steady_states),
+    cmocka_unit_test(slope_of_figure_4B),
+    cmocka_unit_test(boundary_from_trajectories),
+    cmocka_unit_test(by_hand),
+    cmocka_unit_test(formulas_without_remainder),
+    cmocka_unit_test(statements_about_every_crawler),
+  };
+  return cmocka_run_group_tests_name("claims in words", tests, fill, NULL);
+}
