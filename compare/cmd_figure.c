@@ -13,7 +13,7 @@ static enum exit_code run(const struct options *options)
   char name[16];
   bool known = strlen(options->operand) == 1 && strchr("2345", options->operand[0]);
   snprintf(name, sizeof name, "figure%.4s", options->operand);
-  const char *scene = known ? shipped_scene(name) : NULL;
+  const char *scene = known ? shipped_text(shipped_scenes, name) : NULL;
   if (scene)
     return run_scenes(options, &(struct scene_source){ .path = name, .text = scene }, 1, true);
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", options->operand);

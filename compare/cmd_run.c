@@ -267,7 +267,7 @@ static enum exit_code run(const struct options *o)
   }
   char *input = NULL;
   for (int i = 0; i < count; i++) {
-    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_scene(o->operands[i]) };
+    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_text(shipped_scenes, o->operands[i]) };
     if (!is_input(o->operands[i]))
       continue;
     enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);

@@ -23,7 +23,7 @@ static const char *useless(const struct options *o, bool point)
            : o->cases > 0 ? "cases"
            : o->has_seed  ? "seed"
            : o->full      ? "full"
-           : o->against   ? "check"
+           : o->check     ? "check"
            : o->has_phase ? "phase"
            : o->has_v0    ? "v0"
                           : NULL;

@@ -6,6 +6,7 @@
 
 #include "compare/compare.h"
 #include "compare/gaits.h"
+#include "compare/plot.h"
 #include "compare/values.h"
 
 enum { MOST_ORDER = 1000, MOST_CASES = 1000000 };
@@ -107,6 +108,9 @@ static const char *set_file(struct options *o, const char *name, const char *tex
 {
   if (*text == '\0')
     return not_allowed(text, "a file name");
+  if (strcmp(name, "output") == 0 && plot_kind(text))
+    return not_allowed(
+        text, "the name of a table, not of a picture; `scallop run` draws: `scallop run figure4` writes figure4.svg");
   o->has_output |= strcmp(name, "output") == 0;
   if (strcmp(name, "output") == 0)
     o->output = strcmp(text, "-") == 0 ? NULL : text;
@@ -154,10 +158,10 @@ static const char *set_range(struct options *o, const char *name, const char *te
 
 static const char *set_against(struct options *o, const char *name, const char *text)
 {
-  if (text && *text == '\0')
-    return not_allowed(text, "a file name");
-  o->against = strcmp(name, "check") == 0 ? "data/claims.tsv" : text;
-  return NULL;
+  (void)name;
+  o->against = text;
+  o->check = true;
+  return *text == '\0' ? not_allowed(text, "a file name") : NULL;
 }
 
 static const char *set_source(struct options *o, const char *name, const char *text)
@@ -186,17 +190,10 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
   const struct {
     const char *name;
     bool *flag;
-  } flags[] = { { "bound", &o->bound },
-                { "certified", &o->certified },
-                { "quick", &o->quick },
-                { "summary", &o->summary },
-                { "full", &o->full },
-                { "stiff", &o->stiff },
-                { "error", &o->error },
-                { "boundaries", &o->boundaries },
-                { "check-only", &o->check_only },
-                { "explain", &o->explain },
-                { "stats", &o->stats },
+  } flags[] = { { "bound", &o->bound },           { "check", &o->check },     { "certified", &o->certified },
+                { "quick", &o->quick },           { "summary", &o->summary }, { "full", &o->full },
+                { "stiff", &o->stiff },           { "error", &o->error },     { "boundaries", &o->boundaries },
+                { "check-only", &o->check_only }, { "explain", &o->explain }, { "stats", &o->stats },
                 { "no-plots", &o->no_plots } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
@@ -229,7 +226,7 @@ static const struct option_description descriptions[] = {
   { "tol.breakdown", "D", "for this relative error only (reach: 1e-1 to 1e-12; maps: 1e-2 and 1e-6)", set_number },
   { "tol", "D", "how far from it the order may be (0.1)", set_number },
   { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
-  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", set_against },
+  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", set_flag },
   { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", set_flag },
   { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", set_flag },
   { "family", "NAME", "of this family only", set_family },
@@ -238,7 +235,8 @@ static const struct option_description descriptions[] = {
   { "full", NULL, "many cases: takes minutes", set_flag },
   { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", set_flag },
   { "error", NULL, "after each number an estimate of its error", set_flag },
-  { "check", NULL, "compare the verdicts with those in data/claims.tsv: exit code 1 if any differs", set_against },
+  { "check", NULL, "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
+    set_flag },
   { "against", "FILE", "the same with another ledger", set_against },
   { "source.breakdown", "SOURCE", "of this series only: published, derived or limit", set_source },
   { "source", "SOURCE", "published, derived or limit (published)", set_source },

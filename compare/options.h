@@ -24,7 +24,8 @@ struct options {
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
   const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
-  const char *against;   /* claims: the ledger to compare the verdicts with, or NULL          */
+  bool check;            /* claims: compare the verdicts with an earlier ledger; stress       */
+  const char *against;   /* claims: that ledger, NULL: the one that comes with the tool       */
   const char *source;    /* series: "published", "derived" or "limit"                        */
   long order;            /* series: terms below T^order                                      */
   bool bound, certified;

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "compare/shipped.h"
+
 static const char style[] = "set border 3\n"
                             "set tics nomirror\n"
                             "set grid lc rgb '#dddddd' lt 1\n"
@@ -218,6 +220,8 @@ void plot_script_load(FILE *to, const struct plot *p, const char *common, const 
   fputs("set datafile separator \"\\t\"\ntable = ", to);
   put_path(to, p->table);
   fprintf(to, "\noutput_file = '%s'\nkind = '%s'\n", output, kind);
+  if (p->program)
+    fprintf(to, "%s%s", shipped_text(shipped_scripts, "plot_common"), p->program);
   const char *const scripts[] = { common, p->script };
   for (int i = 0; i < 2; i++)
     if (scripts[i]) {

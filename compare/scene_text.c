@@ -36,7 +36,7 @@ static char *read_all(FILE *file, size_t *size)
 
 static void complain_of_file(const char *command, const char *path, int error)
 {
-  const char *near = strpbrk(path, "/.") ? NULL : shipped_near(path);
+  const char *near = strpbrk(path, "/.") ? NULL : shipped_near(shipped_scenes, path);
   complain(command, "cannot read %s: %s%s%s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
            near ? "; did you mean '" : "", near ? near : "", near ? "', which comes with the tool?" : "");
 }

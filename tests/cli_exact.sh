@@ -224,9 +224,15 @@ run 1 claims --against more.tsv --quiet --gait quadratic
 [ "$(cells out claim verdict)" = "gone -" ] || note "$(rows out)"
 finish "claims --check: a row that is no longer there"
 mkdir data
-cp ledger.tsv data/claims.tsv
-run 0 claims --check --quiet --gait quadratic
-finish "claims --check reads data/claims.tsv, and of one gait what is about it"
+cp changed.tsv data/claims.tsv
+run 0 claims --check --gait quadratic
+grep -q ', 0 differ from the ledger that comes with the tool$' err || note "$(cat err)"
+finish "claims --check reads the tool's own ledger, in any folder, and of one gait what is about it"
+run 1 claims --check --against changed.tsv --gait quadratic
+cp out order
+run 1 claims --against changed.tsv --check --gait quadratic
+cmp -s out order || note "another table"
+finish "claims --check with --against: the ledger of --against"
 refused_at_once "claims --check of no ledger" 2 "no row of a ledger" claims --against points.tsv
 refused_at_once "claims --check of no file" 4 "cannot read" claims --against nowhere.tsv
 refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT
