@@ -205,6 +205,18 @@ elsewhere/scallop claims >out 2>err
 [ $? = 3 ] || note "exit code $?"
 grep -q 'cannot run .*elsewhere/scallop-flint: Permission denied' err || note "$(cat err)"
 finish "a scallop-flint that is no program is named"
+mkdir copies links links/other
+cp "$tool" copies/scallop
+cp "$tool" copies/scallop-flint
+cp "$tool" links/scallop
+ln -s ../scallop links/other/scallop-flint
+ln -s other/scallop-flint links/scallop-flint
+for program in copies/scallop copies/scallop-flint links/scallop links/scallop-flint links/other/scallop-flint; do
+  timeout 5 "$program" claims >out 2>err
+  [ $? = 3 ] || note "$program: exit code $?"
+  grep -q "scallop claims: the ledger needs FLINT: .*/scallop-flint is there, but it is a scallop without FLINT" err || note "$(cat err)"
+done
+finish "a scallop under the name of scallop-flint is named, and executed once"
 
 # ---- claims --check ----
 run 0 claims --against ledger.tsv --quiet
