@@ -137,6 +137,13 @@ refused "2: '.*gone.cfg.*there is no such file to include\\|2: 'gone.cfg': there
 want = ( { what = "steady"; file = "kept.tsv"; } );
 @include "gone.cfg"
 E2
+printf 'm = 1;\n' >'in\cluded.cfg'
+refused "1: 'in.cluded.cfg': the name of a file to include has no backslash" <<'E2'
+@include "in\cluded.cfg"
+E2
+refused "1: 'no.': the name of a file to include has no backslash" <<'E2'
+@include "no\"name.cfg"
+E2
 refused "1: '/': there is no such file to include" <<'E2'
 @include "/"
 E2
@@ -157,6 +164,14 @@ E2
 printf 'title = "two\\nlines";\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' >bad.cfg
 run 2 run bad.cfg
 grep -q 'without a line break' err || note "a title of two lines: $(cat err)"
+for text in 'title = "red \x1b[31m"' 'title = "a\tb"' 'notes = [ "bell \x07" ]' 'notes = [ "fine", "\x7f" ]' 'title = "Latin \xe9"'; do
+  printf '%s;\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' "$text" >bad.cfg
+  run 2 run bad.cfg
+  grep -q 'bad.cfg:.*title and notes are lines of UTF-8, without a line break or another control character' err || note "$text: $(cat err)"
+done
+printf 'title = "raw \033[31m";\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' >bad.cfg
+run 2 run bad.cfg
+[ "$(cat kept.tsv)" = before ] || note "the earlier table is gone"
 finish "bad scenes are refused with file and line, before any work"
 
 # ---- several scenes and outputs ----
