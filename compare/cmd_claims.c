@@ -42,6 +42,11 @@ static enum exit_code run(const struct options *options)
   return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
 }
 
+static const struct unless_given unless_given[] = {
+  { "gait", "both of the paper: quadratic and sinusoidal" },
+  { NULL, NULL },
+};
+
 const struct command command_claims = {
   .name = "claims",
   .summary = "the ledger: every asymptotic and qualitative claim of the paper, decided",
@@ -65,5 +70,6 @@ const struct command command_claims = {
       "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
       "`scallop order` reads such a table.",
   .defaults = &generic,
+  .unless_given = unless_given,
   .run = run,
 };

@@ -20,6 +20,11 @@ static enum exit_code run(const struct options *options)
   return EXIT_USAGE;
 }
 
+static const struct unless_given unless_given[] = {
+  { "m1 m2 F1 F2 L T alpha gait format digits", "that of the figure's scene" },
+  { NULL, NULL },
+};
+
 const struct command command_figure = {
   .name = "figure",
   .summary = "the table behind a figure of the paper: 2, 3, 4 or 5",
@@ -31,5 +36,6 @@ const struct command command_figure = {
            "sticking, exact and by the series. 5: mean velocity over alpha and over F1/F2. Normalised as in the paper.\n"
            "What a caption leaves out is chosen, and the table's header says so after 'assumed'. Each is the scene\n"
            "data/scenes/figureN.cfg, for `run`; parameters that are given here take the place of the scene's.",
+  .unless_given = unless_given,
   .run = run,
 };

@@ -280,6 +280,13 @@ static enum exit_code run(const struct options *o)
   return code;
 }
 
+static const struct unless_given unless_given[] = {
+  { "m1 m2 F1 F2 L T alpha gait format digits", "that of the scene" },
+  { "into", "the current one" },
+  { "output", "the files that the scenes name" },
+  { NULL, NULL },
+};
+
 const struct command command_run = {
   .name = "run",
   .summary = "what a scene asks for and nothing else",
@@ -296,5 +303,7 @@ const struct command command_run = {
       "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
       "exactly, at most, about, at least, or left out; seconds: about; why.",
+  .unless_given = unless_given,
+  .proven = "where a scene has certified values",
   .run = run,
 };

@@ -75,6 +75,9 @@ const char *options_set_crawler_number(struct options *options, int place, const
  * parameter is set. */
 void options_complete(struct options *options);
 
+/* What holds where no option is given. options_free has nothing to do for it. */
+void options_initial(struct options *options, const struct command *command);
+
 /* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
  * asked for, or the message is on stderr). Whichever it is, options_free ends it. */
 bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);

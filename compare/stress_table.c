@@ -35,7 +35,6 @@ static const char *const point_columns[] = { "quantity",         "value",       
                                              "condition",        "digits",         "rounding",  "perturbed", "lost_double",
                                              "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
 
-enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 5000 };
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
@@ -290,7 +289,7 @@ enum exit_code stress_table(const struct options *o)
 {
   struct run run = { .options = o, .shown = !o->quiet && isatty(STDERR_FILENO) };
   enum exit_code code = EXIT_UNSOLVED;
-  run.cases = o->cases > 0 ? (int)o->cases : o->full ? FULL_CASES : o->check ? CHECK_CASES : CASES;
+  run.cases = o->cases > 0 ? (int)o->cases : o->full ? STRESS_FULL_CASES : o->check ? STRESS_CHECK_CASES : STRESS_CASES;
   if (o->family && !family_named(o->family)) {
     const char *names[64] = { NULL };
     for (int i = 0; i < 63 && stress_families[i].name; i++)

@@ -120,10 +120,10 @@ refused_at_once() { # NAME CODE TEXT ARGUMENT...
 refused_at_once "order 0" 2 "from 1 to 1000" series --source derived --order 0
 refused_at_once "order 10000" 2 "from 1 to 1000" series --source derived --order 10000
 refused_at_once "order 0 of a bound" 2 "from 1 to 1000" series --bound --order 0
-refused_at_once "digits 0" 2 "from 1 to 10000" steady --certified --digits 0
-refused_at_once "10 million digits" 2 "from 1 to 10000" steady --certified --digits 10000000
-refused_at_once "10 million digits of a series" 2 "from 1 to 10000" series --source derived --digits 10000000
-refused_at_once "20 digits of a double" 2 "up to 10000 with --certified" steady --digits 20
+refused_at_once "digits 0" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 0
+refused_at_once "10 million digits" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 10000000
+refused_at_once "10 million digits of a series" 2 "from 1 to 17; with --source derived or limit to 10000" series --source derived --digits 10000000
+refused_at_once "20 digits of a double" 2 "from 1 to 17; with --certified to 10000" steady --digits 20
 refused_at_once "20 digits of a published value" 2 "with --source" series --digits 20
 refused_at_once "order 61 of a bound" 2 "from 1 to 60" series --bound --order 61
 refused_at_once "digits of a bound" 2 "exclude each other" series --bound --digits 6
