@@ -41,10 +41,10 @@ chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 rooms    = $(wildcard $(1)/*.c)
 parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
-core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped)
+core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
 alone   := $(core) $(call objects,compare/hand_over)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
-full    := $(core) $(call objects,$(flint_parts) $(cvode)) $(chosen)
+full    := $(core) $(call objects,$(flint_parts) $(cvode) shipped_ledger) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 # Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
 fuzz_flint := certified decimal expression tables
@@ -105,11 +105,15 @@ $(B)/single/%.o: %.c Makefile config.mk
 	@echo "  CC $< (one thread)"
 	@$(CC) $(CPPFLAGS) $(without_threads) -MMD -MP -c -o $@ $<
 
-# The scenes of data/scenes/, in the program
-$(B)/shipped.c: scripts/embed.sh $(wildcard data/scenes/*.cfg)
+# Scenes, their plot scripts and the ledger, in the program
+plot_scripts := scripts/plot_common.gp $(wildcard scripts/plot_figure*.gp)
+$(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
+$(B)/shipped_scripts.c: $(plot_scripts)
+$(B)/shipped_ledger.c: data/claims.tsv
+$(B)/shipped_%.c: scripts/embed.sh
 	@mkdir -p $(@D)
-	@sh $^ >$@
-$(B)/shipped.o: $(B)/shipped.c
+	@sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
+$(B)/shipped_%.o: $(B)/shipped_%.c compare/shipped.h
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -c -o $@ $<
 
 # Who judges rounds the same way whatever CFLAGS allow the judged

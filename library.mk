@@ -74,6 +74,10 @@ $(B)/man: $(B)/scallop
 $(B)/completion.bash: $(B)/scallop
 	@$< --completion bash >$@
 
+# The Python module finds the library from its own place
+$(B)/scallop_library.py: scripts/scallop_library.py FORCE
+	@sed "s|^BESIDE = .*|BESIDE = \"$$(realpath -ms --relative-to='$(datadir)/scallop/python' '$(libdir)')\"|" $< >$@
+
 .PHONY: libraries install uninstall FORCE
 ## libraries:  libscallop-core, which needs libm only, and libscallop, static and shared, in build/
 libraries: $(libraries)
@@ -82,8 +86,8 @@ put      = $(INSTALL) -m 644
 to       = $(DESTDIR)$(1)
 folders  = $(bindir) $(libdir) $(pkgconfigdir) $(mandir)/man1 $(completionsdir) $(datadir)/scallop
 scenes   = $(wildcard data/scenes/*.cfg)
-## install:    programs, libraries, headers, man pages, completion, scenes, the Python caller, to PREFIX (/usr/local), with DESTDIR in front
-install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B)/man $(B)/completion.bash
+## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python module, to PREFIX (/usr/local), with DESTDIR in front
+install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B)/man $(B)/completion.bash $(B)/scallop_library.py
 	@$(INSTALL) -d $(foreach f,$(folders),"$(call to,$(f))")
 	@$(INSTALL) $(programs) "$(call to,$(bindir))"
 	@$(put) $(foreach l,$(names),$(B)/lib$($(l)_name).a $(B)/lib$($(l)_name).so.$(version)) "$(call to,$(libdir))"
@@ -93,9 +97,10 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@$(put) $(foreach l,$(names),$(B)/$($(l)_name).pc) "$(call to,$(pkgconfigdir))"
 	@$(put) $(B)/man/*.1 "$(call to,$(mandir))/man1"
 	@$(put) $(B)/completion.bash "$(call to,$(completionsdir))/scallop"
-	@for module in scallop.py scallop_library.py; do $(put) -D scripts/$$module "$(call to,$(datadir))/scallop/python/$$module" || exit 1; done
+	@for module in scripts/scallop.py $(B)/scallop_library.py; do $(put) -D $$module "$(call to,$(datadir))/scallop/python/$${module##*/}" || exit 1; done
 	@for page in docs/*.md; do $(put) -D $$page "$(call to,$(datadir))/doc/scallop/$${page##*/}" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
+	@for script in $(plot_scripts); do $(put) -D $$script "$(call to,$(datadir))/scallop/plots/$${script##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there
 uninstall:

@@ -7,19 +7,13 @@
 
 #include "compare/compare.h"
 
-enum { COUNT = 41, MOST_COUNT = 100000, RANGE_TEXT = 160 };
+enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
 
 const char *axis_name(enum axis_kind kind) { return names[kind]; }
 
 static char message[400];
-
-static struct axis usual(enum axis_kind kind)
-{
-  return kind == AXIS_ALPHA ? (struct axis){ kind, 0.01, 0.99, COUNT, false }
-                            : (struct axis){ kind, 0.01, 100, COUNT, true };
-}
 
 /* ---- reading ---- */
 
@@ -97,8 +91,8 @@ const char *axis_read(struct axis *axis, const char *name, const char *range)
              near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
     return message;
   }
-  struct axis a = usual((enum axis_kind)kind);
-  const char *wrong = range ? read_range(&a, range) : NULL;
+  struct axis a = { .kind = (enum axis_kind)kind, .log = kind != AXIS_ALPHA };
+  const char *wrong = read_range(&a, range ? range : kind == AXIS_ALPHA ? AXIS_ALPHA_RANGE : AXIS_RANGE);
   if (!wrong)
     *axis = a;
   return wrong;

@@ -21,6 +21,10 @@ struct axis {
 
 /* --map, --x and --y. False: the message is on stderr, exit with EXIT_USAGE. */
 bool axes_read(struct axis axes[2], const struct options *options);
+/* The usual ranges */
+#define AXIS_ALPHA_RANGE "0.01:0.99:41:linear"
+#define AXIS_RANGE "0.01:100:41:log"
+
 /* An axis from its name and FROM:TO:COUNT[:log|:linear] (NULL: the usual one). NULL, or what is wrong, until the next call. */
 const char *axis_read(struct axis *axis, const char *name, const char *range);
 

@@ -204,8 +204,8 @@ static void write_reach(struct report *r, const struct comparison *c, double tol
 
 static void write_reaches(struct report *r, enum breakdown_quantity quantity)
 {
-  enum { TOLERANCES = 12 };
-  static const double tolerances[TOLERANCES] = { 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12 };
+  static const double tolerances[] = { BREAKDOWN_TOLERANCES };
+  enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
   struct comparison c = { &r->subject, &r->expansions, { .name = NULL }, r->cache };
   while (series_item_next(&c.item, &r->expansions, quantity, r->options->order)) {
     if (!is_wanted_source(r, c.item.which.source))

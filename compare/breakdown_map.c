@@ -88,9 +88,10 @@ static bool choose_series(struct map *m)
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
     if (!o->has_source || strcmp(o->source, sources[s]) == 0)
       m->series[m->series_count++] = (struct breakdown_series){ (enum breakdown_source)s, o->order, quantity };
-  m->tolerances[0] = o->has_tolerance ? o->tolerance : 1e-2;
-  m->tolerances[1] = 1e-6;
-  m->tolerance_count = o->has_tolerance ? 1 : 2;
+  static const double tolerances[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
+  memcpy(m->tolerances, o->has_tolerance ? &o->tolerance : tolerances,
+         sizeof tolerances[0] * (o->has_tolerance ? 1 : MOST_TOLERANCES));
+  m->tolerance_count = o->has_tolerance ? 1 : MOST_TOLERANCES;
   name_columns(m);
   return true;
 }

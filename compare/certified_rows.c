@@ -9,8 +9,6 @@
 #include "compare/with_flint.h"
 #include "numerics/certified.h"
 
-enum { DEFAULT_DIGITS = 30 };
-
 bool has_flint(const struct options *options, const char *what)
 {
   (void)options, (void)what;
@@ -27,7 +25,7 @@ static void write_ball(struct table *table, const arb_t x, long digits)
 /* A few digits more than are printed, so that the last one is right to a unit. */
 static long digits_of(const struct options *point, long *solve)
 {
-  long digits = point->digits > 0 ? point->digits : DEFAULT_DIGITS;
+  long digits = point->digits > 0 ? point->digits : CERTIFIED_DIGITS;
   *solve = digits + 3 < SCALLOP_MOST_DIGITS ? digits + 3 : SCALLOP_MOST_DIGITS;
   return digits;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compare/lines.h"
+#include "compare/shipped.h"
 
 enum { MOST_CELLS = 40, WANTED = COMMITTED_KEYS + 2 };
 static const char *const wanted[WANTED] = {
@@ -74,10 +75,18 @@ static const char *read_line(struct reading *r, struct committed_ledger *ledger)
   return NULL;
 }
 
-enum exit_code committed_read(struct committed_ledger *ledger, const char *name)
+const char *ledger_name(const char *name) { return name ? name : "the ledger that comes with the tool"; }
+
+static FILE *open_shipped(void)
 {
-  struct reading r = { .lines = { .file = fopen(name, "r") } };
-  const char *wrong = NULL;
+  const char *text = shipped_text(shipped_ledger, "claims");
+  return fmemopen((char *)text, strlen(text), "r");
+}
+
+enum exit_code committed_read(struct committed_ledger *ledger, const char *file)
+{
+  struct reading r = { .lines = { .file = file ? fopen(file, "r") : open_shipped() } };
+  const char *wrong = NULL, *name = ledger_name(file);
   *ledger = (struct committed_ledger){ 0 };
   if (!r.lines.file) {
     complain("claims", "cannot read %s: %s", name, strerror(errno));

@@ -20,8 +20,11 @@ struct committed_ledger {
   int count, room;
 };
 
-/* Reads the file into a ledger, to be freed whatever the exit code is; it is EXIT_DONE, or the message is on stderr. */
-enum exit_code committed_read(struct committed_ledger *ledger, const char *name);
+/* Reads the file into a ledger, to be freed whatever the exit code is; it is EXIT_DONE, or the message is on stderr. NULL: the
+ * ledger that comes with the tool. */
+enum exit_code committed_read(struct committed_ledger *ledger, const char *file);
+/* For messages. */
+const char *ledger_name(const char *name);
 void committed_free(struct committed_ledger *ledger);
 
 #endif

@@ -107,7 +107,7 @@ static bool begin(struct table *table, const struct options *o, const char *cons
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
   table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
-             o->against ? " --check" : "");
+             o->check ? " --check" : "");
   table_parameters(table, o, varied, false);
   if (o->has_gait)
     table_note(table, "gait: %s", o->crawler.gait->name);
@@ -198,7 +198,7 @@ static enum exit_code check_ledger(const struct options *o)
     code = end(&check.table, wrong);
   }
   if (code == EXIT_DONE && !o->quiet)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, o->against);
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, ledger_name(o->against));
   committed_free(&check.ledger);
   return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
 }
@@ -210,5 +210,5 @@ enum exit_code claims_table(const struct options *options)
              options->errors);
     return EXIT_USAGE;
   }
-  return options->against ? check_ledger(options) : write_ledger(options);
+  return options->check ? check_ledger(options) : write_ledger(options);
 }

@@ -1,5 +1,6 @@
 #include <stddef.h>
 
+#include "compare/axis.h"
 #include "compare/compare.h"
 #include "compare/with_flint.h"
 
@@ -29,6 +30,17 @@ static enum exit_code run(const struct options *options)
                                : breakdown_map(options);
 }
 
+static const struct unless_given unless_given[] = {
+  { "T", "with --map %s" },
+  { "phase", "with --v0 %s, else the steady state" },
+  { "v0", "with --phase %s" },
+  { "source only", "all" },
+  { "quantity", "all; with --map displacement" },
+  { "tol", TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES) },
+  { "x y", AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE },
+  { NULL, NULL },
+};
+
 const struct command command_breakdown = {
   .name = "breakdown",
   .summary = "where the expansion stops being valid: how far each series holds, what ends it, and maps",
@@ -52,7 +64,7 @@ const struct command command_breakdown = {
       "at T (1 -+ 2^-50) is proven to be on either side of the tolerance), binary128, double (where no mode shows it),\n"
       "exact, estimate, derived. The parameters are exactly the doubles that are read.\n"
       "\n"
-      "--map X Y: a grid over two of F1/F2 (F2 stays), m1/m2 (m2 stays), alpha, T and froude, by default 41 values of each\n"
+      "--map X Y: a grid over two of F1/F2 (F2 stays), m1/m2 (m2 stays), alpha, T and froude\n"
       "(--x, --y FROM:TO:N, with :log or :linear). One row for each point, x running fastest: the crawler, its steady\n"
       "state, and for each series the relative error at this T and the T it reaches to for 1e-2 and 1e-6. With -o FILE the\n"
       "rows done are kept in FILE.rows; if the run is interrupted, the same command goes on from there.\n"
@@ -61,5 +73,6 @@ const struct command command_breakdown = {
       "what\n"
       "changes, and at a junction which third region meets. Columns: curve, point along it, the two axes, region_1 (on the\n"
       "left), region_2, what, end (of the first and last point: open, closed, junction), meets, status.",
+  .unless_given = unless_given,
   .run = run,
 };

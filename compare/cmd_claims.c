@@ -28,7 +28,7 @@ static enum exit_code run(const struct options *options)
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
   }
-  if (options->errors && options->against) {
+  if (options->errors && options->check) {
     complain("claims", "--errors and --check exclude each other");
     return EXIT_USAGE;
   }
@@ -41,6 +41,11 @@ static enum exit_code run(const struct options *options)
     return EXIT_UNSOLVED;
   return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
 }
+
+static const struct unless_given unless_given[] = {
+  { "gait", "both of the paper: quadratic and sinusoidal" },
+  { NULL, NULL },
+};
 
 const struct command command_claims = {
   .name = "claims",
@@ -60,10 +65,11 @@ const struct command command_claims = {
       "decides in 'measured'. claimed_order inf: the formula is printed as an equality. A summary goes to standard error.\n"
       "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
       "names may not hold, either: see their verdicts.\n"
-      "--check: the verdicts are compared with those of data/claims.tsv; anything that differs is printed, and the exit "
-      "code is 1.\n"
+      "--check: the verdicts are compared with those of the ledger that comes with the tool (data/claims.tsv of its\n"
+      "sources); anything that differs is printed, and the exit code is 1. --against FILE: with those of FILE.\n"
       "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
       "`scallop order` reads such a table.",
   .defaults = &generic,
+  .unless_given = unless_given,
   .run = run,
 };

@@ -211,6 +211,11 @@ static enum exit_code run(const struct options *options)
   return options->has_expect && verdict != ORDER_PASS ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
+static const struct unless_given unless_given[] = {
+  { "expect", "none, and no verdict" },
+  { NULL, NULL },
+};
+
 const struct command command_order = {
   .name = "order",
   .summary = "the observed order of a table of h and err, from any code",
@@ -223,5 +228,6 @@ const struct command command_order = {
            "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
            "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
            "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid.",
+  .unless_given = unless_given,
   .run = run,
 };

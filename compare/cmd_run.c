@@ -267,7 +267,7 @@ static enum exit_code run(const struct options *o)
   }
   char *input = NULL;
   for (int i = 0; i < count; i++) {
-    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_scene(o->operands[i]) };
+    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_text(shipped_scenes, o->operands[i]) };
     if (!is_input(o->operands[i]))
       continue;
     enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);
@@ -279,6 +279,13 @@ static enum exit_code run(const struct options *o)
   free(input);
   return code;
 }
+
+static const struct unless_given unless_given[] = {
+  { "m1 m2 F1 F2 L T alpha gait format digits", "that of the scene" },
+  { "into", "the current one" },
+  { "output", "the files that the scenes name" },
+  { NULL, NULL },
+};
 
 const struct command command_run = {
   .name = "run",
@@ -296,5 +303,7 @@ const struct command command_run = {
       "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
       "exactly, at most, about, at least, or left out; seconds: about; why.",
+  .unless_given = unless_given,
+  .proven = "where a scene has certified values",
   .run = run,
 };

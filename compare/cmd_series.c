@@ -181,6 +181,12 @@ static enum exit_code run(const struct options *options)
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
 
+static const struct unless_given unless_given[] = {
+  { "v0", "the steady velocity of the phase; with --source derived only phases from rest" },
+  { "digits", "%s; with --source derived fractions, or 17 digits" },
+  { NULL, NULL },
+};
+
 const struct command command_series = {
   .name = "series",
   .summary = "the paper's formulas as published, and the series derived to any order, beside the exact values",
@@ -204,5 +210,7 @@ const struct command command_series = {
       "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and displacement;\n"
       "bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the modes of T -> 0; ends: what\n"
       "happens there. T0 is 0.9 of T_end.",
+  .unless_given = unless_given,
+  .proven = "with --source derived or limit",
   .run = run,
 };

@@ -170,6 +170,11 @@ static enum exit_code run(const struct options *options)
   return for_each_point(options, none, options->error ? error_columns : columns, row);
 }
 
+static const struct unless_given unless_given[] = {
+  { "digits", "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS) },
+  { NULL, NULL },
+};
+
 const struct command command_steady = {
   .name = "steady",
   .summary = "the periodic steady state, exactly",
@@ -184,8 +189,10 @@ const struct command command_steady = {
       "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the "
       "doubles\n"
       "nearest to the parameters as written; --certified takes the decimals themselves.\n"
-      "--certified: the same in ball arithmetic, with --digits D digits (30) that are proven: the last one is right to a\n"
+      "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n"
       "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
       "touches a boundary exactly cannot be decided, which status says.",
+  .unless_given = unless_given,
+  .proven = "with --certified",
   .run = run,
 };

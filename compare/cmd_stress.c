@@ -23,7 +23,7 @@ static const char *useless(const struct options *o, bool point)
            : o->cases > 0 ? "cases"
            : o->has_seed  ? "seed"
            : o->full      ? "full"
-           : o->against   ? "check"
+           : o->check     ? "check"
            : o->has_phase ? "phase"
            : o->has_v0    ? "v0"
                           : NULL;
@@ -49,6 +49,17 @@ static enum exit_code run(const struct options *options)
     return EXIT_UNSOLVED;
   return options->stiff ? stress_stiff(options) : point ? stress_point(options) : stress_table(options);
 }
+
+static const struct unless_given unless_given[] = {
+  { "m1 m2 F1 F2 L T alpha", "%s where another parameter is given, else those of the cases" },
+  { "gait", "each in turn; of a single point %s" },
+  { "phase", "with --v0 %s, else the steady state" },
+  { "v0", "with --phase %s" },
+  { "family", "all" },
+  { "cases",
+    TEXT_OF(STRESS_CASES) "; with --check " TEXT_OF(STRESS_CHECK_CASES) ", with --full " TEXT_OF(STRESS_FULL_CASES) },
+  { NULL, NULL },
+};
 
 const struct command command_stress = {
   .name = "stress",
@@ -85,5 +96,6 @@ const struct command command_stress = {
       "delta\n"
       "measured, where each stepper gives up, and how far a body that should stick creeps. With parameters: of that "
       "crawler.",
+  .unless_given = unless_given,
   .run = run,
 };

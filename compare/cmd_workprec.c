@@ -25,6 +25,13 @@ static enum exit_code run(const struct options *options)
   return has_flint(options, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
 }
 
+static const struct unless_given unless_given[] = {
+  { "gait", "both of the paper: quadratic and sinusoidal" },
+  { "T", TEXT_OF(WORKPREC_T) "; with --quick " TEXT_OF(WORKPREC_QUICK_T) },
+  { "limit", TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT) },
+  { NULL, NULL },
+};
+
 const struct command command_workprec = {
   .name = "workprec",
   .summary = "error against run time, of every way to get the steady state",
@@ -32,7 +39,7 @@ const struct command command_workprec = {
   .accepts = accepts,
   .about =
       "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
-      "displacement (of the geometric centre over a period). Both gaits and T = 1, 0.1, 0.01, 1e-3, 1e-4, unless given.\n"
+      "displacement (of the geometric centre over a period). \n"
       "error: |answer - certified| / |certified|; over L/T and L where the certified value is 0; of a certified answer\n"
       "the far end of its ball. Parameters are the doubles nearest to what is written, for every method.\n"
       "time: seconds for one solve: median, minimum and quartiles over the repetitions. Methods take turns; fast ones are\n"
@@ -54,5 +61,6 @@ const struct command command_workprec = {
       "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
       "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact). --from: of an earlier table.",
+  .unless_given = unless_given,
   .run = run,
 };

@@ -13,7 +13,7 @@
 
 const char gaits_help[] =
     "quadratic, sinusoidal, trapezoidal[:UP,DOWN] (0.25,0.25), skewed[:BETA] (0.25), minimum-jerk, polynomial:C1,C2,... or "
-    "measured:FILE (quadratic)";
+    "measured:FILE, which has L, T and alpha of its own";
 
 enum { MOST_GAITS = 65536, BUCKETS = 4096, MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE, MESSAGE = 480 };
 

@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -42,12 +43,26 @@ static bool beside(char path[PATH_MAX], const char *name)
   return true;
 }
 
+/* Has this process been handed over already? Its number stays when another program takes it over. Children have another. */
+static bool is_handed_over(void)
+{
+  static const char name[] = "SCALLOP_HANDED_OVER";
+  char number[24];
+  snprintf(number, sizeof number, "%ld", (long)getpid());
+  const char *earlier = getenv(name);
+  return (earlier && strcmp(earlier, number) == 0) || setenv(name, number, 1) != 0;
+}
+
 bool has_flint(const struct options *options, const char *what)
 {
   char path[PATH_MAX];
   const char *command = options->command->name;
   if (!beside(path, "scallop-flint")) {
     complain(command, "%s needs FLINT, and the folder of scallop-flint, which has it, cannot be told", what);
+    return false;
+  }
+  if (is_handed_over()) {
+    complain(command, "%s needs FLINT: %s is there, but it is a scallop without FLINT", what, path);
     return false;
   }
   execv(path, options->arguments);

@@ -1,5 +1,7 @@
 #include "compare/help.h"
 
+#include <string.h>
+
 #include "compare/compare.h"
 #include "compare/option_table.h"
 
@@ -52,13 +54,43 @@ void help_program(FILE *to)
   fprintf(to, "%s\n", exit_notes);
 }
 
-bool help_defaults(const struct command *command, char text[HELP_DEFAULTS])
+/* Is name one of names, which blanks separate? */
+static bool is_among(const char *names, const char *name)
 {
-  const struct scallop_crawler *c = command->defaults;
-  if (c)
-    snprintf(text, HELP_DEFAULTS, "Defaults here: m1 = %g, m2 = %g, F1 = %g, F2 = %g, L = %g, alpha = %g.", c->m1, c->m2,
-             c->F1, c->F2, c->L, c->alpha);
-  return c != NULL;
+  size_t length = strlen(name);
+  for (const char *at = names; (at = strstr(at, name)); at += length)
+    if ((at == names || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+      return true;
+  return false;
+}
+
+/* What the command does where the option is not given, in which %s stands for the value that it begins with. NULL: nothing. */
+static const char *unless_given(const struct command *command, const char *name, bool has_value)
+{
+  for (const struct unless_given *u = command->unless_given; u && u->options; u++)
+    if (is_among(u->options, name))
+      return u->text;
+  return has_value ? "%s" : NULL;
+}
+
+void help_option(const struct command *command, const char *name, char text[HELP_OPTION])
+{
+  const struct option_description *option = describe_option(name, command);
+  const char *otherwise = unless_given(command, name, option->kind->show != NULL), *place;
+  char value[OPTION_VALUE] = "", more[OPTION_RANGE] = "";
+  struct options initial;
+  options_initial(&initial, command);
+  if (option->kind->show)
+    option->kind->show(&initial, name, value);
+  if (option->kind->add)
+    option->kind->add(more, command);
+  int used = snprintf(text, HELP_OPTION, "%s%s", option->help, more);
+  if (!otherwise)
+    return;
+  place = strstr(otherwise, "%s");
+  int before = place ? (int)(place - otherwise) : (int)strlen(otherwise);
+  snprintf(text + used, HELP_OPTION - (size_t)used, " (%.*s%s%s)", before, otherwise, place ? value : "",
+           place ? place + 2 : "");
 }
 
 void help_command(FILE *to, const struct command *command)
@@ -67,11 +99,9 @@ void help_command(FILE *to, const struct command *command)
           command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
           command->about);
   for (const char *const *name = command->accepts; *name; name++) {
-    const struct option_description *option = describe_option(*name, command);
-    option_line(to, *name, option->placeholder, option->help);
+    char text[HELP_OPTION];
+    help_option(command, *name, text);
+    option_line(to, *name, describe_option(*name, command)->placeholder, text);
   }
   option_line(to, "help", NULL, "this text");
-  char defaults[HELP_DEFAULTS];
-  if (help_defaults(command, defaults))
-    fprintf(to, "%s\n", defaults);
 }

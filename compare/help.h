@@ -28,8 +28,8 @@ extern const char exit_notes[];
 void help_program(FILE *to);
 void help_command(FILE *to, const struct command *command);
 
-/* Where a command's defaults are not the usual ones: a sentence that says them. False: they are. */
-enum { HELP_DEFAULTS = 200 };
-bool help_defaults(const struct command *command, char text[HELP_DEFAULTS]);
+/* What one of its options is for and, in brackets, what holds where it is not given. */
+enum { HELP_OPTION = 320 };
+void help_option(const struct command *command, const char *name, char text[HELP_OPTION]);
 
 #endif

@@ -175,17 +175,13 @@ static void options_section(struct roff *r, const struct command *command)
   roff_macro(r, "SH", "OPTIONS");
   roff_text(r, "Defaults are in brackets.");
   for (const char *const *name = command->accepts; *name; name++) {
-    const struct option_description *option = describe_option(*name, command);
-    tag(r, *name, option->placeholder);
-    roff_text(r, option->help);
+    char text[HELP_OPTION];
+    help_option(command, *name, text);
+    tag(r, *name, describe_option(*name, command)->placeholder);
+    roff_text(r, text);
   }
   tag(r, "help", NULL);
   roff_text(r, "what this page says, in short");
-  char defaults[HELP_DEFAULTS];
-  if (help_defaults(command, defaults)) {
-    roff_macro(r, "PP", NULL);
-    roff_text(r, defaults);
-  }
 }
 
 static void command_page(struct roff *r, const struct command *command)

@@ -6,9 +6,10 @@
 
 #include "compare/compare.h"
 #include "compare/gaits.h"
+#include "compare/plot.h"
 #include "compare/values.h"
 
-enum { MOST_ORDER = 1000, MOST_CASES = 1000000 };
+enum { MOST_ORDER = 1000, MOST_CASES = 1000000, MOST_COUNT = 1000000000 };
 
 bool option_accepted(const struct command *command, const char *name)
 {
@@ -45,10 +46,14 @@ static const char *set_phase(struct options *o, const char *name, const char *te
   return NULL;
 }
 
+static double *number_field(struct options *o, const char *name)
+{
+  return strcmp(name, "v0") == 0 ? &o->v0 : strcmp(name, "expect") == 0 ? &o->expect : &o->tolerance;
+}
+
 static const char *set_number(struct options *o, const char *name, const char *text)
 {
-  double *field = strcmp(name, "v0") == 0 ? &o->v0 : strcmp(name, "expect") == 0 ? &o->expect : &o->tolerance;
-  double value;
+  double *field = number_field(o, name), value;
   bool positive = field == &o->tolerance;
   if (!read_number(text, &value) || (positive && !(value > 0)))
     return no_number(text, positive ? "a finite number > 0" : "a finite number");
@@ -70,27 +75,47 @@ static const char *set_start(struct options *o, const char *name, const char *te
   return no_number(text, "rest, steady or a velocity");
 }
 
+static long *count_field(struct options *o, const char *name)
+{
+  return strcmp(name, "order") == 0     ? &o->order
+         : strcmp(name, "cases") == 0   ? &o->cases
+         : strcmp(name, "seed") == 0    ? &o->seed
+         : strcmp(name, "digits") == 0  ? &o->digits
+         : strcmp(name, "periods") == 0 ? &o->periods
+                                        : &o->samples;
+}
+
 static const char *set_count(struct options *o, const char *name, const char *text)
 {
-  if (strcmp(name, "digits") == 0) {
-    bool scene = o->command == &command_run; /* whose wants know what is proven */
-    bool beyond_double = scene || option_accepted(o->command, "certified") || option_accepted(o->command, "source");
-    return read_count(text, 1, beyond_double ? MOST_DIGITS : DOUBLE_DIGITS, &o->digits) ? NULL
-           : scene ? not_allowed(text, "a whole number from 1 to 10000; where nothing is certified from 1 to 17")
-           : beyond_double
-               ? not_allowed(text, "a whole number from 1 to 10000; without --certified or --source from 1 to 17")
-               : not_allowed(text, "a whole number from 1 to 17");
-  }
-  o->has_order |= strcmp(name, "order") == 0;
-  if (strcmp(name, "order") == 0)
-    return read_count(text, 1, MOST_ORDER, &o->order) ? NULL : not_allowed(text, "a whole number from 1 to 1000");
-  o->has_seed |= strcmp(name, "seed") == 0;
-  if (strcmp(name, "cases") == 0)
-    return read_count(text, 1, MOST_CASES, &o->cases) ? NULL : not_allowed(text, "a whole number from 1 to 1000000");
-  if (strcmp(name, "seed") == 0)
-    return read_count(text, 0, 1000000000, &o->seed) ? NULL : not_allowed(text, "a whole number from 0 to 1000000000");
-  long *field = strcmp(name, "periods") == 0 ? &o->periods : &o->samples;
-  return read_count(text, 1, 1000000000, field) ? NULL : not_allowed(text, "a whole number from 1 to 1000000000");
+  long *field = count_field(o, name), least = field == &o->seed ? 0 : 1;
+  long most = field == &o->order ? MOST_ORDER : field == &o->cases ? MOST_CASES : MOST_COUNT;
+  char allowed[80];
+  o->has_order |= field == &o->order;
+  o->has_seed |= field == &o->seed;
+  snprintf(allowed, sizeof allowed, "a whole number from %ld to %ld", least, most);
+  return read_count(text, least, most, field) ? NULL : not_allowed(text, allowed);
+}
+
+/* Behind a word for what they are. */
+static void write_digits_range(char text[OPTION_RANGE], const struct command *command)
+{
+  int used = snprintf(text, OPTION_RANGE, " from 1 to %d", DOUBLE_DIGITS);
+  if (command->proven)
+    snprintf(text + used, OPTION_RANGE - (size_t)used, "; %s to %d", command->proven, MOST_DIGITS);
+}
+
+const char *digits_refused(const struct command *command, const char *text)
+{
+  char allowed[OPTION_RANGE + 20] = "a whole number";
+  write_digits_range(allowed + strlen(allowed), command);
+  return not_allowed(text, allowed);
+}
+
+static const char *set_digits(struct options *o, const char *name, const char *text)
+{
+  (void)name;
+  bool good = read_count(text, 1, o->command->proven ? MOST_DIGITS : DOUBLE_DIGITS, &o->digits);
+  return good ? NULL : digits_refused(o->command, text);
 }
 
 static const char *set_format(struct options *o, const char *name, const char *text)
@@ -107,6 +132,9 @@ static const char *set_file(struct options *o, const char *name, const char *tex
 {
   if (*text == '\0')
     return not_allowed(text, "a file name");
+  if (strcmp(name, "output") == 0 && plot_kind(text))
+    return not_allowed(
+        text, "the name of a table, not of a picture; `scallop run` draws: `scallop run figure4` writes figure4.svg");
   o->has_output |= strcmp(name, "output") == 0;
   if (strcmp(name, "output") == 0)
     o->output = strcmp(text, "-") == 0 ? NULL : text;
@@ -154,10 +182,10 @@ static const char *set_range(struct options *o, const char *name, const char *te
 
 static const char *set_against(struct options *o, const char *name, const char *text)
 {
-  if (text && *text == '\0')
-    return not_allowed(text, "a file name");
-  o->against = strcmp(name, "check") == 0 ? "data/claims.tsv" : text;
-  return NULL;
+  (void)name;
+  o->against = text;
+  o->check = true;
+  return *text == '\0' ? not_allowed(text, "a file name") : NULL;
 }
 
 static const char *set_source(struct options *o, const char *name, const char *text)
@@ -186,17 +214,10 @@ static const char *set_flag(struct options *o, const char *name, const char *tex
   const struct {
     const char *name;
     bool *flag;
-  } flags[] = { { "bound", &o->bound },
-                { "certified", &o->certified },
-                { "quick", &o->quick },
-                { "summary", &o->summary },
-                { "full", &o->full },
-                { "stiff", &o->stiff },
-                { "error", &o->error },
-                { "boundaries", &o->boundaries },
-                { "check-only", &o->check_only },
-                { "explain", &o->explain },
-                { "stats", &o->stats },
+  } flags[] = { { "bound", &o->bound },           { "check", &o->check },     { "certified", &o->certified },
+                { "quick", &o->quick },           { "summary", &o->summary }, { "full", &o->full },
+                { "stiff", &o->stiff },           { "error", &o->error },     { "boundaries", &o->boundaries },
+                { "check-only", &o->check_only }, { "explain", &o->explain }, { "stats", &o->stats },
                 { "no-plots", &o->no_plots } };
   for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
     if (strcmp(name, flags[i].name) == 0)
@@ -211,60 +232,130 @@ static const char *set_quiet(struct options *o, const char *name, const char *te
   return NULL;
 }
 
+/* ---- what holds where it is not given ---- */
+
+static void show_gait(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%s", o->crawler.gait->name);
+}
+
+static void show_crawler_number(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&o->crawler, name));
+}
+
+static void show_phase(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%s", o->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+}
+
+static void show_number(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  struct options copy = *o;
+  snprintf(text, OPTION_VALUE, "%.15g", *number_field(&copy, name));
+}
+
+static void show_start(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%s", o->start);
+}
+
+static void show_count(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  struct options copy = *o;
+  snprintf(text, OPTION_VALUE, "%ld", *count_field(&copy, name));
+}
+
+static void show_digits(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  if (o->digits > 0)
+    show_count(o, name, text);
+  else
+    snprintf(text, OPTION_VALUE, "as many as read back exactly");
+}
+
+static void show_format(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%s", o->format == FORMAT_TSV ? "tsv" : "json");
+}
+
+static void show_source(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%s", o->source);
+}
+
+static const struct option_kind of_crawler_number = { set_crawler_number, show_crawler_number, NULL },
+                                of_gait = { set_gait, show_gait, NULL }, of_phase = { set_phase, show_phase, NULL },
+                                of_number = { set_number, show_number, NULL }, of_start = { set_start, show_start, NULL },
+                                of_count = { set_count, show_count, NULL }, of_format = { set_format, show_format, NULL },
+                                of_source = { set_source, show_source, NULL },
+                                of_digits = { set_digits, show_digits, write_digits_range },
+                                of_errors = { set_errors, NULL, NULL }, of_flag = { set_flag, NULL, NULL },
+                                of_family = { set_family, NULL, NULL }, of_against = { set_against, NULL, NULL },
+                                of_word = { set_word, NULL, NULL }, of_map = { set_map, NULL, NULL },
+                                of_range = { set_range, NULL, NULL }, of_file = { set_file, NULL, NULL },
+                                of_limit = { set_limit, NULL, NULL }, of_quiet = { set_quiet, NULL, NULL };
+
 static const struct option_description descriptions[] = {
-  { "m1", "M", "mass of body 1 (1)", set_crawler_number },
-  { "m2", "M", "mass of body 2 (1)", set_crawler_number },
-  { "F1", "F", "Coulomb friction force of body 1 (4)", set_crawler_number },
-  { "F2", "F", "Coulomb friction force of body 2 (1)", set_crawler_number },
-  { "L", "L", "amplitude of the separation x2 - x1 (10)", set_crawler_number },
-  { "T", "T", "period (1)", set_crawler_number },
-  { "alpha", "A", "fraction of the period that the extension takes (0.75)", set_crawler_number },
-  { "gait", "GAIT", gaits_help, set_gait },
-  { "phase", "PHASE", "extension or contraction (extension)", set_phase },
-  { "v0", "V", "velocity of both bodies at the start of the phase (0)", set_number },
-  { "start", "WHAT", "rest, steady, or a velocity (rest)", set_start },
-  { "periods", "N", "number of periods (10)", set_count },
-  { "samples", "N", "samples in a period (40)", set_count },
-  { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", set_number },
-  { "tol.breakdown", "D", "for this relative error only (reach: 1e-1 to 1e-12; maps: 1e-2 and 1e-6)", set_number },
-  { "tol", "D", "how far from it the order may be (0.1)", set_number },
-  { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", set_errors },
-  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", set_against },
-  { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", set_flag },
-  { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", set_flag },
-  { "family", "NAME", "of this family only", set_family },
-  { "cases", "N", "of each family and gait (1000; 60 with --check, 5000 with --full)", set_count },
-  { "seed", "N", "of their parameters (1)", set_count },
-  { "full", NULL, "many cases: takes minutes", set_flag },
-  { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", set_flag },
-  { "error", NULL, "after each number an estimate of its error", set_flag },
-  { "check", NULL, "compare the verdicts with those in data/claims.tsv: exit code 1 if any differs", set_against },
-  { "against", "FILE", "the same with another ledger", set_against },
-  { "source.breakdown", "SOURCE", "of this series only: published, derived or limit", set_source },
-  { "source", "SOURCE", "published, derived or limit (published)", set_source },
-  { "order", "N", "derive all terms below T^N, N from 1 to 1000 (8)", set_count },
-  { "quantity", "NAME", "of this quantity only", set_word },
-  { "only", "WHAT", "rows of this kind only: event, reach, radius or best", set_word },
-  { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", set_map },
-  { "x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", set_range },
-  { "y", "FROM:TO:N", "the same of Y", set_range },
-  { "boundaries", NULL, "with --map: the curves between its regions instead", set_flag },
-  { "bound", NULL, "bounds for the error of the derived terms below T^N", set_flag },
-  { "certified", NULL, "in ball arithmetic: every digit printed is proven", set_flag },
-  { "quick", NULL, "few settings, T = 0.5 and 0.01 unless --T is given, a short limit: a look, in seconds", set_flag },
-  { "summary", NULL, "for each wanted error the cheapest method, and how many times as long the others take", set_flag },
-  { "from", "FILE", "that summary of a table which was written before; nothing is measured", set_file },
-  { "limit", "SECONDS", "for each method and setting, from 0.001 to 3600 (1; 0.05 with --quick)", set_limit },
-  { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", set_file },
-  { "format", "F", "tsv or json, one object a line (tsv)", set_format },
-  { "digits", "N", "significant digits (as many as read back exactly); beyond 17 only where they are proven", set_count },
-  { "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", set_file },
-  { "check-only", NULL, "read and check the scenes, and do nothing", set_flag },
-  { "explain", NULL, "the plan, instead of the work", set_flag },
-  { "stats", NULL, "afterwards, on standard error, what was done: the counters of the plan's stages", set_flag },
-  { "no-plots", NULL, "tables only", set_flag },
-  { "into", "FOLDER", "the folder for files that a scene names without one starting with / (this one)", set_file },
-  { "quiet", NULL, "no notes on standard error, only errors", set_quiet },
+  { "m1", "M", "mass of body 1", &of_crawler_number },
+  { "m2", "M", "mass of body 2", &of_crawler_number },
+  { "F1", "F", "Coulomb friction force of body 1", &of_crawler_number },
+  { "F2", "F", "Coulomb friction force of body 2", &of_crawler_number },
+  { "L", "L", "amplitude of the separation x2 - x1", &of_crawler_number },
+  { "T", "T", "period", &of_crawler_number },
+  { "alpha", "A", "fraction of the period that the extension takes", &of_crawler_number },
+  { "gait", "GAIT", gaits_help, &of_gait },
+  { "phase", "PHASE", "extension or contraction", &of_phase },
+  { "v0", "V", "velocity of both bodies at the start of the phase", &of_number },
+  { "start", "WHAT", "rest, steady, or a velocity", &of_start },
+  { "periods", "N", "number of periods", &of_count },
+  { "samples", "N", "samples in a period", &of_count },
+  { "expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met", &of_number },
+  { "tol.breakdown", "D", "for this relative error only", &of_number },
+  { "tol", "D", "how far the order may be from --expect", &of_number },
+  { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", &of_errors },
+  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", &of_flag },
+  { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", &of_flag },
+  { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", &of_flag },
+  { "family", "NAME", "this family only", &of_family },
+  { "cases", "N", "cases of each family and gait", &of_count },
+  { "seed", "N", "seed of the parameters of the cases", &of_count },
+  { "full", NULL, "many cases: takes minutes", &of_flag },
+  { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", &of_flag },
+  { "error", NULL, "after each number an estimate of its error", &of_flag },
+  { "check", NULL, "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
+    &of_flag },
+  { "against", "FILE", "the same with another ledger", &of_against },
+  { "source.breakdown", "SOURCE", "this series only: published, derived or limit", &of_source },
+  { "source", "SOURCE", "published, derived or limit", &of_source },
+  { "order", "N", "derive all terms below T^N, N from 1 to 1000", &of_count },
+  { "quantity", "NAME", "this quantity only", &of_word },
+  { "only", "WHAT", "rows of this kind only: event, reach, radius or best", &of_word },
+  { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", &of_map },
+  { "x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", &of_range },
+  { "y", "FROM:TO:N", "N values of Y", &of_range },
+  { "boundaries", NULL, "with --map: the curves between its regions instead", &of_flag },
+  { "bound", NULL, "bounds for the error of the derived terms below T^N", &of_flag },
+  { "certified", NULL, "in ball arithmetic: every digit printed is proven", &of_flag },
+  { "quick", NULL, "few settings, few T and a short limit: a look, in seconds", &of_flag },
+  { "summary", NULL, "for each wanted error the cheapest method, and how many times as long the others take", &of_flag },
+  { "from", "FILE", "that summary of a table which was written before; nothing is measured", &of_file },
+  { "limit", "SECONDS", "for each method and setting, from 0.001 to 3600", &of_limit },
+  { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", &of_file },
+  { "format", "F", "tsv or json, one object a line", &of_format },
+  { "digits", "N", "significant digits", &of_digits },
+  { "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", &of_file },
+  { "check-only", NULL, "read and check the scenes, and do nothing", &of_flag },
+  { "explain", NULL, "the plan, instead of the work", &of_flag },
+  { "stats", NULL, "afterwards, on standard error, what was done: the counters of the plan's stages", &of_flag },
+  { "no-plots", NULL, "tables only", &of_flag },
+  { "into", "FOLDER", "the folder for files that a scene names by a path without / in front", &of_file },
+  { "quiet", NULL, "no notes on standard error, only errors", &of_quiet },
 };
 
 const struct option_description *describe_option(const char *name, const struct command *command)

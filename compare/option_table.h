@@ -8,12 +8,25 @@
 
 /* --digits: of doubles, and where they are proven. */
 enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000 };
+/* That this text is no --digits for the command; the message lives until the next call of this or of not_allowed. */
+const char *digits_refused(const struct command *command, const char *text);
+
+enum { OPTION_VALUE = 48, OPTION_RANGE = 80 };
+
+/* What is done with options of one kind. */
+struct option_kind {
+  const char *(*set)(struct options *, const char *name, const char *text); /* called for each of the values */
+  /* The value that options hold; NULL: an option of this kind has none unless it is given */
+  void (*show)(const struct options *, const char *name, char text[OPTION_VALUE]);
+  /* What follows help and depends on the command; NULL: nothing does */
+  void (*add)(char text[OPTION_RANGE], const struct command *command);
+};
 
 struct option_description {
   const char *name;        /* without the dashes, and after a dot that of the only command it is about         */
   const char *placeholder; /* one for each value it takes, separated by blanks; NULL: a flag                   */
   const char *help;
-  const char *(*set)(struct options *, const char *name, const char *text); /* called for each of the values   */
+  const struct option_kind *kind;
 };
 
 /* Of an option that several commands take, the description for this one comes first. NULL: no command takes it. */

@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -73,7 +74,7 @@ const char *options_set_crawler_number(struct options *o, int place, const char 
 
 const char *options_set_parameter(struct options *o, const char *name, const char *text)
 {
-  return describe_option(name, o->command)->set(o, name, text);
+  return describe_option(name, o->command)->kind->set(o, name, text);
 }
 
 static bool refuse(int *code)
@@ -108,13 +109,13 @@ static bool take_option(struct options *o, int count, char **arguments, int *i, 
     complain(o->command->name, "--%s takes no value", name);
     return refuse(code);
   }
-  const char *wrong = d->set(o, name, text);
+  const char *wrong = d->kind->set(o, name, text);
   if (!wrong && option_value_count(d) == 2) {
     if (*i + 1 == count) {
       complain(o->command->name, "--%s needs two values: --%s %s", name, name, d->placeholder);
       return refuse(code);
     }
-    wrong = d->set(o, name, arguments[++*i]);
+    wrong = d->kind->set(o, name, arguments[++*i]);
   }
   if (wrong)
     complain(o->command->name, "--%s: %s", name, wrong);
@@ -174,16 +175,16 @@ static bool read_arguments(struct options *o, int count, char **arguments, int *
   return true;
 }
 
+/* Of a scene that is known when it has been read. */
 static bool digits_are_sound(const struct options *o)
 {
-  const struct command *command = o->command;
-  if (o->digits <= DOUBLE_DIGITS || command == &command_run || o->certified || o->bound
-      || strcmp(o->source, "published") != 0)
+  bool is_told = option_accepted(o->command, "certified") || option_accepted(o->command, "source");
+  bool proven = o->certified || o->bound || strcmp(o->source, "published") != 0;
+  char number[24];
+  if (o->digits <= DOUBLE_DIGITS || proven || !is_told)
     return true;
-  complain(command->name, "--digits: %ld is more than a double has: 1 to 17%s", o->digits,
-           option_accepted(command, "certified") ? ", or up to 10000 with --certified"
-           : option_accepted(command, "source")  ? ", or up to 10000 with --source derived or limit"
-                                                 : "");
+  snprintf(number, sizeof number, "%ld", o->digits);
+  complain(o->command->name, "--digits: %s", digits_refused(o->command, number));
   return false;
 }
 
@@ -199,10 +200,9 @@ static bool output_is_sound(const struct options *o)
   return !lost;
 }
 
-bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
+void options_initial(struct options *o, const struct command *command)
 {
   *o = (struct options){ .command = command,
-                         .arguments = arguments,
                          .start = "rest",
                          .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
                          .periods = 10,
@@ -210,8 +210,14 @@ bool options_read(struct options *o, const struct command *command, int count, c
                          .source = "published",
                          .order = 8,
                          .seed = 1,
-                         .tolerance = 0.1,
-                         .operands = calloc((size_t)count, sizeof *o->operands) };
+                         .tolerance = 0.1 };
+}
+
+bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
+{
+  options_initial(o, command);
+  o->arguments = arguments;
+  o->operands = calloc((size_t)count, sizeof *o->operands);
   if (!o->operands) {
     complain(command->name, "out of memory");
     *code = EXIT_UNSOLVED;

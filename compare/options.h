@@ -24,7 +24,8 @@ struct options {
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
   const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
-  const char *against;   /* claims: the ledger to compare the verdicts with, or NULL          */
+  bool check;            /* claims: compare the verdicts with an earlier ledger; stress       */
+  const char *against;   /* claims: that ledger, NULL: the one that comes with the tool       */
   const char *source;    /* series: "published", "derived" or "limit"                        */
   long order;            /* series: terms below T^order                                      */
   bool bound, certified;
@@ -73,6 +74,9 @@ const char *options_set_crawler_number(struct options *options, int place, const
 /* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last
  * parameter is set. */
 void options_complete(struct options *options);
+
+/* What holds where no option is given. options_free has nothing to do for it. */
+void options_initial(struct options *options, const struct command *command);
 
 /* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
  * asked for, or the message is on stderr). Whichever it is, options_free ends it. */

@@ -63,11 +63,11 @@ static char *common_beside(const char *script)
 
 static bool write_own_script(FILE *to, const struct plot *p, const char *command)
 {
-  if (access(p->table, R_OK) != 0)
-    return fail_for(p, command, p->table, errno);
-  if (access(p->script, R_OK) != 0)
-    return fail_for(p, command, p->script, errno);
-  char *common = common_beside(p->script);
+  const char *const inputs[] = { p->table, p->script };
+  for (int i = 0; i < 2; i++)
+    if (inputs[i] && access(inputs[i], R_OK) != 0)
+      return fail_for(p, command, inputs[i], errno);
+  char *common = p->script ? common_beside(p->script) : NULL;
   plot_script_load(to, p, common, picture_name);
   free(common);
   return true;
@@ -76,7 +76,7 @@ static bool write_own_script(FILE *to, const struct plot *p, const char *command
 static bool write_script(FILE *to, const struct plot *p, const char *command)
 {
   struct plot_data data;
-  if (p->script)
+  if (p->script || p->program)
     return write_own_script(to, p, command);
   if (!plot_data_read(&data, p, command))
     return false;
@@ -154,7 +154,7 @@ static bool run(const struct plot *p, const char *command, FILE *script, FILE *s
   if (error != 0)
     return fail_for(p, command, "cannot run gnuplot", error);
   bool well = ended_well(process);
-  if (!well || p->script)
+  if (!well || p->script || p->program)
     pass_on(said, command);
   if (!well)
     return fail(p, command, "gnuplot has failed");

@@ -6,6 +6,9 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "compare/shipped.h"
+#include "compare/words.h"
+
 static const char style[] = "set border 3\n"
                             "set tics nomirror\n"
                             "set grid lc rgb '#dddddd' lt 1\n"
@@ -21,13 +24,25 @@ enum { COLOURS = sizeof colours / sizeof *colours, FEW_POINTS = 40, SHORT_TITLE 
 
 /* In double quotes, where a backslash and three octal digits are a byte: all but the plainest characters are written so. No
  * quote, backslash, newline or backquote of the text is seen by gnuplot as one. */
+static void put_byte(FILE *to, unsigned char c)
+{
+  if (c < 0x80 && (isalnum(c) || strchr(" _./:+-=,()", c)))
+    fputc(c, to);
+  else
+    fprintf(to, "\\%03o", c);
+}
+
+/* Text to be shown: a question mark for each byte that cannot be. */
 static void put_escaped(FILE *to, const char *text)
 {
-  for (const unsigned char *c = (const unsigned char *)text; *c; c++)
-    if (isalnum(*c) || strchr(" _./:+-=,()", *c))
-      fputc(*c, to);
-    else
-      fprintf(to, "\\%03o", *c);
+  while (*text) {
+    size_t length = shown_character(text);
+    if (length == 0)
+      put_byte(to, '?');
+    for (size_t i = 0; i < length; i++)
+      put_byte(to, (unsigned char)text[i]);
+    text += length > 0 ? length : 1;
+  }
 }
 
 static void put_quoted(FILE *to, const char *text)
@@ -41,7 +56,8 @@ static void put_quoted(FILE *to, const char *text)
 static void put_path(FILE *to, const char *path)
 {
   fputs(*path == '/' ? "\"" : "\"./", to);
-  put_escaped(to, path);
+  while (*path)
+    put_byte(to, (unsigned char)*path++);
   fputc('"', to);
 }
 
@@ -218,6 +234,8 @@ void plot_script_load(FILE *to, const struct plot *p, const char *common, const 
   fputs("set datafile separator \"\\t\"\ntable = ", to);
   put_path(to, p->table);
   fprintf(to, "\noutput_file = '%s'\nkind = '%s'\n", output, kind);
+  if (p->program)
+    fprintf(to, "%s%s", shipped_text(shipped_scripts, "plot_common"), p->program);
   const char *const scripts[] = { common, p->script };
   for (int i = 0; i < 2; i++)
     if (scripts[i]) {

@@ -76,6 +76,7 @@ struct scene_column {
 
 struct scene_plot {
   const char *file, *script, *x, *by;
+  const char *program; /* in place of a script: the text of one that comes with the tool             */
   const char *y[8 + 1];
   bool log_x, log_y;
 };

@@ -272,14 +272,14 @@ static bool read_phase_and_start(const struct reading *r, const config_setting_t
   return true;
 }
 
-/* A line of a comment is one line. */
+/* The head of a table, and its picture, show them as they are. */
 static bool are_lines(const struct reading *r, const config_setting_t *root)
 {
   const struct scene *s = r->scene;
-  bool fine = !s->title || !strpbrk(s->title, "\r\n");
+  bool fine = !s->title || is_shown(s->title);
   for (int i = 0; i < s->notes; i++)
-    fine &= !strpbrk(s->note[i], "\r\n");
-  return fine || refuse_at(r, root, "title and notes are lines, without a line break");
+    fine &= is_shown(s->note[i]);
+  return fine || refuse_at(r, root, "title and notes are lines of UTF-8, without a line break or another control character");
 }
 
 static const char *const root_keys[] = { "title", "notes", "crawler", "phase", "start", "vary", "want", NULL };

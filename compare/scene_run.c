@@ -246,6 +246,7 @@ static enum exit_code draw_plots(const struct running *r, const struct scene_out
     const struct plot plot = { .table = r->output[i].file,
                                .file = outputs->plot[i],
                                .script = p->script,
+                               .program = p->program,
                                .title = r->scene->title,
                                .x = p->x,
                                .y = p->y,

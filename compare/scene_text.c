@@ -36,7 +36,7 @@ static char *read_all(FILE *file, size_t *size)
 
 static void complain_of_file(const char *command, const char *path, int error)
 {
-  const char *near = strpbrk(path, "/.") ? NULL : shipped_near(path);
+  const char *near = strpbrk(path, "/.") ? NULL : shipped_near(shipped_scenes, path);
   complain(command, "cannot read %s: %s%s%s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
            near ? "; did you mean '" : "", near ? near : "", near ? "', which comes with the tool?" : "");
 }
@@ -135,7 +135,7 @@ static bool check_number(struct scan *s)
 
 static bool check(struct scan *s);
 
-/* libconfig ends the program where one is no file. */
+/* libconfig ends the program where one is no file, and has rules of its own for a backslash. */
 static bool check_included(struct scan *s)
 {
   const char *open = s->at + strlen("@include");
@@ -146,6 +146,8 @@ static bool check_included(struct scan *s)
   if (!close)
     return refuse(s, "@include \"FILE\" is meant", s->at, (int)strcspn(s->at, "\n"));
   int length = (int)(close - open - 1);
+  if (memchr(open, '\\', (size_t)length + 1))
+    return refuse(s, "the name of a file to include has no backslash", open + 1, length);
   bool rooted = open[1] == '/';
   snprintf(path, sizeof path, "%s%s%.*s", rooted ? "" : s->folder, rooted ? "" : "/", length, open + 1);
   if (stat(path, &there) != 0 || !S_ISREG(there.st_mode))

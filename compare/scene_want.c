@@ -6,6 +6,7 @@
 
 #include "compare/plot.h"
 #include "compare/scene_parts.h"
+#include "compare/shipped.h"
 
 enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17 };
 
@@ -188,6 +189,24 @@ static bool read_by(const struct reading *r, const config_setting_t *at, struct 
   return count == 0 || p->by;
 }
 
+/* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
+static bool find_script(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
+{
+  if (strpbrk(p->script, "/.")) {
+    p->script = path_beside(r, p->script);
+    return p->script != NULL;
+  }
+  p->program = shipped_text(shipped_scripts, p->script);
+  if (!p->program) {
+    const char *near = shipped_near(shipped_scripts, p->script);
+    return refuse_at(
+        r, at, "no plot script '%.80s' comes with the tool%s%s%s; the name of a script of yours has an ending: '%.80s.gp'",
+        p->script, near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "", p->script);
+  }
+  p->script = NULL;
+  return true;
+}
+
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const keys[] = { "file", "script", "x", "y", "by", "log_x", "log_y", NULL };
@@ -203,17 +222,14 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return false;
   if (!p->file)
     return refuse_at(r, at, "a plot needs a file: one that ends in .svg, .png or .pdf");
-  const char *dot = strrchr(p->file, '.');
-  if (!dot || (strcmp(dot, ".svg") != 0 && strcmp(dot, ".png") != 0 && strcmp(dot, ".pdf") != 0))
+  if (!plot_kind(p->file))
     return refuse_at(r, at, "'%.200s': a plot's file ends in .svg, .png or .pdf", p->file);
   if (r->options->has_format && r->options->format != FORMAT_TSV) /* of what the command line asks for there is none */
     w->has_plot = false;
   else if (!w->file || w->format != FORMAT_TSV)
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
-  if (p->script) {
-    p->script = path_beside(r, p->script);
-    return p->script != NULL;
-  }
+  if (p->script)
+    return find_script(r, at, p);
   if (!p->x || count == 0)
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
   if (!has_column(w, p->x))
@@ -240,6 +256,10 @@ static bool read_output(const struct reading *r, const config_setting_t *at, str
     w->digits = r->options->digits;
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
+  if (w->file && plot_kind(w->file))
+    return refuse_at(r, config_setting_get_member(at, "file"),
+                     "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
+                     w->file);
   if (format && strcmp(format, "tsv") != 0 && strcmp(format, "json") != 0)
     return refuse_at(r, config_setting_get_member(at, "format"), "format is \"tsv\" or \"json\"");
   w->format = r->options->has_format ? r->options->format : format && *format == 'j' ? FORMAT_JSON : FORMAT_TSV;

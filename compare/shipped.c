@@ -5,19 +5,18 @@
 
 #include "compare/words.h"
 
-const char *shipped_scene(const char *name)
+const char *shipped_text(const struct shipped *list, const char *name)
 {
-  const struct shipped *s = shipped_scenes;
-  while (s->name && strcmp(s->name, name) != 0)
-    s++;
-  return s->text;
+  while (list->name && strcmp(list->name, name) != 0)
+    list++;
+  return list->text;
 }
 
-const char *shipped_near(const char *name)
+const char *shipped_near(const struct shipped *list, const char *name)
 {
   enum { MOST = 64 };
   const char *names[MOST + 1] = { NULL };
-  for (int i = 0; i < MOST && shipped_scenes[i].name; i++)
-    names[i] = shipped_scenes[i].name;
+  for (int i = 0; i < MOST && list[i].name; i++)
+    names[i] = list[i].name;
   return nearest(name, names);
 }

@@ -1,17 +1,19 @@
-/* Scenes that are part of the program: those of data/scenes/, by their names without folder and .cfg. scripts/embed.sh writes them. */
+/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/embed.sh writes them. */
 #ifndef SCALLOP_SHIPPED_H
 #define SCALLOP_SHIPPED_H
 
 struct shipped {
   const char *name, *text;
 };
-/* The last has name NULL. */
-extern const struct shipped shipped_scenes[];
+/* The last of each list has name NULL. */
+extern const struct shipped shipped_scenes[];  /* data/scenes/                                                      */
+extern const struct shipped shipped_scripts[]; /* gnuplot scripts of these scenes, and plot_common, which comes first */
+extern const struct shipped shipped_ledger[];  /* data/claims.tsv; only in the program that has FLINT               */
 
-/* The text of the scene called name ("figure4"), or NULL. */
-const char *shipped_scene(const char *name);
+/* The text called name ("figure4"), or NULL. */
+const char *shipped_text(const struct shipped *list, const char *name);
 
 /* The name of one that is near, or NULL. */
-const char *shipped_near(const char *name);
+const char *shipped_near(const struct shipped *list, const char *name);
 
 #endif

@@ -35,7 +35,6 @@ static const char *const point_columns[] = { "quantity",         "value",       
                                              "condition",        "digits",         "rounding",  "perturbed", "lost_double",
                                              "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
 
-enum { CASES = 1000, CHECK_CASES = 60, FULL_CASES = 5000 };
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
@@ -242,7 +241,7 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   int cases = family->kind == STRESS_TRAJECTORY && run->cases > TRAJECTORIES ? TRAJECTORIES : run->cases;
   r.cases = stress_make(family, gait, (unsigned long)o->seed, cases, run->stressed);
   for (int i = 0; i < r.cases; i++)
-    run->stressed[i].periods = o->full ? FULL_PERIODS : o->against ? CHECK_PERIODS : PERIODS;
+    run->stressed[i].periods = o->full ? FULL_PERIODS : o->check ? CHECK_PERIODS : PERIODS;
   judge_all(run, r.cases);
   sum_up(&r, run->judgements, run->errors);
   if (run->shown)
@@ -290,7 +289,7 @@ enum exit_code stress_table(const struct options *o)
 {
   struct run run = { .options = o, .shown = !o->quiet && isatty(STDERR_FILENO) };
   enum exit_code code = EXIT_UNSOLVED;
-  run.cases = o->cases > 0 ? (int)o->cases : o->full ? FULL_CASES : o->against ? CHECK_CASES : CASES;
+  run.cases = o->cases > 0 ? (int)o->cases : o->full ? STRESS_FULL_CASES : o->check ? STRESS_CHECK_CASES : STRESS_CASES;
   if (o->family && !family_named(o->family)) {
     const char *names[64] = { NULL };
     for (int i = 0; i < 63 && stress_families[i].name; i++)
@@ -310,7 +309,7 @@ enum exit_code stress_table(const struct options *o)
   else {
     begin(&run);
     run_families(&run);
-    code = !table_close(&run.table) ? EXIT_FILE : o->against && run.broken > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+    code = !table_close(&run.table) ? EXIT_FILE : o->check && run.broken > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
   }
   free(run.stressed);
   free(run.judgements);
@@ -374,5 +373,5 @@ enum exit_code stress_point(const struct options *o)
     complain("stress", "a promise is broken here: see the column 'verdict'");
   if (!table_close(&t))
     return EXIT_FILE;
-  return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->against ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;
 }

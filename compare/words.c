@@ -43,3 +43,26 @@ const char *nearest(const char *word, const char *const *names)
   }
   return best;
 }
+
+size_t shown_character(const char *text)
+{
+  static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* without controls and what a shorter one says */
+  const unsigned char *c = (const unsigned char *)text;
+  size_t length = *c < 0x80 ? 1 : *c < 0xc0 ? 0 : *c < 0xe0 ? 2 : *c < 0xf0 ? 3 : *c < 0xf8 ? 4 : 0;
+  unsigned point = length > 1 ? *c & (0x7fU >> length) : *c;
+  for (size_t i = 1; i < length; i++) {
+    if ((c[i] & 0xc0) != 0x80)
+      return 0;
+    point = point << 6 | (c[i] & 0x3fU);
+  }
+  bool is_none = point < least[length] || point == 0x7f || (point >= 0xd800 && point < 0xe000) || (point & 0xfffe) == 0xfffe
+                 || point > 0x10ffff;
+  return is_none ? 0 : length;
+}
+
+bool is_shown(const char *text)
+{
+  for (size_t length; (length = shown_character(text)) > 0;)
+    text += length;
+  return *text == '\0';
+}

@@ -42,11 +42,11 @@ static const char *add_point(struct run *r, const struct scallop_gait *gait, dou
 /* All are solved before anything is written. */
 static bool make_points(struct run *r)
 {
-  static const double all[] = { 1, 0.1, 0.01, 1e-3, 1e-4 }, few[] = { 0.5, 0.01 };
+  static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
   const struct options *o = r->options;
   bool one = o->written[5] != NULL; /* T */
   const double *T = one ? &o->crawler.T : o->quick ? few : all;
-  int times = one ? 1 : o->quick ? 2 : 5;
+  int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
   for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
     const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; i < times; i++) {
@@ -169,7 +169,10 @@ static void measure(struct run *r, struct ways *ways)
 
 enum exit_code workprec_table(const struct options *options)
 {
-  struct run r = { .options = options, .limit = options->limit > 0 ? options->limit : options->quick ? 0.05 : 1 };
+  struct run r = { .options = options,
+                   .limit = options->limit > 0 ? options->limit
+                            : options->quick   ? WORKPREC_QUICK_LIMIT
+                                               : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
   if (options->from)
     return (enum exit_code)summary_from_file(options);

@@ -1,13 +1,17 @@
 #!/bin/sh
-# Writes a C file with the texts of scenes, so that the program needs no folder for them: scripts/embed.sh SCENE.cfg... >FILE.c
+# Writes a C file with the texts of files, so that the program needs no folder for them: scripts/embed.sh LIST FILE... >FILE.c.
+# LIST is one of the lists of compare/shipped.h. A text has the name of its file, without folder and ending.
 set -eu
-echo '/* Made by scripts/embed.sh from data/scenes/ */'
+list=$1
+shift
+echo '/* Made by scripts/embed.sh */'
 echo '#include "compare/shipped.h"'
 echo
-echo 'const struct shipped shipped_scenes[] = {'
-for scene in "$@"; do
-  printf '  { "%s",\n' "$(basename "$scene" .cfg)"
-  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/    "/' -e 's/$/\\n"/' "$scene"
+echo "const struct shipped $list[] = {"
+for file in "$@"; do
+  name=${file##*/}
+  printf '  { "%s",\n' "${name%.*}"
+  sed -e 's/[\\"?]/\\&/g' -e 's/^/    "/' -e 's/$/\\n"/' "$file"
   echo '  },'
 done
 echo '  { 0, 0 }'

@@ -14,9 +14,9 @@ A parameter outside its domain is a ValueError that names the first bad row; not
 well posed and has no answer in doubles is nan, and its status says why.
 
 The library, libscallop.so.0 or libscallop-core.so.0 (which has no threads), is looked for at the first call, in this
-order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file,
-and where the system's loader looks. This module is written for version 0 of the binary interface, the number after
-.so, and refuses libraries of another one.
+order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file
+(installed: the folder where `make install` has put the libraries), and where the system's loader looks. This module is
+written for version 0 of the binary interface, the number after .so, and refuses libraries of another one.
 
 ctypes releases the global interpreter lock while the library computes, so that other threads of Python run meanwhile;
 they must leave the arrays alone that are being read. Needs Python 3.9 or later and NumPy.

@@ -5,6 +5,7 @@ import os
 import re
 
 ABI_VERSION = 0
+BESIDE = "../build"  # the folder of the library, from that of this file; `make install` writes its own
 LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
 
 DOMAIN = -1  # SCALLOP_EDOMAIN
@@ -106,16 +107,16 @@ def _open(path):
 
 
 def _found():
-    build = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "build")
+    beside = os.path.normpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), BESIDE))
     for name in LIBRARIES:
-        if os.path.exists(os.path.join(build, name)):
-            return _open(os.path.join(build, name))
+        if os.path.exists(os.path.join(beside, name)):
+            return _open(os.path.join(beside, name))
     for name in LIBRARIES:
         try:
             return ctypes.CDLL(name)
         except OSError:
             pass
-    raise OSError(f"neither {' nor '.join(LIBRARIES)} is in {build} or known to the system's loader: build or install it, "
+    raise OSError(f"neither {' nor '.join(LIBRARIES)} is in {beside} or known to the system's loader: build or install it, "
                   "or name it in SCALLOP_LIBRARY or scallop.load(path)")
 
 

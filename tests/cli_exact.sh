@@ -120,10 +120,10 @@ refused_at_once() { # NAME CODE TEXT ARGUMENT...
 refused_at_once "order 0" 2 "from 1 to 1000" series --source derived --order 0
 refused_at_once "order 10000" 2 "from 1 to 1000" series --source derived --order 10000
 refused_at_once "order 0 of a bound" 2 "from 1 to 1000" series --bound --order 0
-refused_at_once "digits 0" 2 "from 1 to 10000" steady --certified --digits 0
-refused_at_once "10 million digits" 2 "from 1 to 10000" steady --certified --digits 10000000
-refused_at_once "10 million digits of a series" 2 "from 1 to 10000" series --source derived --digits 10000000
-refused_at_once "20 digits of a double" 2 "up to 10000 with --certified" steady --digits 20
+refused_at_once "digits 0" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 0
+refused_at_once "10 million digits" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 10000000
+refused_at_once "10 million digits of a series" 2 "from 1 to 17; with --source derived or limit to 10000" series --source derived --digits 10000000
+refused_at_once "20 digits of a double" 2 "from 1 to 17; with --certified to 10000" steady --digits 20
 refused_at_once "20 digits of a published value" 2 "with --source" series --digits 20
 refused_at_once "order 61 of a bound" 2 "from 1 to 60" series --bound --order 61
 refused_at_once "digits of a bound" 2 "exclude each other" series --bound --digits 6
@@ -205,6 +205,18 @@ elsewhere/scallop claims >out 2>err
 [ $? = 3 ] || note "exit code $?"
 grep -q 'cannot run .*elsewhere/scallop-flint: Permission denied' err || note "$(cat err)"
 finish "a scallop-flint that is no program is named"
+mkdir copies links links/other
+cp "$tool" copies/scallop
+cp "$tool" copies/scallop-flint
+cp "$tool" links/scallop
+ln -s ../scallop links/other/scallop-flint
+ln -s other/scallop-flint links/scallop-flint
+for program in copies/scallop copies/scallop-flint links/scallop links/scallop-flint links/other/scallop-flint; do
+  timeout 5 "$program" claims >out 2>err
+  [ $? = 3 ] || note "$program: exit code $?"
+  grep -q "scallop claims: the ledger needs FLINT: .*/scallop-flint is there, but it is a scallop without FLINT" err || note "$(cat err)"
+done
+finish "a scallop under the name of scallop-flint is named, and executed once"
 
 # ---- claims --check ----
 run 0 claims --against ledger.tsv --quiet
@@ -224,9 +236,15 @@ run 1 claims --against more.tsv --quiet --gait quadratic
 [ "$(cells out claim verdict)" = "gone -" ] || note "$(rows out)"
 finish "claims --check: a row that is no longer there"
 mkdir data
-cp ledger.tsv data/claims.tsv
-run 0 claims --check --quiet --gait quadratic
-finish "claims --check reads data/claims.tsv, and of one gait what is about it"
+cp changed.tsv data/claims.tsv
+run 0 claims --check --gait quadratic
+grep -q ', 0 differ from the ledger that comes with the tool$' err || note "$(cat err)"
+finish "claims --check reads the tool's own ledger, in any folder, and of one gait what is about it"
+run 1 claims --check --against changed.tsv --gait quadratic
+cp out order
+run 1 claims --against changed.tsv --check --gait quadratic
+cmp -s out order || note "another table"
+finish "claims --check with --against: the ledger of --against"
 refused_at_once "claims --check of no ledger" 2 "no row of a ledger" claims --against points.tsv
 refused_at_once "claims --check of no file" 4 "cannot read" claims --against nowhere.tsv
 refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT

@@ -102,6 +102,30 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   [ "$(cells out status)" = certified ] || note "status $(cells out status)"
   finish "it finds scallop-flint there"
 fi
+if command -v gnuplot >/dev/null 2>&1; then
+  run 0 run figure4
+  [ -s figure4.tsv ] || note "no table"
+  grep -q '</svg>' figure4.svg || note "no picture: $(cat err)"
+  run 0 run elsewhere/usr/share/scallop/scenes/figure3.cfg
+  grep -q '</svg>' figure3.svg || note "no picture of an installed scene: $(cat err)"
+  sed 's|"plot_figure2"|"elsewhere/usr/share/scallop/plots/plot_figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
+  run 0 run mine.cfg
+  grep -q '</svg>' figure2.svg || note "no picture by an installed script: $(cat err)"
+  finish "figures are drawn there"
+fi
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  run 0 claims --check --quiet --gait quadratic
+  finish "the ledger is there"
+fi
+if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+  loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import scallop; scallop.steady(); print(scallop.load())' 2>err; }
+  loaded elsewhere/usr/share/scallop/python >got || note "$(tail -n 1 err)"
+  [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.0" ] || note "it loads '$(cat got)'"
+  (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
+  loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
+  [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.0" ] || note "with a libdir of its own it loads '$(cat got)'"
+  finish "the Python module finds the library"
+fi
 run 0 --man list
 while read -r page; do
   [ -s "elsewhere/usr/share/man/man1/$page.1" ] || note "no page $page"

@@ -92,6 +92,15 @@ E2
 refused "1: the exact solver works in doubles" <<'E2'
 want = ( { what = "error"; accuracy = 1e-20; reference = "exact"; file = "kept.tsv"; } );
 E2
+refused "1: no plot script 'plot_figure1' comes with the tool: did you mean 'plot_figure" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "plot_figure1"; }; } );
+E2
+refused "1: no plot script 'mine' comes with the tool; .*'mine.gp'" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "mine"; }; } );
+E2
+refused "1: 'kept.svg' is the name of a picture" <<'E2'
+want = ( { what = "steady"; file = "kept.svg"; } );
+E2
 refused "1: a plot needs a file" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { x = "T"; y = "v_start"; }; } );
 E2
@@ -128,6 +137,13 @@ refused "2: '.*gone.cfg.*there is no such file to include\\|2: 'gone.cfg': there
 want = ( { what = "steady"; file = "kept.tsv"; } );
 @include "gone.cfg"
 E2
+printf 'm = 1;\n' >'in\cluded.cfg'
+refused "1: 'in.cluded.cfg': the name of a file to include has no backslash" <<'E2'
+@include "in\cluded.cfg"
+E2
+refused "1: 'no.': the name of a file to include has no backslash" <<'E2'
+@include "no\"name.cfg"
+E2
 refused "1: '/': there is no such file to include" <<'E2'
 @include "/"
 E2
@@ -148,6 +164,14 @@ E2
 printf 'title = "two\\nlines";\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' >bad.cfg
 run 2 run bad.cfg
 grep -q 'without a line break' err || note "a title of two lines: $(cat err)"
+for text in 'title = "red \x1b[31m"' 'title = "a\tb"' 'notes = [ "bell \x07" ]' 'notes = [ "fine", "\x7f" ]' 'title = "Latin \xe9"'; do
+  printf '%s;\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' "$text" >bad.cfg
+  run 2 run bad.cfg
+  grep -q 'bad.cfg:.*title and notes are lines of UTF-8, without a line break or another control character' err || note "$text: $(cat err)"
+done
+printf 'title = "raw \033[31m";\nwant = ( { what = "steady"; file = "kept.tsv"; } );\n' >bad.cfg
+run 2 run bad.cfg
+[ "$(cat kept.tsv)" = before ] || note "the earlier table is gone"
 finish "bad scenes are refused with file and line, before any work"
 
 # ---- several scenes and outputs ----
@@ -184,7 +208,7 @@ grep -q 'two things would go to sub/../same.tsv' err || note "one file by two na
 printf 'want = ( { what = "steady"; file = "own.cfg"; } );\n' >own.cfg
 run 2 run own.cfg
 grep -q 'is read by a scene' err || note "a table in place of the scene: $(cat err)"
-printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "p.svg"; } );\n' >picture.cfg
+printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "q.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_end"; }; } );\n' >picture.cfg
 run 2 run picture.cfg
 run 2 run own.cfg --explain -o own.cfg
 echo 'title = "included";' >inc.cfg
@@ -419,9 +443,21 @@ E2
   mkdir there
   run 0 run plot.cfg --into there
   grep -q '</svg>' there/plot.svg && [ -s there/plot.tsv ] || note "no plot: $(ls there; cat err)"
-  run 0 run "$scenes/figure4.cfg" --into there
-  grep -q '</svg>' there/figure4.svg || note "no figure 4: $(ls there; cat err)"
   finish "plots"
+  # by its name from another folder, where scripts for it lie that are not the tool's
+  mkdir -p planted/scripts planted/a/b
+  for script in common figure2 figure3 figure4 figure5; do
+    for folder in planted/scripts planted/a/b; do echo 'system "touch ../../executed"' >$folder/plot_$script.gp; done
+  done
+  for n in 2 3 4 5; do
+    (cd planted/a/b && "$tool" run figure$n </dev/null >out 2>err) || note "run figure$n: exit code $?"
+    grep -q '</svg>' planted/a/b/figure$n.svg || note "no figure $n: $(cat planted/a/b/err)"
+    cp "$scenes/figure$n.cfg" copy.cfg
+    run 0 run copy.cfg --into there
+    cmp -s there/figure$n.svg planted/a/b/figure$n.svg || note "a copy of the scene draws something else"
+  done
+  [ ! -e planted/executed ] || note "a script from the current folder was executed"
+  finish "scenes that come with the tool are drawn by its own scripts, wherever they are run"
 fi
 
 # ---- figures are scenes ----

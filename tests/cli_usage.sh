@@ -125,6 +125,14 @@ refused "figure 1 is a sketch" 2 "figure '1'.*2, 3, 4 or 5.*sketch" figure 1
 refused "figure x" 2 "figure 'x'.*2, 3, 4 or 5" figure x
 refused "figure ''" 2 "figure ''.*2, 3, 4 or 5" figure ''
 
+for file in figure4.svg f.png ./f.pdf; do
+  refuse 2 "--output: '$file' is not allowed here: .*the name of a table, not of a picture; .scallop run" figure 4 -o "$file"
+  refuse 2 "the name of a table, not of a picture" steady --output="$file"
+  refuse 2 "the name of a table, not of a picture" run figure4 -o "$file"
+  [ ! -e "$file" ] || note "$file is there"
+done
+finish "a table is not written under the name of a picture"
+
 # ---- values ----
 for command in $takes_crawler claims; do
   for name in m1 m2 F1 F2 L T alpha; do

@@ -138,7 +138,7 @@ static void texts_are_bytes_to_gnuplot(void **state)
   assert_in(script, "set xlabel \"\\044x\\100\" noenhanced\n");
   assert_in(script, "set ylabel \"a\\047\\140b\\140\\134\\042\" noenhanced\n");
   assert_in(script, "title \"\\042\\073 \\041touch hacked = \\140touch hacked\\140\"");
-  assert_in(script, "set title \"1\\012\\041touch hacked\\316\\261\" noenhanced\n");
+  assert_in(script, "set title \"1\\077\\041touch hacked\\316\\261\" noenhanced\n");
 }
 
 static void own_scripts(void **state)
