@@ -56,7 +56,7 @@ for program in "$@"; do
   name=$(basename "$program")
   case $name in
     # Minutes each; the commands below and the programs beside them take the same ways
-    test_bounds | test_certified | test_claims | test_derived | test_digits) ;;
+    test_bounds | test_certified | test_claims | test_claims_words | test_derived | test_digits) ;;
     fuzz_*) judge 0 "$name" "$program" tests/corpus/"${name#fuzz_}"/* ;;
     *) judge 0 "$name" "$program" ;;
   esac
