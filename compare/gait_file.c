@@ -242,7 +242,7 @@ static const char *lay_spline(struct gait_file *gait, const struct rows *rows, c
 {
   const long first[2] = { p->least, p->most }, last[2] = { p->most, p->least + rows->count - 1 };
   const int count[2] = { (int)(last[0] - first[0]) + 1, (int)(last[1] - first[1]) + 1 };
-  struct scallop_knot *knots = malloc((size_t)(count[0] + count[1]) * sizeof *knots);
+  struct scallop_knot *knots = calloc((size_t)count[0] + (size_t)count[1], sizeof *knots);
   const struct scallop_knot *const phases[2] = { knots, knots + count[0] };
   const char *wrong = knots && make_memory(&gait->spline, count) ? NULL : no_memory();
   for (int kind = 0; !wrong && kind < 2; kind++) {
@@ -255,7 +255,7 @@ static const char *lay_spline(struct gait_file *gait, const struct rows *rows, c
       wrong = no_memory();
   }
   if (!wrong)
-    gait->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, (size_t)(count[0] + count[1]) * sizeof *knots);
+    gait->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, ((size_t)count[0] + (size_t)count[1]) * sizeof *knots);
   if (!wrong && scallop_make_spline(&gait->spline, text, phases, count) != SCALLOP_OK)
     wrong = at_line(file, 0, "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
   free(knots);
