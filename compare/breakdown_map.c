@@ -15,6 +15,7 @@
 #include "compare/map.h"
 #include "compare/with_flint.h"
 #include "model/flint.h"
+#include "numerics/threads.h"
 
 enum { MOST_SERIES = BREAKDOWN_SOURCES, MOST_TOLERANCES = 2, MOST_ROWS = 10000000, NAME = 48 };
 enum { TITLE = 1024, JOURNAL_PATH = 4096 };
@@ -184,7 +185,7 @@ static void finish(struct map *m, long item, const double *values)
 
 static void compute_all(struct map *m)
 {
-#pragma omp parallel
+#pragma omp parallel num_threads(threads_for(0, item_count(m)))
   {
 #pragma omp for schedule(dynamic)
     for (long item = 0; item < item_count(m); item++) {

@@ -255,7 +255,7 @@ static const char *lay_spline(struct gait_file *gait, const struct rows *rows, c
       wrong = no_memory();
   }
   if (!wrong)
-    gait->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, (size_t)(count[0] + count[1]) * sizeof *knots);
+    gait->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, ((size_t)count[0] + (size_t)count[1]) * sizeof *knots);
   if (!wrong && scallop_make_spline(&gait->spline, text, phases, count) != SCALLOP_OK)
     wrong = at_line(file, 0, "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
   free(knots);

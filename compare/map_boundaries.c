@@ -9,6 +9,7 @@
 #include "compare/map.h"
 #include "compare/mode_change.h"
 #include "compare/with_flint.h"
+#include "numerics/threads.h"
 #include "numerics/wide.h"
 
 /* How far from a printed point each of the two regions is looked for: relative on a logarithmic axis, of the larger end on a linear one. */
@@ -283,7 +284,7 @@ static bool do_curve(struct boundaries *b, struct table *t, long number, struct 
     return false;
   orient(b, c);
   choose(c, step, checked);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, c->count))
   for (long i = 0; i < c->count; i++)
     if (checked[i].kept)
       check(b, c, &checked[i]);

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "compare/map.h"
+#include "numerics/threads.h"
 
 enum { MOST_CHANGES = 32, AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
 
@@ -490,7 +491,7 @@ static bool do_round(struct tracer *t)
   free(t->seeds);
   t->seeds = NULL;
   t->seed_count = 0;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, count))
   for (long k = 0; k < count; k++) {
     own[k] = (struct tracer){ .region = t->region, .context = t->context, .step = t->step };
     traced[k] = trace(&own[k], &batch[k], &curves[k]);

@@ -8,6 +8,7 @@
 #include "compare/stress.h"
 #include "compare/with_flint.h"
 #include "model/flint.h"
+#include "numerics/threads.h"
 
 static const char *const family_columns[] = { "family",
                                               "gait",
@@ -223,7 +224,7 @@ static void report(const struct row *r, const struct run *run)
 
 static void judge_all(struct run *run, int count)
 {
-#pragma omp parallel
+#pragma omp parallel num_threads(threads_for(0, count))
   {
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < count; i++)

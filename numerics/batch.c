@@ -5,6 +5,7 @@
 #include "numerics/held.h"
 #include "numerics/period.h"
 #include "numerics/regular.h"
+#include "numerics/threads.h"
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the
  * end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to be something
@@ -302,6 +303,8 @@ static long solve_next(const struct job *job, long first)
 static long solve_all(const struct job *job, int threads)
 {
   long count = job->crawlers->count, failed = 0;
+  if (threads > 1)
+    threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
   if (threads <= 1) { /* without the runtime of OpenMP, which may allocate */
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);

@@ -134,8 +134,8 @@ struct scallop_steady_states {
   enum scallop_status *status;
 };
 
-/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads (>= 1; 1 where
- * the library is built without OpenMP). Where the compiler may fuse multiplications and additions (-ffp-contract=fast; the Makefile
+/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads (>= 1; no more
+ * than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse multiplications and additions (-ffp-contract=fast; the Makefile
  * forbids it) the last bits may differ. Returns how many have a negative status. Allocates nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
 

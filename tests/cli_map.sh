@@ -61,6 +61,9 @@ run 0 steady --points grid --L 3
 OMP_NUM_THREADS=1 run 0 breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 $few
 cmp -s out grid || note "one thread gives other bytes"
 # shellcheck disable=SC2086
+OMP_NUM_THREADS=100000 run 0 breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 $few
+cmp -s out grid || note "100000 threads: other bytes, or none"
+# shellcheck disable=SC2086
 run 3 breakdown --map F1/F2 m1/m2 --x 1e300:1e305:2 --y 1:1:1 --F2 1e5 $few
 [ "$(cells out status | sed -n 2p | cut -c 1-12)" = "a parameter " ] || note "F1 = 1e310 has a steady state: $(cells out status)"
 # shellcheck disable=SC2086
@@ -284,6 +287,8 @@ run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y
 cp out curves
 OMP_NUM_THREADS=1 run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y 0.02:2:9 --quiet
 cmp -s out curves || note "one thread gives other bytes"
+OMP_NUM_THREADS=100000 run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y 0.02:2:9 --quiet
+cmp -s out curves || note "100000 threads: other bytes, or none"
 python curves <<'END'
 rows = read(sys.argv[1])
 whats = {r["what"] for r in rows}
