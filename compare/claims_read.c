@@ -77,18 +77,20 @@ static const char *read_line(struct reading *r, struct committed_ledger *ledger)
 
 const char *ledger_name(const char *name) { return name ? name : "the ledger that comes with the tool"; }
 
-static FILE *open_shipped(void)
+static bool open_ledger(struct lines *lines, const char *file)
 {
-  const char *text = shipped_text(shipped_ledger, "claims");
-  return fmemopen((char *)text, strlen(text), "r");
+  if (!file)
+    return lines_of_text(lines, shipped_text(shipped_ledger, "claims"));
+  *lines = (struct lines){ .file = fopen(file, "r") };
+  return lines->file != NULL;
 }
 
 enum exit_code committed_read(struct committed_ledger *ledger, const char *file)
 {
-  struct reading r = { .lines = { .file = file ? fopen(file, "r") : open_shipped() } };
+  struct reading r = { .columns = 0 };
   const char *wrong = NULL, *name = ledger_name(file);
   *ledger = (struct committed_ledger){ 0 };
-  if (!r.lines.file) {
+  if (!open_ledger(&r.lines, file)) {
     complain("claims", "cannot read %s: %s", name, strerror(errno));
     return EXIT_FILE;
   }
@@ -101,7 +103,8 @@ enum exit_code committed_read(struct committed_ledger *ledger, const char *file)
     complain("claims", "cannot read %s: %s", name, strerror(r.lines.error));
   else if (ledger->count == 0)
     complain("claims", "%s: no row of a ledger: `scallop claims` writes one", name);
-  fclose(r.lines.file);
+  if (file)
+    fclose(r.lines.file);
   lines_free(&r.lines);
   return failed ? EXIT_FILE : wrong || ledger->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }

@@ -40,6 +40,8 @@ static bool make_room(struct lines *l)
 static bool read_on(struct lines *l)
 {
   ssize_t got;
+  if (!l->file)
+    return false;
   if (!make_room(l))
     return fail(l, ENOMEM);
   while ((got = read(fileno(l->file), l->buffer + l->end, CHUNK)) < 0 && errno == EINTR)
@@ -99,6 +101,15 @@ bool next_line(struct lines *l)
   if (l->number++ == 0)
     drop_mark(l);
   return true;
+}
+
+bool lines_of_text(struct lines *l, const char *text)
+{
+  size_t size = strlen(text) + 1;
+  *l = (struct lines){ .buffer = malloc(size), .size = size, .end = size - 1 };
+  if (l->buffer)
+    memcpy(l->buffer, text, size);
+  return l->buffer != NULL;
 }
 
 void lines_free(struct lines *l)

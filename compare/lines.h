@@ -9,7 +9,7 @@
 enum { LONGEST_LINE = 1 << 20 }; /* bytes; what is no text may hold no line end at all */
 
 struct lines {
-  FILE *file;           /* of which nothing was read yet; not to be read by others meanwhile */
+  FILE *file;           /* of which nothing was read yet, and which nothing else reads meanwhile; NULL: a text */
   char *line;           /* the current one, without its end; may be written to                */
   ssize_t length;       /* of it                                                              */
   long number;          /* from 1                                                             */
@@ -23,6 +23,8 @@ struct lines {
  * too long is cut to LONGEST_LINE bytes, and is the last. False at the end, or where the file
  * cannot be read (error). */
 bool next_line(struct lines *lines);
+/* The lines of a text, of which a copy is kept. False: out of memory. */
+bool lines_of_text(struct lines *lines, const char *text);
 void lines_free(struct lines *lines);
 
 /* Why the current line is no line of a text file (it holds a NUL byte, or is too long), or NULL. */
