@@ -16,7 +16,8 @@ extern "C" {
 #endif
 
 enum scallop_width { SCALLOP_LONG_DOUBLE, SCALLOP_BINARY128 };
-/* Bits of a number: 64 and 113 on x86. 53 where long double is no wider than double; 0: not available. */
+/* Bits of a number: 64 and 113 on x86. 53 where long double is no wider than double; 0: not available, or set to
+ * round to fewer bits than the type has. */
 int scallop_width_bits(enum scallop_width width);
 
 struct scallop_wide { /* high + low: high is the double nearest to it                                          */

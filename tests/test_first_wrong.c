@@ -196,7 +196,7 @@ static void published_for_the_quadratic_gait(void **state)
   for (int k = 0; k < WANTED; k++) {
     const struct scallop_formula *f = &scallop_published[k];
     assert_string_equal(f->name, wanted[k].name);
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < check_cases(12); i++) {
       bool inside = i % 2 == 0;
       draw(&s, &r, &scallop_gait_quadratic);
       if (f->setting == SCALLOP_STEADY)
@@ -252,7 +252,7 @@ static void corrected_phases(void **state)
   struct random r = { 20260862 };
   struct subject s;
   subject_init(&s);
-  for (int i = 0; i < 20 * GAITS * STARTS; i++) {
+  for (int i = 0; i < check_cases(20 * GAITS * STARTS); i++) {
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     enum scallop_setting start = starts[i / GAITS % STARTS];
     draw(&s, &r, gaits[i % GAITS]);

@@ -120,7 +120,7 @@ static void phases(void **state)
 {
   (void)state;
   struct random r = { 20261101 };
-  for (int i = 0; i < 60 * ODD; i++) {
+  for (int i = 0; i < check_cases(60 * ODD); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % ODD]);
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     compare_phase(&c, kind, random_start(&r, &c, kind));
@@ -155,7 +155,7 @@ static void steady_states(void **state)
 {
   (void)state;
   struct random r = { 20261102 };
-  for (int i = 0; i < 24 * CONTINUOUS; i++) {
+  for (int i = 0; i < check_cases(24 * CONTINUOUS); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % CONTINUOUS]);
     compare_steady(&c);
   }
@@ -187,7 +187,7 @@ static void rivals(void **state)
   struct random r = { 20261105 };
   struct scallop_rival *rival[3] = { scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, 1e-11),
                                      scallop_odeiv_rival(SCALLOP_ODEIV_MSADAMS, 1e-11), scallop_cvode_rival(1e-11) };
-  for (int i = 0; i < 30 * ODD; i++) {
+  for (int i = 0; i < check_cases(30 * ODD); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % ODD]);
     struct scallop_period_result exact;
     double unit = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)), v0 = random_start(&r, &c, SCALLOP_EXTENSION);
@@ -277,7 +277,7 @@ static void phases_of_two_kinds(void **state)
 {
   (void)state;
   struct random r = { 20261104 };
-  for (int i = 0; i < 50; i++) {
+  for (int i = 0; i < check_cases(50); i++) {
     struct scallop_crawler mixed = random_crawler(&r, ORDINARY, &curved_last), pure = mixed;
     for (int kind = 0; kind < 2; kind++) {
       struct scallop_phase_result a, b;

@@ -253,6 +253,38 @@ static void refusals(void **state)
   CHECK_EQUAL(h.v_mid, 7);
 }
 
+#if defined __x86_64__ || defined __i386__
+static void set_control_word(unsigned short word) { __asm__ volatile("fldcw %0" : : "m"(word)); }
+
+/* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for digits that never
+ * come. */
+static void long_double_rounded_to_double(void **state)
+{
+  (void)state;
+  enum { USUAL = 0x37f, ROUNDED = 0x27f };
+  struct random r = { 20261205 };
+  struct scallop_wide_steady w;
+  set_control_word(ROUNDED);
+  int bits = scallop_width_bits(SCALLOP_LONG_DOUBLE);
+  struct scallop_crawler c = scallop_crawler_default();
+  enum scallop_status status = scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w);
+  set_control_word(USUAL);
+  assert_int_equal(bits, 0);
+  assert_int_equal(status, SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_width_bits(SCALLOP_LONG_DOUBLE), LDBL_MANT_DIG);
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_steady_result usual, rounded;
+    c = random_crawler(&r, NEARLY_EQUAL_FORCES, n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    assert_int_equal(scallop_steady(&c, &usual), SCALLOP_OK);
+    set_control_word(ROUNDED);
+    status = scallop_steady(&c, &rounded);
+    set_control_word(USUAL);
+    assert_int_equal(status, SCALLOP_OK);
+    CHECK_RELATIVE(rounded.period.displacement, usual.period.displacement, 16 * DBL_EPSILON);
+  }
+}
+#endif
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -263,6 +295,9 @@ int main(void)
     cmocka_unit_test(modes),
     cmocka_unit_test(polynomial_gaits),
     cmocka_unit_test(refusals),
+#if defined __x86_64__ || defined __i386__
+    cmocka_unit_test(long_double_rounded_to_double),
+#endif
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
