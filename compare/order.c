@@ -335,8 +335,10 @@ static double middle_order(const struct order_point *values, int count)
     if (isfinite(here) && fabs(here) < 49)
       orders[n++] = here;
   }
+  if (n == 0)
+    return 1;
   qsort(orders, (size_t)n, sizeof *orders, rising);
-  return n > 0 ? orders[n / 2] : 1;
+  return orders[n / 2];
 }
 
 struct order_fit order_estimate_values(struct order_point *points, int *count)
