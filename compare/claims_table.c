@@ -35,9 +35,9 @@ static void write_errors(void *context, const struct claim_row *row)
     table_text(t, row->conditions);
     table_text(t, row->inside ? "yes" : "no");
     table_number(t, p->h);
-    table_number(t, p->err);
+    table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
     table_rounded(t, p->pairwise, "%.2f");
-    table_text(t, order_use_text(p->use));
+    table_text(t, order_use_text(row->exact ? ORDER_ZERO : p->use));
   }
 }
 

@@ -8,36 +8,77 @@
 #include "compare/order.h"
 
 static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
+static const char *const series_column[] = { "series", NULL };
 static const char *const columns[] = { "h", "err", "pairwise", "use", NULL };
 static const char *const summary_columns[] = { "order",    "lo",        "hi",      "points", "state",
                                                "expected", "tolerance", "verdict", NULL };
 
-struct list {
+/* The points whose texts left of h are the same */
+struct series {
+  char *name; /* these texts                                                                     */
   struct order_point *points;
   int count, room;
+  struct order_fit fit;
+  enum order_verdict verdict;
 };
 
-enum { MESSAGE = 120, MOST_ROWS = 1000000 };
+struct list {
+  struct series *series;
+  int count, room;
+  long rows; /* of all of them                                                                  */
+};
+
+enum { MESSAGE = 120, NAME = 1024, MOST_SERIES = 4096, MOST_ROWS = 1000000 };
 
 struct layout {
   int h, value, noise, columns;
   bool values;
 };
 
-static const char *append(struct list *list, struct order_point point)
+static void list_clear(struct list *list)
 {
-  if (list->count == MOST_ROWS)
-    return "more than a million rows";
-  if (list->count == list->room) {
-    int room = list->room ? 2 * list->room : 64;
-    struct order_point *grown = realloc(list->points, (size_t)room * sizeof *grown);
-    if (!grown)
-      return "out of memory";
-    list->points = grown;
-    list->room = room;
+  for (int i = 0; i < list->count; i++) {
+    free(list->series[i].name);
+    free(list->series[i].points);
   }
-  list->points[list->count++] = point;
-  return NULL;
+  free(list->series);
+}
+
+/* Room for one more of that size in an array, or NULL: out of memory */
+static void *grown(void *array, int count, int *room, size_t size)
+{
+  if (count < *room)
+    return array;
+  int larger = *room ? 2 * *room : 64;
+  void *moved = realloc(array, (size_t)larger * size);
+  *room = moved ? larger : *room;
+  return moved;
+}
+
+/* The series of that name, a new one if there is none; NULL: out of memory, or too many */
+static struct series *series_named(struct list *list, const char *name)
+{
+  for (int i = list->count - 1; i >= 0; i--)
+    if (strcmp(list->series[i].name, name) == 0)
+      return &list->series[i];
+  struct series *all = list->count < MOST_SERIES ? grown(list->series, list->count, &list->room, sizeof *all) : NULL;
+  if (!all)
+    return NULL;
+  list->series = all;
+  struct series *s = &all[list->count];
+  *s = (struct series){ .name = strdup(name) };
+  list->count += s->name != NULL;
+  return s->name ? s : NULL;
+}
+
+static bool append(struct series *s, struct order_point point)
+{
+  struct order_point *points = grown(s->points, s->count, &s->room, sizeof point);
+  if (!points)
+    return false;
+  s->points = points;
+  s->points[s->count++] = point;
+  return true;
 }
 
 /* Reads a number; unlike an option's, it may be nan or inf, which the estimator then refuses. */
@@ -88,6 +129,17 @@ static const char *read_layout(char **cells, int count, struct layout *layout, b
              : "the header must name the columns 'h' and 'err' (or 'value'), separated by blanks or tabs";
 }
 
+/* The cells left of h that are no numbers, joined */
+static void read_name(char name[NAME], char *const *cells, const struct layout *layout)
+{
+  size_t used = 0;
+  double number;
+  *name = '\0';
+  for (int i = 0; i < layout->h && used < NAME; i++)
+    if (i != layout->value && i != layout->noise && !read_any(cells[i], &number))
+      used += (size_t)snprintf(name + used, NAME - used, "%s%s", used ? "; " : "", cells[i]);
+}
+
 /* Takes a line in. Returns NULL, or what is wrong with it, for which message has room. */
 static const char *read_line(char *line, struct list *list, struct layout *layout, bool *started, char message[MESSAGE])
 {
@@ -115,7 +167,30 @@ static const char *read_line(char *line, struct list *list, struct layout *layou
       snprintf(message, MESSAGE, "column %d: '%.60s' is not a number", wanted[i].column + 1, cells[wanted[i].column]);
       return message;
     }
-  return append(list, point);
+  if (list->rows++ == MOST_ROWS)
+    return "more than a million rows";
+  char name[NAME];
+  read_name(name, cells, layout);
+  struct series *s = series_named(list, name);
+  if (!s)
+    return list->count == MOST_SERIES ? "more than 4096 series: rows with the same text left of h are one" : "out of memory";
+  return append(s, point) ? NULL : "out of memory";
+}
+
+/* Texts that are different in each row name no series: all rows are one. False: out of memory */
+static bool join_single_points(struct list *list)
+{
+  for (int i = 0; i < list->count; i++)
+    if (list->series[i].count > 1)
+      return true;
+  bool joined = true;
+  for (int i = 1; i < list->count; i++) {
+    joined &= append(&list->series[0], list->series[i].points[0]);
+    free(list->series[i].points);
+    free(list->series[i].name);
+  }
+  list->count = list->count > 0;
+  return joined;
 }
 
 static enum exit_code read_file(const struct options *options, struct list *list, bool *values)
@@ -132,6 +207,8 @@ static enum exit_code read_file(const struct options *options, struct list *list
   while (!wrong && next_line(&lines))
     wrong = line_fault(&lines) ? line_fault(&lines) : read_line(lines.line, list, &layout, &started, message);
   bool failed = lines.error != 0;
+  if (!wrong && !join_single_points(list))
+    wrong = "out of memory";
   if (wrong)
     complain("order", "%s:%ld: %s", name, lines.number, wrong);
   else if (failed)
@@ -145,30 +222,40 @@ static enum exit_code read_file(const struct options *options, struct list *list
   return failed ? EXIT_FILE : wrong || list->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }
 
-static void write_points(struct table *table, const struct list *list, const struct order_fit *fit)
+static void write_points(struct table *table, const struct list *list)
 {
+  if (list->count > 1)
+    table_columns(table, series_column);
   table_columns(table, columns);
   table_begin_rows(table);
-  for (int i = 0; i < list->count; i++) {
-    const struct order_point *p = &list->points[i];
-    table_number(table, p->h);
-    table_number(table, p->err);
-    table_rounded(table, fit->state == ORDER_INVALID ? NAN : p->pairwise, "%.4f");
-    table_text(table, fit->state == ORDER_INVALID ? "-" : order_use_text(p->use));
-  }
+  for (const struct series *s = list->series; s < list->series + list->count; s++)
+    for (const struct order_point *p = s->points; p < s->points + s->count; p++) {
+      if (list->count > 1)
+        table_text(table, s->name);
+      table_number(table, p->h);
+      table_number(table, p->err);
+      table_rounded(table, s->fit.state == ORDER_INVALID ? NAN : p->pairwise, "%.4f");
+      table_text(table, s->fit.state == ORDER_INVALID ? "-" : order_use_text(p->use));
+    }
 }
 
-static void write_summary(struct table *table, const struct order_fit *fit, const struct options *o, const char *verdict)
+/* In TSV: the series and its order in notes */
+static void note_summary(struct table *table, const struct series *s, const struct options *o, bool named)
 {
-  if (o->format == FORMAT_TSV) {
-    table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
-               order_state_text(fit->state));
-    if (o->has_expect)
-      table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, verdict);
-    return;
-  }
-  table->count = 0;
-  table_columns(table, summary_columns);
+  const struct order_fit *fit = &s->fit;
+  if (named)
+    table_note(table, "series: %s", s->name);
+  table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
+             order_state_text(fit->state));
+  if (o->has_expect)
+    table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, order_verdict_text(s->verdict));
+}
+
+static void write_summary_row(struct table *table, const struct series *s, const struct options *o, bool named)
+{
+  const struct order_fit *fit = &s->fit;
+  if (named)
+    table_text(table, s->name);
   table_number(table, fit->order);
   table_number(table, fit->lo);
   table_number(table, fit->hi);
@@ -176,7 +263,42 @@ static void write_summary(struct table *table, const struct order_fit *fit, cons
   table_text(table, order_state_text(fit->state));
   table_number(table, o->has_expect ? o->expect : NAN);
   table_number(table, o->has_expect ? o->tolerance : NAN);
-  table_text(table, verdict);
+  table_text(table, o->has_expect ? order_verdict_text(s->verdict) : "none asked for");
+}
+
+static void write_summary(struct table *table, const struct list *list, const struct options *o)
+{
+  bool named = list->count > 1;
+  if (o->format != FORMAT_TSV) {
+    table->count = 0;
+    if (named)
+      table_columns(table, series_column);
+    table_columns(table, summary_columns);
+  }
+  for (const struct series *s = list->series; s < list->series + list->count; s++)
+    (o->format == FORMAT_TSV ? note_summary : write_summary_row)(table, s, o, named);
+}
+
+static void estimate(struct list *list, const struct options *o, bool values)
+{
+  for (struct series *s = list->series; s < list->series + list->count; s++) {
+    s->fit = values ? order_estimate_values(s->points, &s->count) : order_estimate(s->points, s->count);
+    s->verdict = order_judge(&s->fit, o->expect, o->tolerance);
+  }
+}
+
+static enum exit_code conclude(const struct list *list, const struct options *o)
+{
+  bool passed = true, valid = true;
+  for (const struct series *s = list->series; s < list->series + list->count; s++) {
+    passed &= s->verdict == ORDER_PASS;
+    valid &= s->fit.state != ORDER_INVALID;
+  }
+  if (!valid && !o->has_expect) {
+    complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
+    return EXIT_UNSOLVED;
+  }
+  return o->has_expect && !passed ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
 static enum exit_code run(const struct options *options)
@@ -187,28 +309,18 @@ static enum exit_code run(const struct options *options)
   enum exit_code code = read_file(options, &list, &values);
   if (code == EXIT_DONE && !table_open(&table, options))
     code = EXIT_FILE;
-  if (code != EXIT_DONE) {
-    free(list.points);
-    return code;
+  if (code == EXIT_DONE) {
+    estimate(&list, options, values);
+    table_note(&table, "scallop " SCALLOP_VERSION);
+    table_note(&table, "command: order");
+    if (values)
+      table_note(&table, "err: differences of successive values, v(h_i) - v(h_i+1), rescaled to C h^p");
+    write_points(&table, &list);
+    write_summary(&table, &list, options);
+    code = table_close(&table) ? conclude(&list, options) : EXIT_FILE;
   }
-  if (values)
-    list.count = order_from_values(list.points, list.count);
-  struct order_fit fit = order_estimate(list.points, list.count);
-  enum order_verdict verdict = order_judge(&fit, options->expect, options->tolerance);
-  table_note(&table, "scallop " SCALLOP_VERSION);
-  table_note(&table, "command: order");
-  if (values)
-    table_note(&table, "err: differences of successive values, v(h_i) - v(h_i+1), rescaled to C h^p");
-  write_points(&table, &list, &fit);
-  write_summary(&table, &fit, options, options->has_expect ? order_verdict_text(verdict) : "none asked for");
-  free(list.points);
-  if (!table_close(&table))
-    return EXIT_FILE;
-  if (fit.state == ORDER_INVALID && !options->has_expect) {
-    complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
-    return EXIT_UNSOLVED;
-  }
-  return options->has_expect && verdict != ORDER_PASS ? EXIT_CHECK_FAILED : EXIT_DONE;
+  list_clear(&list);
+  return code;
 }
 
 static const struct unless_given unless_given[] = {
@@ -222,12 +334,17 @@ const struct command command_order = {
   .example = "scallop order errors.txt --expect 2",
   .operand = "FILE",
   .accepts = accepts,
-  .about = "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
-           "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
-           "comes from three successive refinements each (Richardson). Lines that begin with # are passed over.\n"
-           "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
-           "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
-           "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid.",
+  .about =
+      "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
+      "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
+      "comes from three successive refinements each (Richardson). Lines that begin with # are passed over.\n"
+      "Columns left of h that hold text name a series: rows with the same texts are judged by themselves, so that\n"
+      "`scallop claims --errors rest_dT | scallop order -` gives one order for each gait and set of conditions. Texts that\n"
+      "are different in each row name nothing.\n"
+      "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
+      "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
+      "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid; errors\n"
+      "that are all 0, or within their noise, pass (state exact). Of several series each has to pass.",
   .unless_given = unless_given,
   .run = run,
 };

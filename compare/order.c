@@ -1,5 +1,6 @@
 #include "compare/order.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -215,10 +216,10 @@ static enum order_state too_few(const struct order_point *points, int count)
     zero += points[i].use == ORDER_ZERO;
   }
   if (zero + floor == count && count >= 3) {
-    bool known = true;
+    bool exact = true;
     for (int i = 0; i < count; i++)
-      known &= points[i].use == ORDER_ZERO || fabs(points[i].err) <= ABOVE_NOISE * points[i].noise;
-    return known ? ORDER_EXACT : ORDER_FLOOR_LIMITED;
+      exact &= fabs(points[i].err) <= points[i].noise;
+    return exact ? ORDER_EXACT : ORDER_FLOOR_LIMITED;
   }
   return floor > 0 ? ORDER_FLOOR_LIMITED : ORDER_INSUFFICIENT;
 }
@@ -239,14 +240,15 @@ static int at_floor(const struct order_point *points, int count)
   return n;
 }
 
-struct order_fit order_estimate(struct order_point *points, int count)
+/* announced: the noise of the points is all there is, and no other floor is looked for. */
+static struct order_fit estimate(struct order_point *points, int count, bool announced)
 {
   struct order_fit fit = { .state = ORDER_INVALID, .order = NAN, .lo = NAN, .hi = NAN };
   if (!sorted(points, count))
     return fit;
   note_pairwise(points, count);
   leave_out_noise(points, count);
-  double floor = noise_is_known(points, count) ? 0 : leave_out_floor(points, count);
+  double floor = announced ? 0 : leave_out_floor(points, count);
   leave_out_before_sign_change(points, count);
   if (count_used(points, count, 0) < 3) {
     fit.state = too_few(points, count);
@@ -274,6 +276,11 @@ struct order_fit order_estimate(struct order_point *points, int count)
   return fit;
 }
 
+struct order_fit order_estimate(struct order_point *points, int count)
+{
+  return estimate(points, count, noise_is_known(points, count));
+}
+
 /* ---- values instead of errors ---- */
 
 /* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
@@ -296,25 +303,65 @@ static double order_of_three(const struct order_point *p)
   return low + (high - low) / 2;
 }
 
-int order_from_values(struct order_point *points, int count)
+/* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are resolved to: no
+ * difference other than 0 is smaller than that. */
+static void note_noise(struct order_point *values, int count)
+{
+  double least = INFINITY;
+  bool repeated = false;
+  for (int i = 0; i + 1 < count; i++) {
+    double difference = fabs(values[i].err - values[i + 1].err);
+    repeated |= difference == 0;
+    least = difference > 0 ? fmin(least, difference) : least;
+  }
+  double resolved = repeated && isfinite(least) ? least * ABOVE_FLOOR / ABOVE_NOISE : 0;
+  for (int i = 0; i < count; i++)
+    values[i].noise = fmax(DBL_EPSILON / 2 * fabs(values[i].err), resolved / 2);
+}
+
+static bool is_above_noise(const struct order_point *values)
+{
+  return fabs(values[0].err - values[1].err) > ABOVE_NOISE * (values[0].noise + values[1].noise);
+}
+
+/* The middle one of the orders that three values each give, or 1 */
+static double middle_order(const struct order_point *values, int count)
 {
   enum { MOST = 512 };
-  double orders[MOST], p = 1;
+  double orders[MOST];
   int n = 0;
-  if (count < 3 || !sorted(points, count))
-    return count < 3 ? 0 : count;
   for (int i = 0; i + 2 < count && n < MOST; i++) {
-    double here = order_of_three(&points[i]);
+    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? order_of_three(&values[i]) : NAN;
     if (isfinite(here) && fabs(here) < 49)
       orders[n++] = here;
   }
+  if (n == 0)
+    return 1;
   qsort(orders, (size_t)n, sizeof *orders, rising);
-  if (n > 0)
-    p = orders[n / 2];
+  return orders[n / 2];
+}
+
+struct order_fit order_estimate_values(struct order_point *points, int *count)
+{
+  bool announced = noise_is_known(points, *count);
+  if (*count < 3 || !sorted(points, *count)) {
+    *count = *count < 3 ? 0 : *count;
+    return estimate(points, *count, announced);
+  }
+  if (!announced)
+    note_noise(points, *count);
+  double p = middle_order(points, *count);
+  --*count;
   /* v_i - v_{i+1} = C (h_i^p - h_{i+1}^p): divided by 1 - (h_{i+1}/h_i)^p it is C h_i^p */
-  for (int i = 0; i + 1 < count; i++)
-    points[i].err = (points[i].err - points[i + 1].err) / -expm1(-p * log(points[i].h / points[i + 1].h));
-  return count - 1;
+  for (int i = 0; i < *count; i++) {
+    double share = -expm1(-p * log(points[i].h / points[i + 1].h));
+    points[i].err = (points[i].err - points[i + 1].err) / share;
+    points[i].noise = (points[i].noise + points[i + 1].noise) / fabs(share);
+  }
+  struct order_fit fit = estimate(points, *count, announced);
+  if (fit.state == ORDER_EXACT) /* values that stay the same: of their error nothing is known */
+    fit.state = ORDER_FLOOR_LIMITED;
+  return fit;
 }
 
 const char *order_state_text(enum order_state state)
@@ -335,7 +382,7 @@ enum order_verdict order_judge(const struct order_fit *fit, double expected, dou
   switch (fit->state) {
   case ORDER_INVALID: return ORDER_VERDICT_INVALID;
   case ORDER_INSUFFICIENT: return ORDER_VERDICT_INSUFFICIENT;
-  case ORDER_EXACT:
+  case ORDER_EXACT: return ORDER_PASS;
   case ORDER_FLOOR_LIMITED: return ORDER_VERDICT_FLOOR_LIMITED;
   case ORDER_NOT_ASYMPTOTIC: return ORDER_VERDICT_NOT_ASYMPTOTIC;
   case ORDER_FITTED: break;

@@ -28,7 +28,7 @@ enum order_state {
   ORDER_FLOOR_LIMITED,  /* fewer than three usable points, the others being at a roundoff floor; or as
                            many points as were fitted at a floor far above roundoff                  */
   ORDER_NOT_ASYMPTOTIC, /* the pairwise orders do not settle                                         */
-  ORDER_EXACT           /* every error is zero or within its noise                                   */
+  ORDER_EXACT           /* at least three errors, each zero or within its noise                      */
 };
 
 const char *order_state_text(enum order_state state);
@@ -42,11 +42,12 @@ struct order_fit {
 /* Sorts points[0..count) and estimates. Allocates nothing. */
 struct order_fit order_estimate(struct order_point *points, int count);
 
-/* Values instead of errors: points[i].err holds value(h_i). Three refinements give one order, from
- * (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), which needs no constant ratio. On return the
- * points hold the differences v_i - v_{i+1}, rescaled to errors; the finest is spent. Returns the
- * number of points left. */
-int order_from_values(struct order_point *points, int count);
+/* Values instead of errors: points[i].err holds value(h_i), noise the rounding error of the value if it is known. Three refinements
+ * give one order, from (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), which needs no constant ratio. On return the points hold
+ * the differences v_i - v_{i+1}, rescaled to errors; the finest is spent, and *count is what is left. A value is not known better
+ * than to half an ulp, nor to less than the smallest difference where others are 0, and a floor above that is looked for unless
+ * the noise is known. Never ORDER_EXACT. */
+struct order_fit order_estimate_values(struct order_point *points, int *count);
 
 enum order_verdict {
   ORDER_PASS,
@@ -60,7 +61,7 @@ enum order_verdict {
 const char *order_verdict_text(enum order_verdict verdict);
 
 /* The fit against an expected order, with the given tolerance > 0. Pass: the order lies within it, and the
- * interval is no wider than it on either side. A wider interval that reaches it is not-asymptotic. */
+ * interval is no wider than it on either side; or there is no error at all (ORDER_EXACT). A wider interval that reaches it is not-asymptotic. */
 enum order_verdict order_judge(const struct order_fit *fit, double expected, double tolerance);
 
 #endif

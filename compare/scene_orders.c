@@ -47,7 +47,9 @@ static void write_order(struct running *r, struct output *o, int series)
   const struct quantities *all = &r->scene->quantities;
   struct table *t = &o->table;
   struct order_fit fit = order_estimate(o->errors + (size_t)series * SCENE_TIMES, (int)o->times);
-  enum order_verdict verdict = order_judge(&fit, w->expect, w->tolerance);
+  /* an error that is not told from 0 with this accuracy stands as 0 */
+  enum order_verdict verdict = fit.state == ORDER_EXACT ? ORDER_VERDICT_FLOOR_LIMITED
+                                                        : order_judge(&fit, w->expect, w->tolerance);
   for (int i = 0; i < all->labels; i++)
     table_text(t, r->state->label[i] ? r->state->label[i] : "-");
   for (const char *const *name = crawler_parameters; *name; name++)

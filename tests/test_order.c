@@ -150,14 +150,105 @@ static void from_values(void **state)
     double h = 1;
     for (int i = 0; i < 9; i++, h /= i % 2 ? 2 : 1.5)
       points[i] = (struct order_point){ .h = h, .err = 3.14159 + 0.9 * pow(h, p) };
-    int left = order_from_values(points, 9);
+    int left = 9;
+    struct order_fit fit = order_estimate_values(points, &left);
     assert_int_equal(left, 8);
-    struct order_fit fit = order_estimate(points, left);
     assert_int_equal(fit.state, ORDER_FITTED);
     CHECK_NEAR(fit.order, p, 0.02);
     CHECK_NEAR(points[0].err, 0.9, 0.02);
   }
-  assert_int_equal(order_from_values(points, 2), 0);
+  int two = 2;
+  assert_int_equal(order_estimate_values(points, &two).state, ORDER_INSUFFICIENT);
+}
+
+/* Values as simulations print them: pi + 0.9 h^p in doubles, rounded to a decimal, or with noise of that size; h down to far below
+ * where the values stay. */
+enum values { IN_DOUBLES, ROUNDED, NOISY };
+
+static void fill_values(int count, double p, enum values kind, double decimal, bool even)
+{
+  double h = 1;
+  for (int i = 0; i < count; i++, h /= even || i % 2 ? 2 : 1.5) {
+    double value = 3.14159265358979 + 0.9 * pow(h, p);
+    if (kind != IN_DOUBLES)
+      value = kind == NOISY ? value + decimal * jitter(h) : decimal * round(value / decimal);
+    points[i] = (struct order_point){ .h = h, .err = value };
+  }
+}
+
+/* Never a wrong order; and an order where there is nothing but the rounding of doubles, whatever the length of the table, or where
+ * values that are rounded more stay the same in the end. */
+static void values_meet_a_floor(void **state)
+{
+  (void)state;
+  static const double decimals[] = { 1e-8, 1e-10 };
+  for (int kind = IN_DOUBLES; kind <= NOISY; kind++)
+    for (int k = 0; k < 2; k++)
+      for (double p = 1; p <= 6; p++)
+        for (int count = 12; count <= 40; count += 4)
+          for (int even = 0; even < 2; even++) {
+            int left = count;
+            fill_values(count, p, (enum values)kind, decimals[k], even);
+            struct order_fit fit = order_estimate_values(points, &left);
+            bool fitted = fit.state == ORDER_FITTED;
+            bool sees_it = kind == IN_DOUBLES || (kind == ROUNDED && count == 40);
+            if (fitted ? check_near(fit.order, p, 0.1) : !sees_it)
+              continue;
+            print_error("order %g, %s to %g, %s, %d values: %s, %g\n", p, kind == NOISY ? "noisy" : "rounded",
+                        kind == IN_DOUBLES ? 2e-16 : decimals[k], even ? "even" : "uneven", count,
+                        order_state_text(fit.state), fit.order);
+            fail();
+          }
+}
+
+/* Values that stay the same, or are noise alone, have no order; nor are they exact, for all that is known of their error. */
+static void values_without_an_order(void **state)
+{
+  (void)state;
+  for (int i = 0; i < 12; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 2.385 };
+  int left = 12;
+  struct order_fit fit = order_estimate_values(points, &left);
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
+  for (int i = 0; i < 20; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 2.385 * (1 + 2e-16 * (i % 3)) };
+  left = 20;
+  fit = order_estimate_values(points, &left);
+  assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
+}
+
+/* The noise of values is known: their differences have that of both. */
+static void values_with_known_noise(void **state)
+{
+  (void)state;
+  int left = 20;
+  for (int i = 0; i < 20; i++)
+    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
+  struct order_fit fit = order_estimate_values(points, &left);
+  assert_int_equal(fit.state, ORDER_FITTED);
+  CHECK_NEAR(fit.order, 2, 0.02);
+  for (int i = 0; i < left; i++)
+    assert_true(points[i].use != ORDER_USED || ldexp(1, -2 * i) > 1e-5);
+}
+
+/* No error at all passes for any order; errors within a hundred times their noise do not. */
+static void errors_that_are_zero(void **state)
+{
+  (void)state;
+  struct order_fit fit;
+  for (int noise = 0; noise < 2; noise++) {
+    for (int i = 0; i < 6; i++)
+      points[i] = (struct order_point){ .h = ldexp(1, -i), .err = noise ? 1e-17 * i : 0, .noise = noise ? 1e-16 : 0 };
+    fit = order_estimate(points, 6);
+    assert_int_equal(fit.state, ORDER_EXACT);
+    assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_PASS);
+  }
+  points[2].err = 2e-15;
+  fit = order_estimate(points, 6);
+  assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
+  points[0].err = points[1].err = 0;
+  fit = order_estimate(points, 2);
+  assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_VERDICT_INSUFFICIENT);
 }
 
 static void verdicts(void **state)
@@ -206,6 +297,10 @@ int main(void)
                                       cmocka_unit_test(refuses),
                                       cmocka_unit_test(unsorted_is_sorted),
                                       cmocka_unit_test(from_values),
+                                      cmocka_unit_test(values_meet_a_floor),
+                                      cmocka_unit_test(values_without_an_order),
+                                      cmocka_unit_test(values_with_known_noise),
+                                      cmocka_unit_test(errors_that_are_zero),
                                       cmocka_unit_test(verdicts) };
   return cmocka_run_group_tests_name("order", tests, NULL, NULL);
 }
