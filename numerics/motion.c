@@ -43,6 +43,8 @@ static real walk_rise(const struct scallop_piece *p, real from, real to)
   return forward * short_sum(p, p->curve->acceleration, from, to);
 }
 
+struct walk;
+static void walk_show(const struct walk *w, real u, real c);
 #include "numerics/walk.h"
 
 struct audience {

@@ -9,7 +9,7 @@
  *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which are near each other
  *     struct root_end, root_function, root_between      as in root.h
  *
- * and afterwards walk_show(walk, u, c), which is told of each interval of constant mode.
+ *     walk_show(walk, u, c)                             what is told of each interval of constant mode; of a function the declaration
  */
 #include <math.h>
 #include <stddef.h>
@@ -129,8 +129,6 @@ static void note_mode(const struct walk *w, struct scallop_mode mode)
   modes->kept[modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT - 1] = mode;
   modes->count++;
 }
-
-static void walk_show(const struct walk *w, real u, real c);
 
 /* Goes on to u, with velocity c and l' as in there. The sums are the caller's. */
 static inline void advance(struct walk *w, real u, real c, const struct rates *there)

@@ -44,10 +44,10 @@ static enum scallop_status check(enum scallop_width width, const struct scallop_
 
 static bool are_finite(const struct scallop_wide *const numbers[], int count)
 {
+  bool finite = true;
   for (int i = 0; i < count; i++)
-    if (!isfinite(numbers[i]->high))
-      return false;
-  return true;
+    finite = finite && isfinite(numbers[i]->high);
+  return finite;
 }
 
 static bool period_is_finite(const struct scallop_wide_period *p)
@@ -129,10 +129,10 @@ enum scallop_status scallop_wide_phase(enum scallop_width width, const struct sc
     return status;
   phase_in(width, crawler, kind, v0, &answer);
   const struct scallop_wide *const numbers[] = { &answer.v_end, &answer.dx1, &answer.dx2, &answer.dxC };
-  if (!are_finite(numbers, 4))
-    return SCALLOP_ERANGE;
-  *result = answer;
-  return SCALLOP_OK;
+  bool finite = are_finite(numbers, 4);
+  if (finite)
+    *result = answer;
+  return finite ? SCALLOP_OK : SCALLOP_ERANGE;
 }
 
 enum scallop_status scallop_wide_period(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
@@ -159,12 +159,11 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
   if (status != SCALLOP_OK)
     return status;
   double guess = plain.period.v_start;
-  if (!steady_in(width, crawler, guess, &answer))
-    return SCALLOP_ECONVERGE;
-  if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
-    return SCALLOP_ERANGE;
-  *result = answer;
-  return SCALLOP_OK;
+  bool found = steady_in(width, crawler, guess, &answer);
+  bool finite = period_is_finite(&answer.period) && isfinite(answer.mean_velocity.high);
+  if (found && finite)
+    *result = answer;
+  return !found ? SCALLOP_ECONVERGE : finite ? SCALLOP_OK : SCALLOP_ERANGE;
 }
 
 /* ---- value and error ---- */

@@ -204,7 +204,9 @@ static real walk_when(const struct scallop_piece *p, real a)
   return (begin.f > 0) == (end.f > 0) && begin.f != 0 && end.f != 0 ? NAN : root_between(rate_beyond, &search, begin, end);
 }
 
+#define walk_show(walk, u, c) ((void)(walk), (void)(u), (void)(c)) /* nobody is told */
 #include "numerics/walk.h"
+#undef walk_show
 
 /* Where to begin: at the root in double of the gap to a curve, or of l'' = a; else at the end that is nearer to it. */
 static real near_root(root_function *f, const void *context, struct root_end a, struct root_end b)
@@ -258,8 +260,6 @@ static real root_between(root_function *f, const void *context, struct root_end 
   }
   return p.u;
 }
-
-static void walk_show(const struct walk *w, real u, real c) { (void)w, (void)u, (void)c; }
 
 /* ---- scaling ---- */
 
@@ -424,7 +424,8 @@ static real surely(const struct wide_scaled *s)
 static bool find_steady(const struct wide_scaled *s, real c, struct scallop_modes modes[2], struct wide_period *p)
 {
   real high = surely(s), low = -high, last = 4 * high, before = last;
-  for (int i = 0; i < 40000; i++) { /* the exponents of a wide type are halved no longer than that */
+  bool found = false;
+  for (int i = 0; i < 40000 && !found; i++) { /* the exponents of a wide type are halved no longer than that */
     run_period(s, c, modes, p);
     if (settled(p))
       return true;
@@ -436,11 +437,10 @@ static bool find_steady(const struct wide_scaled *s, real c, struct scallop_mode
     real next = c + change;
     if (slow || !(next > low && next < high))
       next = low + (high - low) / 2;
-    if (next == low || next == high)
-      return true;
+    found = next == low || next == high;
     c = next;
   }
-  return false;
+  return found;
 }
 
 bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
@@ -448,11 +448,10 @@ bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_
   struct wide_scaled s;
   struct wide_period p;
   scale(c, &s);
-  if (!find_steady(&s, guess / s.velocity, out->period.modes, &p))
-    return false;
+  bool found = find_steady(&s, guess / s.velocity, out->period.modes, &p);
   out->froude = split(1 / s.eps);
   period_out(c, &s, &p, &out->period);
   real size;
   out->mean_velocity = split(travel_of(p.phase, &size) * s.velocity);
-  return true;
+  return found;
 }

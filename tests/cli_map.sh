@@ -1,7 +1,6 @@
 #!/bin/sh
 # scallop breakdown --map: grids, maps that are interrupted, boundaries between regions.
 . tests/common.sh
-keep_counts_apart
 
 # ---- bad usage: one line, nothing on standard output ----
 refused() { # WORD-IN-THE-MESSAGE ARGUMENT...
@@ -96,7 +95,7 @@ map 0 whole
 [ ! -e whole.rows ] || note "the journal is still there"
 killed=0 longest=0
 for delay in 0.005 0.01 0.015 0.02 0.03 0.05 0.08 0.12; do
-  timeout -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part >/dev/null 2>&1 && break
+  (keep_counts_apart && exec timeout -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part) >/dev/null 2>&1 && break
   [ ! -e part ] || note "a part of a map has its name"
   [ -e part.rows ] || continue
   lines=$(wc -l <part.rows)
@@ -113,7 +112,7 @@ finish "killed at any time, a map goes on and ends with the same bytes"
 mkdir full && ln -s /dev/full full/map
 map 4 full/map
 [ ! -e full/map.rows ] || note "a device has a journal"
-"$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o again >/dev/null 2>&1 &
+(keep_counts_apart && exec "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o again) >/dev/null 2>&1 &
 child=$!
 for _ in 1 2 3 4 5 6 7 8 9 10; do
   [ -s again.rows ] && [ "$(wc -l <again.rows)" -ge 3 ] && break
@@ -172,6 +171,7 @@ my notes" ] || note "a file that is no journal was changed: $(cat mine mine.rows
 finish "journals: cut anywhere, of another map, and none"
 
 (
+  keep_counts_apart
   ulimit -f 1
   echo earlier >small
   "$tool" breakdown --map F1/F2 alpha --x 1.5:60:16 --y 0.55:0.9:16 --source published -o small >/dev/null 2>small.err
@@ -181,6 +181,7 @@ finish "journals: cut anywhere, of another map, and none"
 ) >said 2>&1
 # The journal fits, the table does not: nothing has to be computed again
 (
+  keep_counts_apart
   ulimit -f 8
   "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o late >/dev/null 2>&1
   [ $? = 4 ] || echo "exit code is not 4, or the table is too small for this test"

@@ -283,6 +283,34 @@ static void refusals(void **state)
   subject_clear(&s);
 }
 
+static void refuse_modes(const struct scallop_rational_crawler *crawler, slong precision, enum scallop_status wanted)
+{
+  const char *ends = "untouched", *why = NULL;
+  arb_t T;
+  arb_init(T);
+  assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, &why), wanted);
+  assert_non_null(why);
+  assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, NULL), wanted);
+  assert_string_equal(ends, "untouched");
+  assert_true(arb_is_zero(T));
+  arb_clear(T);
+}
+
+static void refusals_of_modes(void **state)
+{
+  (void)state;
+  struct random r = { 20260843 };
+  struct subject s;
+  subject_init(&s);
+  random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
+  refuse_modes(&s.crawler, 31, SCALLOP_EDOMAIN);
+  fmpq_neg(s.crawler.m2, s.crawler.m2);
+  refuse_modes(&s.crawler, PRECISION, SCALLOP_EDOMAIN);
+  random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
+  refuse_modes(&s.crawler, PRECISION, SCALLOP_EUNDECIDED);
+  subject_clear(&s);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -290,6 +318,7 @@ int main(void)
     cmocka_unit_test(modes_of_the_limit_up_to_the_end),
     cmocka_unit_test(other_modes_beyond_the_end),
     cmocka_unit_test(refusals),
+    cmocka_unit_test(refusals_of_modes),
   };
   return cmocka_run_group_tests_name("bounds", tests, find_all, forget_all);
 }

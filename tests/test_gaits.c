@@ -10,6 +10,7 @@
 
 #include "compare/gaits.h"
 #include "model/gaits.h"
+#include "model/law.h"
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 #include "tests/random_gait.h"
@@ -633,6 +634,49 @@ static void samples_of_the_quadratic_gait(void **state)
   assert_true(compared > 50);
 }
 
+/* Kind, degree, denominator and every number count, and not where the numbers are kept; of Bernstein's form also the numbers behind the
+ * coefficients. */
+static void laws_are_compared(void **state)
+{
+  (void)state;
+  enum { DEGREE = 2, NUMBERS = DEGREE + 4 + 3 };
+  double numbers[NUMBERS] = { 1, 2, 3, 4, 5, 6, 7, 8, 9 }, copy[NUMBERS];
+  const enum scallop_law_kind kinds[] = { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_BERNSTEIN };
+  const int counted[] = { DEGREE + 1, NUMBERS };
+  for (int k = 0; k < 2; k++) {
+    const struct scallop_law a = { kinds[k], DEGREE, numbers, 3 };
+    struct scallop_law b = a;
+    b.numerator = copy;
+    for (int i = 0; i < NUMBERS; i++) {
+      memcpy(copy, numbers, sizeof copy);
+      assert_true(law_same(&a, &b));
+      copy[i] += 0.5;
+      bool read = i < counted[k] && !(kinds[k] == SCALLOP_LAW_BERNSTEIN && i == DEGREE + 4);
+      assert_int_equal(law_same(&a, &b), !read);
+    }
+    memcpy(copy, numbers, sizeof copy);
+    b.denominator = 2;
+    assert_false(law_same(&a, &b));
+    b = (struct scallop_law){ kinds[1 - k], DEGREE, copy, 3 };
+    assert_false(law_same(&a, &b));
+  }
+}
+
+/* l'' of a straight piece is what it is from the beginning of the piece, and nothing else anywhere. */
+static void a_ramp_has_one_acceleration(void **state)
+{
+  (void)state;
+  struct scallop_straight g;
+  const double quarters[2] = { 0.25, 0.25 };
+  assert_int_equal(scallop_make_trapezoidal(&g, "trapezoidal", quarters, quarters), SCALLOP_OK);
+  const struct scallop_shape *shape = &g.gait.phase[SCALLOP_EXTENSION];
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    CHECK_EQUAL(p->curve->when(p, p->acceleration), p->begin);
+    CHECK_EQUAL(p->curve->when(p, p->acceleration + 1), NAN);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -653,6 +697,8 @@ int main(void)
     cmocka_unit_test(too_long_a_file),
     cmocka_unit_test(a_good_file),
     cmocka_unit_test(texts),
+    cmocka_unit_test(laws_are_compared),
+    cmocka_unit_test(a_ramp_has_one_acceleration),
     cmocka_unit_test(samples_of_the_sinusoidal_gait),
     cmocka_unit_test(samples_of_the_quadratic_gait),
   };
