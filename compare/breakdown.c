@@ -194,9 +194,9 @@ static void write_reach(struct report *r, const struct comparison *c, double tol
   } else if (T > 0) {
     snprintf(text, sizeof text, "for every T%s", r->events.count > 0 ? " up to permanent rest" : "");
   } else if (isnan(limit)) {
-    snprintf(text, sizeof text, "for no T: the error does not fall below the tolerance");
+    snprintf(text, sizeof text, "the error does not fall below the tolerance as T -> 0");
   } else {
-    snprintf(text, sizeof text, "for no T: the error tends to %.6g as T -> 0", limit);
+    snprintf(text, sizeof text, "the error tends to %.6g as T -> 0, which is not below the tolerance", limit);
     row.error = limit;
   }
   write_row(r, &row);

@@ -34,7 +34,7 @@ struct breakdown_series {
 /* One series of the steady state of a crawler, for one value of T or for a search: thread-safe. T of the crawler is the period.
  * The relative error series/exact - 1; nan where there is no such series, or no exact value; 0 where both are 0. */
 double breakdown_error(const struct scallop_crawler *crawler, const struct breakdown_series *series);
-/* The largest T up to which the absolute value of that stays below tolerance: 0 if it does for no T, INFINITY if for every T up to
+/* The largest T up to which the absolute value of that stays below tolerance: 0 if it does not as T -> 0, INFINITY if for every T up to
  * permanent rest, nan where there is no such series. T of the crawler is not used. */
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
 
