@@ -258,13 +258,15 @@ static bool estimates(const struct stress_case *s, const struct scallop_steady_r
 
 /* ---- all of it ---- */
 
-/* tau, L/tau and L of a phase, or L/T, L and 1: at 2^-960 of these, about 1e-289, digits may be lost. */
+/* tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1: at 2^-960 of these, about 1e-289, digits may be
+ * lost. */
 static double floor_of(const struct stress_case *s, int q)
 {
   const struct scallop_crawler *c = &s->crawler;
-  double tau = is_phase(s) ? scallop_phase_duration(c, s->phase) : c->T, velocity = c->L / tau;
+  double shorter = fmin(scallop_phase_duration(c, SCALLOP_EXTENSION), scallop_phase_duration(c, SCALLOP_CONTRACTION));
+  double tau = is_phase(s) ? scallop_phase_duration(c, s->phase) : shorter, velocity = c->L / tau;
   const double of_phase[] = { tau, tau, velocity, c->L, c->L, c->L };
-  const double of_steady[] = { 0, velocity, velocity, c->L, velocity, 1 };
+  const double of_steady[] = { 0, velocity, velocity, c->L, c->L / c->T, 1 };
   return 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
 }
 

@@ -101,6 +101,29 @@ static long double way(const struct place *at)
   return at->range / (n + 1) * law_bernstein(sums, n + 1, at->x, at->y);
 }
 
+/* The slope from near on cut down to the part between from and to, by de Casteljau's rule: its mean there is formed without a difference of two
+ * speeds, which may be much larger than what they differ by. */
+double law_rise(const struct scallop_law *law, double from, double to)
+{
+  struct place at = place_at(law, fmax(from, to));
+  int n = at.degree - 1;
+  long double low = fmin(from, to), high = fmax(from, to), sum = 0, near = law->numerator[law->degree + 1];
+  long double x = (low - near) / (high - near), y = (high - low) / (high - near);
+  if (from == to)
+    return 0;
+  for (int j = 0; j <= n; j++)
+    at.b[j] = at.b[j + 1] - at.b[j];
+  for (int k = 0; k < n; k++) /* the part up to high */
+    for (int j = n; j > k; j--)
+      at.b[j] = at.y * at.b[j - 1] + at.x * at.b[j];
+  for (int k = 0; k < n; k++) /* and of that the part from low on */
+    for (int j = 0; j < n - k; j++)
+      at.b[j] = y * at.b[j] + x * at.b[j + 1];
+  for (int j = 0; j <= n; j++)
+    sum += at.b[j];
+  return (double)(sum / at.range * (to - (long double)from)); /* (n + 1) slopes, the mean of n + 1 */
+}
+
 static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
 static double bernstein_length(const struct scallop_piece *p, double u)

@@ -16,4 +16,7 @@ void law_coefficients(const struct scallop_law *law, long double *b);
 /* sum of b[j] binomial(n, j) x^j y^(n - j), x + y = 1: to a few ulp of the sum of magnitudes, also next to x = 0 and y = 0. */
 long double law_bernstein(const long double *b, int n, long double x, long double y);
 
+/* |l'| at offset to minus |l'| at from, for a Bernstein law: to a few ulp of (to - from) max |l''|, however near they are to each other. */
+double law_rise(const struct scallop_law *law, double from, double to);
+
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/law.h"
 #include "numerics/ramps.h"
 #include "numerics/root.h"
 
@@ -29,16 +30,22 @@ static real short_sum(const struct scallop_piece *p, real (*of)(const struct sca
   return p->direction * sum * half;
 }
 
+/* Then the rule is off by at most a sixteenth of an ulp for the sinusoidal gait. */
+static bool is_short(real from, real to) { return fabs(to - from) < 0x1p-5 * fmax(from, to); }
+
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
-  static const double short_part = 0x1p-5; /* the rule is off by a sixteenth of an ulp for the sinusoidal gait */
-  if (fabs(to - from) < short_part * fmax(from, to))
+  if (is_short(from, to))
     return short_sum(p, p->curve->velocity, from, to);
   return fabs(p->curve->length(p, to) - p->curve->length(p, from));
 }
 
 static real walk_rise(const struct scallop_piece *p, real from, real to)
 {
+  if (p->law && p->law->kind == SCALLOP_LAW_BERNSTEIN)
+    return law_rise(p->law, from, to);
+  if (!is_short(from, to))
+    return p->direction * (p->curve->velocity(p, to) - p->curve->velocity(p, from));
   double forward = (to > from) == (p->anchor == SCALLOP_FROM_START) ? 1 : -1;
   return forward * short_sum(p, p->curve->acceleration, from, to);
 }

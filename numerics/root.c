@@ -77,7 +77,8 @@ double root_between(root_function *f, const void *context, struct root_end a, st
   struct root_end before = from_a ? a : b, p = before;
   p.u = clamp(before.u - before.f / before.slope, a.u, b.u);
   double last_step = p.u - before.u;
-  for (int i = 0; i < STEPS && p.u != before.u; i++) { /* else the root is too near the end for a step to show */
+  int steps = 0;
+  for (; steps < STEPS && p.u != before.u; steps++) { /* else the root is too near the end for a step to show */
     p.f = f(context, p.u, &p.slope);
     if (p.f == 0 || p.f == before.f || p.slope == 0)
       break;
@@ -89,6 +90,8 @@ double root_between(root_function *f, const void *context, struct root_end a, st
     last_step = next - p.u;
     p.u = next;
   }
+  if (steps == STEPS) /* p.f is that of the step before, and may have the other sign */
+    p.f = f(context, p.u, &p.slope);
   if (p.f == 0)
     return p.u;
   const struct problem problem = { f, context };

@@ -6,7 +6,7 @@
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
  *     walk_when(piece, a)                               u in the piece with l''(u) = a, nan if there is none
  *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece, whichever is first
- *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which are near each other
+ *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which may be far larger than their difference
  *     struct root_end, root_function, root_between      as in root.h
  *
  *     walk_show(walk, u, c)                             what is told of each interval of constant mode; of a function the declaration
@@ -77,6 +77,7 @@ struct walk {
   int region;               /* 0, 1, 2; meaningless while stuck                                        */
   int stuck;                /* the curve that c is glued to, or -1                                     */
   int passed;               /* a curve that c has left for the rest of the piece, or -1                */
+  int left;                 /* the curve whose body was released, if c has met none since and is near it; or -1 */
   bool turned;              /* the mode may have changed since it was last noted                       */
   struct walk_result *out;
 };
@@ -213,6 +214,21 @@ static inline real body_slope(const struct walk *w, int j)
   return w->slope[1] + w->pull[j];
 }
 
+/* c is near the curve that it has left: the velocity of that curve's body, c minus the curve, would lose digits. */
+static inline bool is_near_left(real v, real c) { return 16 * magnitude(v) < magnitude(c); }
+
+/* The velocity of the body that was released last, at u: from what it was, as long as that is better than from c. */
+static real v_of_released(struct walk *w, real u, real c, const struct rates *there)
+{
+  real q = w->curve[w->left], duration = w->sense * (u - w->u);
+  real rise = w->piece->linear ? there->rate * duration : walk_rise(w->piece, w->u, u);
+  real v = w->v[w->left] + (w->slope[w->region] * duration - q * rise);
+  if (is_near_left(v, c))
+    return v;
+  w->left = -1;
+  return c - q * there->speed;
+}
+
 /* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
 static inline void go_straight(struct walk *w, real u, real c, const struct rates *there, int met)
 {
@@ -227,6 +243,8 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
       v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
     else if (linear) /* as it is itself, and nothing large need be subtracted */
       v = w->v[j] + body_slope(w, j) * duration;
+    else if (j == w->left)
+      v = v_of_released(w, u, c, there);
     if (linear) {
       way = (w->v[j] + v) / 2 * duration;
       parts = magnitude(way);
@@ -275,6 +293,7 @@ static inline void meet(struct walk *w, int j, bool moved)
 {
   int to = beyond(w, j), from = w->region;
   w->out->work.events++;
+  w->left = -1;
   if (to == from && moved) /* touched it, within rounding, and moves away */
     return;
   if (to == from) /* and is back at once: it grazes the curve where the curve begins to hold it */
@@ -304,7 +323,9 @@ static inline void meet(struct walk *w, int j, bool moved)
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
   real side, curve, c_anchor, c_slope;
-  bool closed; /* now: c is on the curve */
+  real now;    /* c above the curve here */
+  bool closed; /* here: c is on the curve */
+  bool since;  /* now is formed from where c left the curve */
 };
 
 /* at u, and its derivative with respect to u */
@@ -329,6 +350,8 @@ static inline bool straight_contact(const struct gap *g, real *u)
   if (g->side * (g->c_slope - along) >= 0)
     return false;
   *u = w->sense * (g->c_anchor - g->curve * p->direction * walk_velocity(p)) / (along - g->c_slope);
+  if (g->since)
+    *u = w->u + w->sense * g->now / (along - g->c_slope);
   if (g->closed || w->sense * (*u - w->u) < 0)
     *u = w->u;
   if (!w->node || g->closed)
@@ -340,14 +363,15 @@ static inline bool straight_contact(const struct gap *g, real *u)
   return closes(g, left);
 }
 
-/* The gap to a curve that c has just crossed, formed from the distances to that point: it may be far smaller than rounding is in c. */
+/* The gap to a curve that c has just crossed, or has left since it was on it, formed from what changes from here on: it may be far smaller
+ * than rounding is in c. */
 static real gap_since(const void *context, real u, real *slope)
 {
   const struct gap *g = context;
   const struct walk *w = g->walk;
   w->out->work.root_iterations++;
   *slope = g->side * w->sense * (g->c_slope - g->curve * rates_at(w, u).rate);
-  return g->side * (g->c_slope * (w->sense * (u - w->u)) - g->curve * walk_rise(w->piece, w->u, u));
+  return g->side * (g->now + (g->c_slope * (w->sense * (u - w->u)) - g->curve * walk_rise(w->piece, w->u, u)));
 }
 
 /* c has just crossed the curve and turns towards it again soon, at u = turn: then it is back after about twice that time, and four times
@@ -376,11 +400,15 @@ static bool comes_back(const struct gap *g, real turn, real *u)
 static bool curved_contact(const struct gap *g, real *u)
 {
   const struct walk *w = g->walk;
-  struct root_end now = { .u = w->u, .f = g->closed ? 0 : g->side * (w->c - g->curve * w->here.speed) };
+  root_function *gap = g->since ? gap_since : gap_value;
+  struct root_end now = { .u = w->u, .f = g->side * g->now };
   struct root_end end = { .u = w->piece->end };
   now.slope = g->side * w->sense * (g->c_slope - g->curve * w->here.rate);
   end.slope = g->side * w->sense * (g->c_slope - g->curve * w->end.rate);
-  end.f = g->side * (g->c_anchor + g->c_slope * (w->sense * end.u) - g->curve * w->end.speed);
+  if (g->since)
+    end.f = gap_since(g, end.u, &end.slope);
+  else
+    end.f = g->side * (g->c_anchor + g->c_slope * (w->sense * end.u) - g->curve * w->end.speed);
   bool falls_now = w->sense * now.slope < 0, falls_at_end = w->sense * end.slope < 0;
   if (!falls_now && (!falls_at_end || !closes(g, end.f)))
     return false;
@@ -393,20 +421,24 @@ static bool curved_contact(const struct gap *g, real *u)
     if (w->sense * (turn.u - now.u) >= 0 && w->sense * (end.u - turn.u) >= 0) {
       if (!falls_now && g->closed && comes_back(g, turn.u, u))
         return true;
-      turn.f = gap_value(g, turn.u, &turn.slope);
+      turn.f = gap(g, turn.u, &turn.slope);
       *(falls_now ? &end : &now) = turn;
     } /* else it is within rounding of the end where it falls */
   }
   if (!closes(g, end.f))
     return false;
-  *u = now.f <= 0 ? now.u : root_between(gap_value, g, now, end);
+  *u = now.f <= 0 ? now.u : root_between(gap, g, now, end);
   return true;
 }
 
 static inline bool contact(const struct walk *w, int j, real *u)
 {
   real c_slope = w->slope[w->region];
-  struct gap g = { w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope, w->v[j] == 0 };
+  bool closed = w->v[j] == 0, since = j == w->left && is_near_left(w->v[j], w->c);
+  real now = closed ? 0 : since ? w->v[j] : w->c - w->curve[j] * w->here.speed;
+  struct gap g = {
+    w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope, now, closed, since
+  };
   return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
 }
 
@@ -494,7 +526,7 @@ static void stick(struct walk *w)
     w->out->work.events++;
     w->stuck = -1;
     w->region = to;
-    w->passed = j;
+    w->passed = w->left = j;
     w->turned = true;
   }
 }
@@ -506,7 +538,7 @@ static void place(struct walk *w)
   real upper = w->curve[0] * w->here.speed, lower = w->curve[1] * w->here.speed;
   for (int j = 0; j < 2; j++)
     w->v[j] = w->c - w->curve[j] * w->here.speed;
-  w->stuck = -1;
+  w->stuck = w->left = -1;
   w->turned = true;
   w->region = w->c >= upper ? 0 : w->c < lower ? 2 : 1;
   if (w->c == upper)
@@ -544,6 +576,7 @@ static void look_again(struct walk *w)
     return;
   w->out->work.events++;
   w->region = to;
+  w->left = w->stuck;
   w->stuck = -1;
   w->turned = true;
 }
@@ -590,7 +623,7 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   w.piece = NULL;
   w.audience = audience;
   w.c = c0;
-  w.stuck = -1;
+  w.stuck = w.left = -1;
   w.out = result;
   w.node = false;
   w.many = input->shape->count > WALK_FEW_PIECES;

@@ -93,10 +93,10 @@ static real bernstein_derivative(const struct scallop_law *law, real u, int orde
   return bernstein_at(&f, u);
 }
 
-/* The law from `from` to `to` cut out of the whole, by de Casteljau's rule: its mean is what the way is per unit of u. */
-static real bernstein_way(const struct scallop_law *law, real from, real to)
+/* The integral over u from the smaller to the larger of the two: what lies between them is cut out of the whole, by de Casteljau's rule, and its
+ * coefficients have the mean value. */
+static real bernstein_integral(struct bernstein f, real from, real to)
 {
-  struct bernstein f = bernstein_of(law);
   real range = f.far - f.near, low = from < to ? from : to, high = from < to ? to : from, sum = 0;
   real x = (high - f.near) / range, y = (f.far - high) / range;
   for (int k = 0; k < f.degree; k++) /* b[j] becomes that of near to high */
@@ -154,7 +154,7 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;
   if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
-    return apart > 0 ? bernstein_way(p->law, from, to) : 0;
+    return apart > 0 ? bernstein_integral(bernstein_of(p->law), from, to) : 0;
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
     for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
       real power = 1, terms = 0;
@@ -169,6 +169,11 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
 
 static real walk_rise(const struct scallop_piece *p, real from, real to)
 {
+  if (p->law->kind == SCALLOP_LAW_BERNSTEIN && from != to) {
+    struct bernstein slope = bernstein_of(p->law);
+    derive(&slope);
+    return from < to ? bernstein_integral(slope, from, to) : -bernstein_integral(slope, from, to);
+  }
   return speed_derivative(p, to, 0) - speed_derivative(p, from, 0);
 }
 
@@ -254,6 +259,8 @@ static real root_between(root_function *f, const void *context, struct root_end 
     if (slow || (next > a.u) == (next > b.u)) {
       next = (a.u + b.u) / 2;
       step = next - p.u;
+      if (next == a.u || next == b.u) /* rounding of f is more than that of u */
+        break;
     }
     p.u = next;
     before = step;

@@ -61,6 +61,33 @@ static void flat_roots(void **state)
   }
 }
 
+struct flattened { /* f = low - u - high u^n */
+  double low, high;
+  int n;
+};
+
+static double flattened(const void *context, double u, double *slope)
+{
+  const struct flattened *p = context;
+  *slope = -1 - p->high * p->n * pow(u, p->n - 1);
+  return p->low - u - p->high * pow(u, p->n);
+}
+
+/* From the end where a high power rules a step comes a fixed part nearer to the root: more steps than there are, and the last may cross it. */
+static void roots_far_from_the_steep_end(void **state)
+{
+  (void)state;
+  for (int n = 2; n <= 6; n++)
+    for (int k = 1; k < 400; k++) {
+      const struct flattened p = { pow(0.93, k), 1e6, n };
+      struct root_end a = { .u = 0 }, b = { .u = 0.3 };
+      a.f = flattened(&p, a.u, &a.slope);
+      b.f = flattened(&p, b.u, &b.slope);
+      double root = root_between(flattened, &p, a, b), slope, rest = flattened(&p, root, &slope);
+      CHECK_NEAR(rest / slope, 0, 4 * DBL_EPSILON * root);
+    }
+}
+
 /* ---- the ITP method alone ---- */
 
 struct counted { /* a function that counts how often it is asked */
@@ -141,8 +168,13 @@ static void itp_without_a_bracket(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(at_the_ends),         cmocka_unit_test(simple_roots), cmocka_unit_test(flat_roots),
-    cmocka_unit_test(itp_keeps_its_count), cmocka_unit_test(itp_is_fast),  cmocka_unit_test(itp_without_a_bracket),
+    cmocka_unit_test(at_the_ends),
+    cmocka_unit_test(simple_roots),
+    cmocka_unit_test(flat_roots),
+    cmocka_unit_test(roots_far_from_the_steep_end),
+    cmocka_unit_test(itp_keeps_its_count),
+    cmocka_unit_test(itp_is_fast),
+    cmocka_unit_test(itp_without_a_bracket),
   };
   return cmocka_run_group_tests_name("root", tests, NULL, NULL);
 }

@@ -131,6 +131,36 @@ static const struct stress_case past[] = {
   { .crawler = { 1, 1, 4, 1, 10, 2.9447531087543197, 0.75, SINUSOIDAL } },
 };
 
+/* The same, of gaits that are made of a text */
+static const struct {
+  const char *gait;
+  struct stress_case stressed;
+} past_of_polynomials[] = {
+  /* a body released just before l'' is steepest, and caught again soon after: 3e3, 1.4e4 and 1.9e4 units */
+  { "minimum-jerk", { .kind = STRESS_PHASE, .crawler = { 1, 1, 4, 1, 10, 6.796176979, 0.5, NULL } } },
+  { "minimum-jerk",
+    { .kind = STRESS_PHASE,
+      .crawler = { 0.13910231149513322, 3.748789126195413, 1.1661362945750007, 6.323069286997304, 0.4836016194920944,
+                   0.3663211709658381, 0.7491572211682797, NULL } } },
+  { "polynomial:0,0,0,35,-84,70,-20",
+    { .kind = STRESS_PHASE,
+      .crawler = { 4.949684433193895, 4.688232166454887, 0.49789904838967836, 0.33358295082521355, 0.13664896867022633,
+                   18.345320823198815, 0.29502207070589065, NULL } } },
+  /* released early, and caught near the end: 2e5 units if counted from the release all the way */
+  { "minimum-jerk",
+    { .kind = STRESS_PHASE,
+      .crawler = { 0.5469405679464527, 0.22888580001547107, 0.18529457151913437, 5.00622364346652, 3.2583611146692975,
+                   0.0103, 0.259, NULL },
+      .phase = SCALLOP_CONTRACTION } },
+  /* a root that Newton's steps did not get to, and crossed with the last of them: 4e9 units */
+  { "polynomial:0,0,0,35,-84,70,-20",
+    { .kind = STRESS_PHASE,
+      .crawler = { 0.39103649769416415, 0.2860229981068453, 4.520768495446121, 4.352551746705724, 1.2148938382464751,
+                   0.001787415058391338, 0.053628653958439826, NULL },
+      .phase = SCALLOP_CONTRACTION,
+      .v0 = -1.2813210988875906e-06 } },
+};
+
 static void check_promises(const struct stress_case *c)
 {
   struct stress_judgement j;
@@ -151,6 +181,26 @@ static void past_failures(void **state)
   (void)state;
   for (long i = 0; i < check_cases(sizeof past / sizeof *past); i++)
     check_promises(&past[i]);
+  for (size_t i = 0; i < sizeof past_of_polynomials / sizeof *past_of_polynomials; i++) {
+    struct stress_case c = past_of_polynomials[i].stressed;
+    c.crawler.gait = gait_of_text(past_of_polynomials[i].gait).gait;
+    check_promises(&c);
+  }
+}
+
+/* Below 1e-289 of L/tau of the shorter phase, the extension here, digits of v_mid may be lost; above they may not. */
+static void units_far_below_the_natural_one(void **state)
+{
+  (void)state;
+  const struct stress_case lost = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-156, SINUSOIDAL } };
+  const struct stress_case kept = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
+  struct stress_judgement j;
+  check_promises(&lost);
+  check_promises(&kept);
+  stress_judge(&lost, &j);
+  assert_true(j.ulp[2] == 0 && j.error[2] > 0);
+  stress_judge(&kept, &j);
+  assert_true(j.ulp[2] > 0);
 }
 
 /* What over- or underflows is refused, and nothing else is. */
@@ -314,9 +364,10 @@ static void trajectories(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(past_failures),      cmocka_unit_test(refusals), cmocka_unit_test(condition_numbers),
-    cmocka_unit_test(sees_what_is_wrong), cmocka_unit_test(families), cmocka_unit_test(boundaries_are_near),
-    cmocka_unit_test(trajectories),
+    cmocka_unit_test(past_failures),     cmocka_unit_test(refusals),
+    cmocka_unit_test(condition_numbers), cmocka_unit_test(sees_what_is_wrong),
+    cmocka_unit_test(families),          cmocka_unit_test(boundaries_are_near),
+    cmocka_unit_test(trajectories),      cmocka_unit_test(units_far_below_the_natural_one),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
