@@ -56,8 +56,8 @@ static const struct unless_given unless_given[] = {
   { "phase", "with --v0 %s, else the steady state" },
   { "v0", "with --phase %s" },
   { "family", "all" },
-  { "cases",
-    TEXT_OF(STRESS_CASES) "; with --check " TEXT_OF(STRESS_CHECK_CASES) ", with --full " TEXT_OF(STRESS_FULL_CASES) },
+  { "cases", TEXT_OF(STRESS_CASES) "; with --check " TEXT_OF(STRESS_CHECK_STEADY) ", of phases " TEXT_OF(
+                 STRESS_CHECK_PHASES) ", with --full " TEXT_OF(STRESS_FULL_CASES) },
   { NULL, NULL },
 };
 

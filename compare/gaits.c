@@ -107,6 +107,7 @@ struct kind {
   const char *usual; /* its parameters where none are given, or NULL                                */
   const char *allowed;
   bool (*make)(struct made *made, const char *parameters); /* false: message says why, or is empty: not as allowed */
+  const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
 };
 
 static bool make_trapezoidal(struct made *m, const char *parameters)
@@ -161,23 +162,31 @@ static bool make_measured(struct made *m, const char *file)
 }
 
 static const struct kind kinds[] = {
-  { "quadratic", NULL, NULL, NULL },
-  { "sinusoidal", NULL, NULL, NULL },
+  { "quadratic", NULL, NULL, NULL, "quadratic" },
+  { "sinusoidal", NULL, NULL, NULL, "sinusoidal" },
   { "trapezoidal", "0.25,0.25",
     "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which |l'| "
     "rises and falls: "
     "from 2^-100, UP + DOWN at most 1",
-    make_trapezoidal },
+    make_trapezoidal, "trapezoidal:0.2,0.3" },
   { "skewed", "0.25",
     "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from 2^-100, "
     "below 1",
-    make_skewed },
+    make_skewed, "skewed:0.3" },
   { "polynomial", NULL, "polynomial:C1,C2,... of degree 3 to 16 with l' = 0 at both ends and C1 + C2 + ... > 0",
-    make_polynomial },
-  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial },
-  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured },
+    make_polynomial, "polynomial:0,0,0,35,-84,70,-20" },
+  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial, "minimum-jerk" },
+  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured, NULL },
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+const char *gait_sample(int i)
+{
+  for (int k = 0; k < KINDS; k++)
+    if (kinds[k].sample && i-- == 0)
+      return kinds[k].sample;
+  return NULL;
+}
 
 /* The kind of that name, up to the colon or the end */
 static const struct kind *kind_of(const char *text)

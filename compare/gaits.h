@@ -29,6 +29,9 @@ struct gait_answer {
 };
 struct gait_answer gait_of_text(const char *text);
 
+/* The text of one gait of each kind but measured, which is a file: i = 0, 1, ...; NULL after the last. */
+const char *gait_sample(int i);
+
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
 

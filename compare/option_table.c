@@ -319,7 +319,7 @@ static const struct option_description descriptions[] = {
   { "tol.breakdown", "D", "for this relative error only", &of_number },
   { "tol", "D", "how far the order may be from --expect", &of_number },
   { "errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", &of_errors },
-  { "check.stress", NULL, "few cases, and exit code 1 if a promise is broken: for CI", &of_flag },
+  { "check.stress", NULL, "few cases, for a gait of each kind but measured; exit code 1 if a promise is broken", &of_flag },
   { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", &of_flag },
   { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", &of_flag },
   { "family", "NAME", "this family only", &of_family },

@@ -39,6 +39,16 @@ static const char *const point_columns[] = { "quantity",         "value",       
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
+/* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady state. */
+static int cases_of(const struct options *o, enum stress_kind kind)
+{
+  static const int check[] = {
+    [STRESS_STEADY] = STRESS_CHECK_STEADY, [STRESS_PHASE] = STRESS_CHECK_PHASES, [STRESS_TRAJECTORY] = 2
+  };
+  int cases = o->cases > 0 ? (int)o->cases : o->full ? STRESS_FULL_CASES : o->check ? check[kind] : STRESS_CASES;
+  return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
+}
+
 /* ---- one number of one case ---- */
 
 static double over(double error, double unit) { return error == 0 ? 0 : error / unit; }
@@ -195,7 +205,6 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
 struct run {
   const struct options *options;
   struct table table;
-  int cases;
   struct stress_case *stressed;
   struct stress_judgement *judgements;
   double *errors;
@@ -239,8 +248,7 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   struct row r = { .family = family, .gait = gait };
   if (run->shown)
     fprintf(stderr, "\r%s, %s gait\033[K", family->name, gait->name);
-  int cases = family->kind == STRESS_TRAJECTORY && run->cases > TRAJECTORIES ? TRAJECTORIES : run->cases;
-  r.cases = stress_make(family, gait, (unsigned long)o->seed, cases, run->stressed);
+  r.cases = stress_make(family, gait, (unsigned long)o->seed, cases_of(o, family->kind), run->stressed);
   for (int i = 0; i < r.cases; i++)
     run->stressed[i].periods = o->full ? FULL_PERIODS : o->check ? CHECK_PERIODS : PERIODS;
   judge_all(run, r.cases);
@@ -260,13 +268,23 @@ static const struct stress_family *family_named(const char *name)
   return f->name ? f : NULL;
 }
 
+/* The gait that is given; else those of the paper or, for a check, one of each kind. NULL after the last. */
+static const struct scallop_gait *gait_of_run(const struct options *o, int i)
+{
+  if (o->has_gait)
+    return i == 0 ? o->crawler.gait : NULL;
+  const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
+  return name ? gait_of_text(name).gait : NULL;
+}
+
 static void run_families(struct run *run)
 {
   const struct options *o = run->options;
+  const struct scallop_gait *gait;
   for (const struct stress_family *f = stress_families; f->name; f++)
-    for (int g = 0; (o->has_gait ? g == 0 : scallop_gait_name(g) != NULL) && !table_failed(&run->table); g++)
+    for (int g = 0; (gait = gait_of_run(o, g)) && !table_failed(&run->table); g++)
       if (!o->family || f == family_named(o->family))
-        run_family(run, f, o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g)));
+        run_family(run, f, gait);
 }
 
 static void begin(struct run *run)
@@ -274,8 +292,11 @@ static void begin(struct run *run)
   const struct options *o = run->options;
   struct table *t = &run->table;
   table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: stress%s%s --cases %d --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-             run->cases, o->seed);
+  char number[40];
+  bool check = o->check && o->cases <= 0 && !o->full;
+  snprintf(number, sizeof number, check ? " --check" : " --cases %d", cases_of(o, STRESS_PHASE));
+  table_note(t, "command: stress%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
+             o->has_gait ? " --gait " : "", o->has_gait ? o->crawler.gait->name : "", number, o->seed);
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
@@ -290,7 +311,7 @@ enum exit_code stress_table(const struct options *o)
 {
   struct run run = { .options = o, .shown = !o->quiet && isatty(STDERR_FILENO) };
   enum exit_code code = EXIT_UNSOLVED;
-  run.cases = o->cases > 0 ? (int)o->cases : o->full ? STRESS_FULL_CASES : o->check ? STRESS_CHECK_CASES : STRESS_CASES;
+  const size_t most = (size_t)cases_of(o, STRESS_PHASE);
   if (o->family && !family_named(o->family)) {
     const char *names[64] = { NULL };
     for (int i = 0; i < 63 && stress_families[i].name; i++)
@@ -300,9 +321,9 @@ enum exit_code stress_table(const struct options *o)
              near ? near : "", near ? "'?" : "");
     return EXIT_USAGE;
   }
-  run.stressed = calloc((size_t)run.cases, sizeof *run.stressed);
-  run.judgements = calloc((size_t)run.cases, sizeof *run.judgements);
-  run.errors = calloc((size_t)run.cases * STRESS_QUANTITIES, sizeof *run.errors);
+  run.stressed = calloc(most, sizeof *run.stressed);
+  run.judgements = calloc(most, sizeof *run.judgements);
+  run.errors = calloc(most * STRESS_QUANTITIES, sizeof *run.errors);
   if (!run.stressed || !run.judgements || !run.errors)
     complain("stress", "out of memory");
   else if (!table_open(&run.table, o))

@@ -1,5 +1,6 @@
 #include "model/law.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -152,13 +153,15 @@ static void bernstein_rates(const struct scallop_piece *p, double u, double *vel
 }
 
 /* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
- * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). */
+ * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971), which is slow where the root is many orders of magnitude below hi and the slope
+ * goes with a power of u: then u is halved in its logarithm. */
 static double slope_root(const struct scallop_law *law, long double wanted, double lo, double hi, long double f_lo,
                          long double f_hi)
 {
-  enum { STEPS = 200 };
+  enum { STEPS = 200, FEW = 16 };
   for (int i = 0, kept = 0; i < STEPS; i++) {
-    double u = (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
+    bool far_apart = i >= FEW && hi > 16 * fmax(lo, DBL_MIN);
+    double u = far_apart ? sqrt(fmax(lo, DBL_MIN)) * sqrt(hi) : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
     if (!(u > lo && u < hi))
       return fabsl(f_lo) < fabsl(f_hi) ? lo : hi;
     struct place at = place_at(law, u);

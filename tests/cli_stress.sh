@@ -3,17 +3,26 @@
 committed=$(cd "$(dirname "$0")/.." && pwd)/data/stress.tsv
 . tests/common.sh
 
-# ---- the gate: every promise of accuracy, on few cases of every family ----
+# ---- the gate: every promise of accuracy, on few cases of every family and of every kind of gait ----
 run 0 stress --check --quiet
-python out <<'END'
+cp out check.tsv
+{
+  echo 't l'
+  printf '%s\n' '0 0' '1 0.4' '2 1.3' '3 1.9' '4 2' '5 2.1' '6 3' '7 3.9' '8 4' '9 3.5' '10 2' '11 0.6' '12 0.1' '13 0'
+} >walk.tsv
+run 0 stress --check --quiet --cases 3 --gait measured:walk.tsv
+rows out >>check.tsv
+python check.tsv <<'END'
 rows = read(sys.argv[1])
-if len(rows) != 48:
-    bad("not 24 families and 2 gaits:", len(rows))
+kinds = {r["gait"].split(":")[0] for r in rows}
+if len(rows) != 24 * 7 or kinds != set("quadratic sinusoidal trapezoidal skewed polynomial minimum-jerk measured".split()):
+    bad("not 24 families and 7 kinds of gait:", len(rows), kinds)
 for r in rows:
     n, refused = number(r, "cases", "refused")
+    wanted = 2 if r["family"] == "trajectory" else 30 if r["family"].startswith("phase") else 5
     if r["verdict"] != "holds":
         bad(r["family"], r["gait"], r["verdict"])
-    if n != (4 if r["family"] == "trajectory" else 60) or refused > (n / 2 if "range" in r["family"] else 0):
+    if n != (wanted if r["gait"] != "measured:walk.tsv" else 3) or refused > ((n if n > 3 else 4) / 2 if "range" in r["family"] else 0):
         bad("cases:", r["family"], n, refused)
     if not number(r, "units") <= 8:
         bad("units:", r["family"], r["units"])
@@ -22,7 +31,7 @@ for r in rows:
         if not (rounding <= 32 and perturbed <= 17 and least >= 1 and most <= 100):
             bad("spreads or estimates:", r["family"], r["gait"])
 END
-finish "stress --check: every family keeps its promises"
+finish "stress --check: every family and kind of gait keeps its promises"
 
 # ---- families, seeds, and what can be pasted ----
 run 0 stress --family wild --gait quadratic --cases 20 --seed 3
@@ -72,6 +81,7 @@ for r in rows:
     if r["verdict"] != "holds" or not abs(r["value"] - r["certified"]) <= r["estimate"] + 2**-52 * abs(r["value"]):
         bad(r)
 END
+run 0 stress --check --m1 80 --m2 40 --F1 6 --F2 1.8 --T 12000 --gait sinusoidal --alpha 1e-156
 run 3 stress --T 1e200 --quiet
 grep -q "out of range" out || note "a refused point does not say so: $(tail -n 1 out)"
 finish "a point, and one that is refused"
