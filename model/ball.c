@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/fractions.h"
+
 /* ---- rationals ---- */
 
 static fmpq *fields(struct scallop_rational_crawler *c, int i)
@@ -168,122 +170,43 @@ bool scallop_gait_is_rational(const struct scallop_gait *gait)
 
 static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
-/* The kinds of law that are polynomials, each as coefficients of powers of u - origin. */
+/* |l'| of a piece that is not a sine: its own fractions, or some that are made for now. */
+struct view {
+  const struct scallop_fractions *of;
+  struct scallop_fractions made;
+};
 
-static void set_coefficient(fmpq_poly_t law, int k, double value)
+static void view_open(struct view *view, const struct scallop_piece *p)
 {
-  fmpq_t c;
-  fmpq_init(c);
-  scallop_rational_set_double(c, value);
-  fmpq_poly_set_coeff_fmpq(law, k, c);
-  fmpq_clear(c);
+  view->of = p->exact;
+  if (p->exact)
+    return;
+  fractions_init(&view->made);
+  fractions_of_doubles(&view->made, p);
+  view->of = &view->made;
 }
 
-/* law / (values[0] + values[1] + ...) */
-static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
+static void view_close(struct view *view)
 {
-  fmpq_t sum, value;
-  fmpq_init(sum);
-  fmpq_init(value);
-  for (int i = 0; i < count; i++) {
-    scallop_rational_set_double(value, values[i]);
-    fmpq_add(sum, sum, value);
-  }
-  fmpq_poly_scalar_div_fmpq(law, law, sum);
-  fmpq_clear(sum);
-  fmpq_clear(value);
-}
-
-/* The coefficients b[j] of a Bernstein law, from near to far, whose distance is range */
-static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const fmpq_t range)
-{
-  int n = law->degree, implied = (int)law->numerator[n + 3];
-  fmpq_t others, more;
-  fmpq_init(others);
-  fmpq_init(more);
-  for (int j = 0; j <= n; j++) {
-    scallop_rational_set_double(b + j, law->numerator[j]);
-    if (j != implied)
-      fmpq_add(others, others, b + j);
-  }
-  for (int i = 1; i < law->denominator; i++) {
-    scallop_rational_set_double(more, law->numerator[n + 4 + i]);
-    fmpq_add(b + implied, b + implied, more);
-  }
-  fmpq_mul_si(b + implied, b + implied, n + 1);
-  fmpq_div(b + implied, b + implied, range);
-  fmpq_sub(b + implied, b + implied, others);
-  fmpq_clear(others);
-  fmpq_clear(more);
-}
-
-/* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its beginning. */
-static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallop_law *law)
-{
-  int n = law->degree;
-  fmpq *b = _fmpq_vec_init(n + 1);
-  fmpq_t range, power, c;
-  fmpz_t binomial;
-  fmpq_init(range);
-  fmpq_init(power);
-  fmpq_init(c);
-  fmpz_init(binomial);
-  scallop_rational_set_double(origin, law->numerator[n + 1]);
-  scallop_rational_set_double(range, law->numerator[n + 2]);
-  fmpq_sub(range, range, origin);
-  bernstein_coefficients(b, law, range);
-  fmpq_one(power);
-  for (int k = 0; k <= n; k++) {
-    fmpz_bin_uiui(binomial, (ulong)n, (ulong)k);
-    fmpq_mul_fmpz(c, b, binomial);
-    fmpq_div(c, c, power);
-    fmpq_poly_set_coeff_fmpq(polynomial, k, c);
-    for (int j = 0; j < n - k; j++)
-      fmpq_sub(b + j, b + j + 1, b + j);
-    fmpq_mul(power, power, range);
-  }
-  _fmpq_vec_clear(b, n + 1);
-  fmpq_clear(range);
-  fmpq_clear(power);
-  fmpq_clear(c);
-  fmpz_clear(binomial);
-}
-
-/* The polynomial |l'| of a piece that is not a sine, in powers of u - origin. */
-static void polynomial(fmpq_poly_t law, fmpq_t origin, const struct scallop_piece *p)
-{
-  fmpq_poly_zero(law);
-  fmpq_zero(origin);
-  if (!p->law) {
-    set_coefficient(law, 0, p->direction * p->velocity);
-    set_coefficient(law, 1, p->direction * (sense(p) * p->acceleration));
-  } else if (p->law->kind == SCALLOP_LAW_RAMP) {
-    for (int k = 0; k < 2; k++)
-      set_coefficient(law, k, p->law->numerator[k]);
-    divide_by_sum(law, p->law->numerator + 2, 1);
-    divide_by_sum(law, p->law->numerator + 3, 3);
-  } else if (p->law->kind == SCALLOP_LAW_BERNSTEIN) {
-    bernstein(law, origin, p->law);
-  } else {
-    for (int k = 0; k <= p->law->degree; k++)
-      set_coefficient(law, k, p->law->numerator[k]);
-    divide_by_sum(law, &p->law->denominator, 1);
-  }
+  if (view->of == &view->made)
+    fractions_clear(&view->made);
 }
 
 /* The same as a polynomial in sign time + start: exact, of an exact start */
 static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
 {
-  fmpq_t origin;
+  struct view view;
+  fmpq_t offset;
   fmpq_poly_t shifted;
-  fmpq_init(origin);
+  fmpq_init(offset);
   fmpq_poly_init(shifted);
-  polynomial(law, origin, p);
-  fmpq_sub(origin, start, origin);
+  view_open(&view, p);
+  fmpq_sub(offset, start, view.of->origin);
   fmpq_poly_set_coeff_si(shifted, 1, sign);
-  fmpq_poly_set_coeff_fmpq(shifted, 0, origin);
-  fmpq_poly_compose(law, law, shifted);
-  fmpq_clear(origin);
+  fmpq_poly_set_coeff_fmpq(shifted, 0, offset);
+  fmpq_poly_compose(law, view.of->speed, shifted);
+  view_close(&view);
+  fmpq_clear(offset);
   fmpq_poly_clear(shifted);
 }
 
@@ -297,17 +220,40 @@ static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
   arb_clear(o);
 }
 
-static void evaluate(arb_t value, const fmpq_poly_t law, const fmpq_t origin, const arb_t u, slong precision)
+/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
+static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
 {
-  arb_t x;
-  arb_poly_t balls;
-  arb_init(x);
-  arb_poly_init(balls);
-  shift(x, u, origin, precision);
-  arb_poly_set_fmpq_poly(balls, law, precision);
-  arb_poly_evaluate(value, balls, x, precision);
-  arb_poly_clear(balls);
-  arb_clear(x);
+  arb_ptr t = _arb_vec_init(2), x = t, sum = t + 1;
+  fmpz_t c;
+  fmpz_init(c);
+  shift(x, u, f->origin, precision);
+  for (slong k = fmpq_poly_degree(f->speed); k >= FLINT_MAX(order, 0); k--) {
+    fmpz_set(c, fmpq_poly_numref(f->speed) + k);
+    for (int i = 0; i < order; i++)
+      fmpz_mul_si(c, c, k - i);
+    arb_mul(sum, sum, x, precision);
+    if (order >= 0)
+      arb_add_fmpz(sum, sum, c, precision);
+    else {
+      arb_set_fmpz(value, c);
+      arb_div_si(value, value, k + 1, precision);
+      arb_add(sum, sum, value, precision);
+    }
+  }
+  if (order < 0)
+    arb_mul(sum, sum, x, precision);
+  arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
+  fmpz_clear(c);
+  _arb_vec_clear(t, 2);
+}
+
+/* The same of a piece that is not a sine */
+static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
+{
+  struct view view;
+  view_open(&view, p);
+  evaluate(value, view.of, order, u, precision);
+  view_close(&view);
 }
 
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -322,14 +268,7 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
     arb_clear(half_pi);
     return;
   }
-  fmpq_t origin;
-  fmpq_poly_t law;
-  fmpq_init(origin);
-  fmpq_poly_init(law);
-  polynomial(law, origin, p);
-  evaluate(speed, law, origin, u, precision);
-  fmpq_poly_clear(law);
-  fmpq_clear(origin);
+  evaluate_piece(speed, p, 0, u, precision);
 }
 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -343,17 +282,8 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
     arb_cos_pi(rate, u, precision);
     arb_mul(rate, rate, pi, precision);
     arb_clear(pi);
-  } else {
-    fmpq_t origin;
-    fmpq_poly_t law;
-    fmpq_init(origin);
-    fmpq_poly_init(law);
-    polynomial(law, origin, p);
-    fmpq_poly_derivative(law, law);
-    evaluate(rate, law, origin, u, precision);
-    fmpq_poly_clear(law);
-    fmpq_clear(origin);
-  }
+  } else
+    evaluate_piece(rate, p, 1, u, precision);
   arb_mul_si(rate, rate, sense(p), precision);
 }
 
@@ -371,17 +301,12 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     arb_sin_pi(b, b, precision);
     arb_mul(way, a, b, precision);
   } else {
-    fmpq_t origin;
-    fmpq_poly_t law;
-    fmpq_init(origin);
-    fmpq_poly_init(law);
-    polynomial(law, origin, p);
-    fmpq_poly_integral(law, law);
-    evaluate(a, law, origin, u, precision);
-    evaluate(b, law, origin, v, precision);
+    struct view view;
+    view_open(&view, p);
+    evaluate(a, view.of, -1, u, precision);
+    evaluate(b, view.of, -1, v, precision);
+    view_close(&view);
     arb_sub(way, b, a, precision);
-    fmpq_poly_clear(law);
-    fmpq_clear(origin);
   }
   arb_mul_si(way, way, sense(p), precision);
   arb_clear(a);
@@ -404,18 +329,14 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
     arb_mul_2exp_si(s, s, -1);
     arb_poly_scalar_mul(series, series, s, precision);
   } else {
-    fmpq_t origin;
-    fmpq_poly_t law;
-    fmpq_init(origin);
-    fmpq_poly_init(law);
-    polynomial(law, origin, p);
-    shift(s, u, origin, precision);
+    struct view view;
+    view_open(&view, p);
+    shift(s, u, view.of->origin, precision);
     arb_poly_set_coeff_arb(time, 0, s);
-    arb_poly_set_fmpq_poly(series, law, precision);
+    arb_poly_set_fmpq_poly(series, view.of->speed, precision);
     arb_poly_compose(series, series, time, precision);
     arb_poly_truncate(series, length);
-    fmpq_poly_clear(law);
-    fmpq_clear(origin);
+    view_close(&view);
   }
   arb_clear(s);
   arb_poly_clear(time);
@@ -466,18 +387,17 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_mul_2exp_si(pi, pi, 1);
     arb_poly_scalar_mul(rate, rate, pi, precision);
   } else {
-    fmpq_t origin;
-    fmpq_poly_t law;
-    fmpq_init(origin);
-    fmpq_poly_init(law);
-    polynomial(law, origin, p);
-    shift(pi, u, origin, precision);
+    struct view view;
+    fmpq_poly_t slope;
+    fmpq_poly_init(slope);
+    view_open(&view, p);
+    shift(pi, u, view.of->origin, precision);
     arb_poly_set_coeff_arb(offset, 0, pi);
-    evaluate_along(speed, law, offset, length, precision);
-    fmpq_poly_derivative(law, law);
-    evaluate_along(rate, law, offset, length, precision);
-    fmpq_poly_clear(law);
-    fmpq_clear(origin);
+    evaluate_along(speed, view.of->speed, offset, length, precision);
+    fmpq_poly_derivative(slope, view.of->speed);
+    evaluate_along(rate, slope, offset, length, precision);
+    view_close(&view);
+    fmpq_poly_clear(slope);
   }
   if (sense(p) < 0)
     arb_poly_neg(rate, rate);

@@ -123,6 +123,8 @@ const char *scallop_gait_name(int i) { return i >= 0 && i < GAITS ? gaits[i]->na
 /* Whether |l'| is the same function of the offset in both pieces */
 static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)
 {
+  if (a->exact != b->exact)
+    return false;
   if (a->law || b->law)
     return a->law && b->law && law_same(a->law, b->law);
   int turned = a->anchor == b->anchor ? 1 : -1;

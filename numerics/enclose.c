@@ -1,5 +1,7 @@
 #include "numerics/enclose.h"
 
+#include "model/fractions.h"
+
 void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision)
 {
   arb_t u;
@@ -23,6 +25,19 @@ void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const 
   }
   arb_mul_si(value, value, piece->direction, precision);
   arb_clear(u);
+}
+
+void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong precision)
+{
+  fmpq_t u;
+  fmpq_init(u);
+  scallop_rational_end(u, piece);
+  if (piece->anchor == SCALLOP_FROM_END) {
+    fmpq_sub_si(u, u, 1);
+    fmpq_neg(u, u);
+  }
+  arb_set_fmpq(s, u, precision);
+  fmpq_clear(u);
 }
 
 void scallop_track_init(struct scallop_track *f)
@@ -129,13 +144,34 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 
 enum judgement { NOTHING, ZERO, UNKNOWN, UNKNOWN_AT_END };
 
+/* Whether l' or l'' (order 0, 1) is 0 where the piece ends: exactly, though that may be no number that a ball holds exactly. */
+static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
+{
+  fmpq_t u;
+  fmpq_poly_t series;
+  fmpq_init(u);
+  fmpq_poly_init(series);
+  scallop_rational_end(u, piece);
+  bool rational = scallop_rational_speed_series(series, piece, u, order + 1, NULL);
+  fmpq_poly_get_coeff_fmpq(u, series, order);
+  bool zero = rational && fmpq_is_zero(u);
+  fmpq_poly_clear(series);
+  fmpq_clear(u);
+  return zero;
+}
+
 /* A margin that is 0 exactly where a piece ends is looked at again by the next piece, and what happens at the end of the phase
  * does not matter to it: equal forces while l'' goes to 0. So such an end can be left out of the stretch. */
 static bool ends_in_zero(const struct scallop_track *f, const arb_t end, slong precision)
 {
   arb_t value;
   arb_init(value);
-  enclose(value, f, end, 0, precision);
+  scallop_enclose_end(value, f->piece, precision);
+  if (arb_equal(value, end) && gait_ends_in_zero(f->piece, f->order)) {
+    arb_mul(value, f->slope, end, precision);
+    arb_add(value, value, f->constant, precision);
+  } else
+    enclose(value, f, end, 0, precision);
   bool zero = arb_is_zero(value) && (f->order == 1 || arb_is_one(end));
   arb_clear(value);
   return zero;

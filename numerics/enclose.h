@@ -8,6 +8,9 @@
 /* l', l'' or l''' (order 0, 1, 2) over all of the ball s, as the law of this piece has it. */
 void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision);
 
+/* The time at which a piece ends, rounded once */
+void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong precision);
+
 /* f(s) = constant + slope s + factor l'(s) for order 0, with l'' for order 1. */
 struct scallop_track {
   const struct scallop_piece *piece;

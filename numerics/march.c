@@ -15,6 +15,7 @@ static const char *const at_limit[] = { "the force that holds body 1 is exactly 
 
 void scallop_forces_init(struct scallop_forces *forces)
 {
+  scallop_exact_init(&forces->exact);
   for (int i = 0; i < 2; i++) {
     fmpq_init(forces->share[i]);
     fmpq_init(forces->friction[i]);
@@ -23,6 +24,7 @@ void scallop_forces_init(struct scallop_forces *forces)
 
 void scallop_forces_clear(struct scallop_forces *forces)
 {
+  scallop_exact_clear(&forces->exact);
   for (int i = 0; i < 2; i++) {
     fmpq_clear(forces->share[i]);
     fmpq_clear(forces->friction[i]);
@@ -35,7 +37,7 @@ void scallop_forces_of(struct scallop_forces *forces, const struct scallop_ratio
   fmpq_init(M);
   fmpq_init(unit);
   forces->kind = kind;
-  forces->gait = c->gait;
+  scallop_exact_of(&forces->exact, c->gait);
   fmpq_add(M, c->m1, c->m2);
   fmpq_div(forces->share[0], c->m2, M);
   fmpq_neg(forces->share[0], forces->share[0]);
@@ -412,7 +414,7 @@ static bool begins_at_zero(const struct scallop_piece *piece)
   fmpq_poly_t speed;
   fmpq_init(u);
   fmpq_poly_init(speed);
-  scallop_rational_set_double(u, piece->begin);
+  scallop_rational_begin(u, piece);
   bool zero = scallop_rational_speed_series(speed, piece, u, 1, NULL) && fmpq_poly_is_zero(speed);
   fmpq_clear(u);
   fmpq_poly_clear(speed);
@@ -592,11 +594,7 @@ static bool march_piece(struct scallop_march *m)
   arb_t end, when;
   arb_init(end);
   arb_init(when);
-  arb_set_d(end, m->piece->end);
-  if (m->piece->anchor == SCALLOP_FROM_END) {
-    arb_sub_ui(end, end, 1, m->precision);
-    arb_neg(end, end);
-  }
+  scallop_enclose_end(end, m->piece, m->precision);
   bool moves = m->piece->direction != 0, decided = moves || march_dwell(m, end);
   int which = moves ? 0 : -1;
   while (decided && which >= 0) {
@@ -637,7 +635,7 @@ static bool finish(struct scallop_march *m)
 
 bool scallop_march_phase(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)
 {
-  const struct scallop_shape *shape = &forces->gait->phase[forces->kind];
+  const struct scallop_shape *shape = &forces->exact.gait.phase[forces->kind];
   reset(m, forces, v0, precision);
   for (int i = 0; i < shape->count; i++)
     if (!enter(m, &shape->pieces[i], i == 0) || !march_piece(m))

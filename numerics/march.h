@@ -4,14 +4,15 @@
 #define SCALLOP_MARCH_H
 
 #include "model/ball.h"
+#include "model/fractions.h"
 #include "numerics/numerics.h"
 
 /* What the motion of a phase depends on, exactly. */
 struct scallop_forces {
   enum scallop_phase_kind kind;
-  const struct scallop_gait *gait;
-  fmpq_t share[2];    /* x_i'' has share_i l'' in it: -m2/M, m1/M */
-  fmpq_t friction[2]; /* F_i tau^2 / (M L)                        */
+  struct scallop_exact_gait exact; /* the gait, its laws worked out in fractions once */
+  fmpq_t share[2];                 /* x_i'' has share_i l'' in it: -m2/M, m1/M */
+  fmpq_t friction[2];              /* F_i tau^2 / (M L)                        */
 };
 void scallop_forces_init(struct scallop_forces *forces);
 void scallop_forces_clear(struct scallop_forces *forces);

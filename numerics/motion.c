@@ -63,9 +63,9 @@ static void walk_show(const struct walk *w, real u, real c)
 {
   const struct audience *audience = w->audience;
   bool glued = w->stuck >= 0;
-  struct scallop_interval interval = { .piece = w->piece,
-                                       .u_begin = w->u,
-                                       .u_end = u,
+  struct scallop_interval interval = { .piece = w->leg.given,
+                                       .u_begin = given_offset(w, w->u),
+                                       .u_end = given_offset(w, u),
                                        .mode = mode_now(w),
                                        .c_begin = w->c,
                                        .c_end = c,

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/leg.h"
 #include "numerics/numerics.h"
 
 struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                  */
@@ -58,6 +59,7 @@ enum { WALK_FEW_PIECES = 16 };
  * curve, has c = 0 there, exactly. While l' stays 0, a dwell, both curves are c = 0, and c on them is both bodies at rest. */
 struct walk {
   const struct walk_input *in;
+  struct leg leg;
   const struct scallop_piece *piece;
   void *audience;           /* of walk_show, or NULL                                                   */
   real sense;               /* +1: u runs with time, -1: against it                                    */
@@ -81,6 +83,8 @@ struct walk {
   bool turned;              /* the mode may have changed since it was last noted                       */
   struct walk_result *out;
 };
+
+static inline real given_offset(const struct walk *w, real u) { return w->leg.origin + w->leg.turn * u; }
 
 static inline struct rates rates_at(const struct walk *w, real u)
 {
@@ -113,8 +117,9 @@ static void note_mode(const struct walk *w, struct scallop_mode mode)
 {
   struct walk_result *out = w->out;
   struct scallop_modes *modes = out->modes;
-  real passed = w->piece->anchor == SCALLOP_FROM_START ? w->u : 1 - w->u;
-  real left = w->piece->anchor == SCALLOP_FROM_START ? 1 - w->u : w->u;
+  real at = given_offset(w, w->u);
+  real passed = w->leg.given->anchor == SCALLOP_FROM_START ? at : 1 - at;
+  real left = w->leg.given->anchor == SCALLOP_FROM_START ? 1 - at : at;
   if (modes->count > 0) {
     int last = modes->count < SCALLOP_MODES_KEPT ? modes->count - 1 : SCALLOP_MODES_KEPT - 1;
     if (modes->kept[last].s1 == mode.s1 && modes->kept[last].s2 == mode.s2)
@@ -189,9 +194,9 @@ static void carry_over(struct walk *w)
 static void keep_to_line(struct walk *w, bool goes_on)
 {
   if (goes_on && w->stuck < 0 && w->out->work.events == w->line_events)
-    w->c = w->line_c + w->slope[w->region] * (w->sense * (w->u - w->line_u));
+    w->c = w->line_c + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u));
   else {
-    w->line_u = w->u;
+    w->line_u = w->leg.given->begin;
     w->line_c = w->c;
     w->line_events = w->out->work.events;
   }
@@ -456,10 +461,11 @@ static void come_to_node(struct walk *w)
 
 /* The piece does not touch the end of the phase that it is anchored at, or |l'| goes to 0 at its other end: an ulp of u is more than an
  * ulp of |l'| there. Where |l'| only rises from the anchor, concave, it never is. */
-static inline bool is_vague(const struct scallop_piece *p, real u, const struct rates *there)
+static inline bool is_vague(const struct walk *w, real u, const struct rates *there)
 {
   const int much = 4;
-  return (p->begin > 0 && p->end > 0) || magnitude(there->rate) * u > much * there->speed;
+  const struct scallop_piece *p = w->leg.given;
+  return (p->begin > 0 && p->end > 0) || magnitude(there->rate) * given_offset(w, u) > much * there->speed;
 }
 
 /* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next line? */
@@ -485,7 +491,7 @@ static void slide(struct walk *w)
   }
   real duration = w->sense * (u - w->u), c = w->c + w->slope[w->region] * duration;
   struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
-  bool on_line = met >= 0 && is_vague(w->piece, u, &there) && line_tells_better(w, met, &there);
+  bool on_line = met >= 0 && is_vague(w, u, &there) && line_tells_better(w, met, &there);
   if (met >= 0 && !on_line)
     c = w->curve[met] * there.speed; /* on the curve to the last digit: the body's velocity is 0 */
   w->out->extra_impulse += w->extra[w->region] * duration;
@@ -581,23 +587,32 @@ static void look_again(struct walk *w)
   w->turned = true;
 }
 
-static void enter(struct walk *w, const struct scallop_piece *piece, bool is_last)
+/* Looks at the leg that begins. It ends at a node if the piece does and there is no other leg. */
+static void look_along(struct walk *w, const struct scallop_piece *next)
 {
-  const struct scallop_piece *before = w->piece, *next = piece + 1;
-  w->piece = piece;
-  w->sense = piece->anchor == SCALLOP_FROM_START ? 1 : -1;
-  w->u = piece->begin;
+  w->piece = w->leg.piece;
+  w->sense = w->piece->anchor == SCALLOP_FROM_START ? 1 : -1;
+  w->u = w->piece->begin;
+  w->here = rates_at(w, w->piece->begin);
+  w->end = rates_at(w, w->piece->end);
+  w->node = next && !w->leg.goes_on && !next->jump && (next->direction != w->piece->direction || w->end.speed == 0);
+  if (w->node)
+    w->end.speed = 0;
+}
+
+/* next: the piece after it, NULL after the last */
+static void enter(struct walk *w, const struct scallop_piece *piece, const struct scallop_piece *next)
+{
+  const struct scallop_piece *before = w->leg.given;
+  bool from_node = w->node;
+  leg_first(&w->leg, piece);
   w->passed = -1;
-  w->here = rates_at(w, piece->begin);
-  w->end = rates_at(w, piece->end);
-  bool anew = !before || w->node || piece->jump || piece->direction != before->direction || w->here.speed == 0;
+  look_along(w, next);
+  bool anew = !before || from_node || piece->jump || piece->direction != before->direction || w->here.speed == 0;
   if (w->many) {
     carry_over(w);
     keep_to_line(w, before && piece->anchor == before->anchor && !piece->jump);
   }
-  w->node = !is_last && !next->jump && (next->direction != piece->direction || w->end.speed == 0);
-  if (w->node)
-    w->end.speed = 0;
   if (anew) {
     if (before && !piece->jump)
       w->here.speed = 0;
@@ -610,6 +625,16 @@ static void enter(struct walk *w, const struct scallop_piece *piece, bool is_las
     w->pull[j] = -w->curve[j] * w->here.rate;
 }
 
+static inline void go_to_end(struct walk *w)
+{
+  while (w->u != w->piece->end) {
+    if (w->stuck >= 0)
+      stick(w);
+    else
+      slide(w);
+  }
+}
+
 /* c0: velocity of the centre of mass at the start. modes: where they go. */
 static void walk_phase(const struct walk_input *input, real c0, void *audience, struct scallop_modes *modes,
                        struct walk_result *result)
@@ -620,7 +645,7 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   };
   modes->count = 0;
   w.in = input;
-  w.piece = NULL;
+  w.leg.given = NULL;
   w.audience = audience;
   w.c = c0;
   w.stuck = w.left = -1;
@@ -631,12 +656,13 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
     w.carried = (struct walk_sums){ .extra_impulse = { 0, 0 } };
   const struct scallop_piece *pieces = input->shape->pieces, *last_piece = pieces + input->shape->count - 1;
   for (const struct scallop_piece *p = pieces; p <= last_piece; p++) {
-    enter(&w, p, p == last_piece);
-    while (w.u != w.piece->end) {
-      if (w.stuck >= 0)
-        stick(&w);
-      else
-        slide(&w);
+    const struct scallop_piece *next = p == last_piece ? NULL : p + 1;
+    enter(&w, p, next);
+    go_to_end(&w);
+    if (w.leg.goes_on) {
+      leg_second(&w.leg);
+      look_along(&w, next);
+      go_to_end(&w);
     }
   }
   if (w.many) {
