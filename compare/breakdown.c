@@ -10,16 +10,22 @@
 static const char *const columns[] = { "what",   "quantity", "series", "order", "tolerance", "T",
                                        "froude", "error",    "modes",  "note",  "status",    NULL };
 
-/* Terms below T^MANY tell the radius of convergence and the best order. */
+/* Terms below T^MANY tell the best order, and where the poles of a rational function are. */
 enum { MANY = 96, MANY_BITS = 1024, BOUND_BITS = 128, DOUBLE_DIGITS = 17 };
 /* Errors are known to some 1e-32. */
 static const double LEAST_TOLERANCE = 1e-20;
+
+struct sought {
+  bool done, found;
+  struct scallop_singularity singularity;
+};
 
 struct report {
   const struct options *options;
   struct subject subject;
   struct expansions expansions, many;
   struct events events;
+  struct sought sought[2]; /* of all crossings; of the first */
   struct exact_cache *cache;
   struct table table;
   long rows;
@@ -227,34 +233,46 @@ static const char *which_first(const struct report *r, double radius)
   return text;
 }
 
+/* The singularity that the quantity depends on: looked for once */
+static const struct scallop_singularity *singularity_for(struct report *r, enum breakdown_quantity quantity)
+{
+  struct sought *sought = &r->sought[quantity == OF_T1];
+  if (!sought->done) {
+    show(r, "singularities");
+    sought->found = singularity_of(&sought->singularity, &r->many, quantity == OF_T1);
+    sought->done = true;
+  }
+  return sought->found ? &sought->singularity : NULL;
+}
+
+static bool find_radius(struct radius *radius, struct report *r, enum breakdown_quantity quantity)
+{
+  const struct series *s = expansions_of(&r->many, quantity);
+  if (s && radius_from_poles(radius, s, MANY))
+    return true;
+  const struct scallop_singularity *found = s ? singularity_for(r, quantity) : NULL;
+  if (found)
+    radius_from_singularity(radius, found, quantity);
+  return found;
+}
+
 static void write_radius(struct report *r, enum breakdown_quantity quantity)
 {
-  struct radius_estimate estimates[RADIUS_METHODS];
-  const struct series *s = expansions_of(&r->many, quantity);
-  int count = s ? radius_estimates(estimates, s, MANY, MANY_BITS) : 0;
-  if (count == 0)
-    write_row(r, &(struct row){ .what = "radius",
-                                .quantity = breakdown_quantity_text(quantity),
-                                .order = MANY,
-                                .tolerance = NAN,
-                                .T = NAN,
-                                .error = NAN,
-                                .note = !s ? "there is no derived series" : "its coefficients do not tell",
-                                .status = "-" });
-  for (int i = 0; i < count; i++) {
-    const struct radius_estimate *e = &estimates[i];
-    char text[2 * EVENT_TEXT];
-    snprintf(text, sizeof text, "%s; %s", e->note, which_first(r, e->T));
-    write_row(r, &(struct row){ .what = "radius",
-                                .quantity = breakdown_quantity_text(quantity),
-                                .series = e->method,
-                                .order = MANY,
-                                .tolerance = NAN,
-                                .T = e->T,
-                                .error = isfinite(e->T) ? (e->high - e->low) / 2 : NAN,
-                                .note = text,
-                                .status = strcmp(e->method, "poles") == 0 ? "exact" : "estimate" });
-  }
+  struct radius radius = {
+    .method = NULL, .T = NAN, .low = NAN, .high = NAN, .status = "-", .note = "there is no derived series"
+  };
+  char text[3 * EVENT_TEXT];
+  bool found = find_radius(&radius, r, quantity);
+  snprintf(text, sizeof text, "%s%s%s", radius.note, found ? "; " : "", found ? which_first(r, radius.T) : "");
+  write_row(r, &(struct row){ .what = "radius",
+                              .quantity = breakdown_quantity_text(quantity),
+                              .series = radius.method,
+                              .order = NAN,
+                              .tolerance = NAN,
+                              .T = radius.T,
+                              .error = isfinite(radius.T) ? fmax(radius.high - radius.T, radius.T - radius.low) : NAN,
+                              .note = text,
+                              .status = radius.status });
 }
 
 /* ---- the best order ---- */
@@ -455,6 +473,8 @@ enum exit_code breakdown_table(const struct options *o)
   }
   bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
   expansions_init(&r.many, &r.subject, looks_far ? MANY : 1, MANY_BITS);
+  for (int i = 0; i < 2; i++)
+    scallop_singularity_init(&r.sought[i].singularity);
   r.cache = exact_cache_new(&r.subject);
   show(&r, "events");
   events_find(&r.events, &r.subject, expansions_modes(&r.expansions));
@@ -472,6 +492,8 @@ enum exit_code breakdown_table(const struct options *o)
   }
   events_clear(&r.events);
   exact_cache_free(r.cache);
+  for (int i = 0; i < 2; i++)
+    scallop_singularity_clear(&r.sought[i].singularity);
   expansions_clear(&r.expansions);
   expansions_clear(&r.many);
   return code;

@@ -4,6 +4,7 @@
 
 #include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
+#include "asymptotics/singularity.h"
 #include "compare/breakdown.h"
 #include "compare/mode_change.h"
 #include "numerics/wide.h"
@@ -126,19 +127,16 @@ void events_clear(struct events *events);
 
 /* ---- radius of convergence ---- */
 
-struct radius_estimate {
-  const char *method; /* poles, Pade, ratio, root                                        */
-  double T;           /* |T| of the nearest singularity                                           */
-  double low, high;   /* of a ball that is proven, or between estimates from fewer terms             */
-  char note[EVENT_TEXT];
+struct radius {
+  const char *method;  /* poles, singularity, or bound: T is proven to be no more than the radius          */
+  double T, low, high; /* |T| of the nearest singularity; the radius is proven to be within [low, high]      */
+  const char *status;
+  char note[2 * EVENT_TEXT];
 };
-enum { RADIUS_METHODS = 4 };
-/* From the coefficients of a series below T^order: the poles, where it is that of a rational function; else what the growth of the
- * coefficients tells. Each returns how many estimates there are. */
-int radius_estimates(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order,
-                     slong precision);
-int radius_from_poles(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order);
-int radius_from_growth(struct radius_estimate estimates[RADIUS_METHODS], const struct series *series, slong order,
-                       slong precision);
+/* From the coefficients below T^order, where the series is that of a rational function. False: it is not. */
+bool radius_from_poles(struct radius *r, const struct series *series, slong order);
+/* Of the branch that the series expand, or of its first crossing alone, which t1 depends on. False: there is none. */
+bool singularity_of(struct scallop_singularity *s, const struct expansions *e, bool first_crossing);
+void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum breakdown_quantity quantity);
 
 #endif

@@ -1,19 +1,10 @@
-/* The radius of convergence of a series, from its coefficients. */
+/* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from the singularities of
+ * the branch. */
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "compare/breakdown_parts.h"
-
-#if __FLINT_RELEASE >= 30000
-#include <flint/acb_poly.h>
-#include <flint/arb_fmpz_poly.h>
-#include <flint/arb_mat.h>
-#else
-#include <acb_poly.h>
-#include <arb_fmpz_poly.h>
-#include <arb_mat.h>
-#endif
 
 /* sum over j of a_j T^(first + stride j): the terms that are not 0 by symmetry */
 struct terms {
@@ -88,58 +79,69 @@ static slong recurrence(fmpq *c, const fmpq *a, slong count)
   return length <= MOST_POLES ? length : -1;
 }
 
-static void tell_pole(struct radius_estimate *e, const acb_t z, const struct terms *t, slong length)
+enum { PLACE = 120, PLACE_DIGITS = 10, PLACE_BITS = 128 };
+
+/* "T^2 = 3.0+-4.0 i": the equations are real, so the conjugate is a singularity too, and so is minus both if mirrored. */
+static void place_text(char text[PLACE], const acb_t z, slong power, bool mirrored)
 {
-  enum { DIGITS = 10 };
-  char *re = arb_get_str(acb_realref(z), DIGITS, ARB_STR_NO_RADIUS),
-       *im = arb_get_str(acb_imagref(z), DIGITS, ARB_STR_NO_RADIUS);
-  bool real = arb_is_zero(acb_imagref(z)), imaginary = arb_contains_zero(acb_realref(z));
-  const char *size = *im == '-' ? im + 1 : im;
-  char place[120];
-  if (real)
-    snprintf(place, sizeof place, "%s", re);
+  char *re = arb_get_str(acb_realref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS),
+       *im = arb_get_str(acb_imagref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS);
+  const char *size = *im == '-' ? im + 1 : im, *sign = mirrored ? "+-" : "";
+  int used = power == 1 ? snprintf(text, PLACE, "T = ") : snprintf(text, PLACE, "T^%ld = ", (long)power);
+  char *rest = text + used;
+  size_t room = PLACE - (size_t)used;
+  if (arb_contains_zero(acb_imagref(z)))
+    snprintf(rest, room, "%s%s", sign, re);
+  else if (arb_contains_zero(acb_realref(z)))
+    snprintf(rest, room, "+-%s i", size);
   else
-    snprintf(place, sizeof place, "%s+-%s i", imaginary ? "" : re, size);
-  snprintf(e->note, sizeof e->note,
-           "a pole at T^%ld = %s: the series is that of a rational function, with %ld coefficients more than that takes",
-           (long)t->stride, place, (long)(t->count - 2 * length));
+    snprintf(rest, room, "%s%s+-%s i", sign, re, size);
   flint_free(re);
   flint_free(im);
 }
 
-/* The root of q with the least |z|, in the estimate. */
-static void nearest_root(struct radius_estimate *e, const fmpz_poly_t q, const struct terms *t, slong length)
+static void set_bounds(struct radius *r, const arb_t low, const arb_t high)
+{
+  arf_t end;
+  arf_init(end);
+  r->T = arf_get_d(arb_midref(high), ARF_RND_NEAR);
+  arb_get_lbound_arf(end, low, PLACE_BITS);
+  r->low = arf_get_d(end, ARF_RND_FLOOR);
+  arb_get_ubound_arf(end, high, PLACE_BITS);
+  r->high = arf_get_d(end, ARF_RND_CEIL);
+  arf_clear(end);
+}
+
+/* The root of q with the least |z| */
+static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct terms *t, slong length)
 {
   slong degree = fmpz_poly_degree(q);
   acb_ptr roots = _acb_vec_init(degree);
   arb_t size, least;
+  char place[PLACE];
   arb_init(size);
   arb_init(least);
-  arb_fmpz_poly_complex_roots(roots, q, 0, 128);
+  arb_fmpz_poly_complex_roots(roots, q, 0, PLACE_BITS);
   slong best = 0;
   for (slong i = 0; i < degree; i++) {
-    acb_abs(size, roots + i, 128);
+    acb_abs(size, roots + i, PLACE_BITS);
     if (i == 0 || arb_lt(size, least)) {
       arb_set(least, size);
       best = i;
     }
   }
-  tell_pole(e, roots + best, t, length);
-  arb_root_ui(least, least, (ulong)t->stride, 128);
-  e->T = arf_get_d(arb_midref(least), ARF_RND_NEAR);
-  arf_t end;
-  arf_init(end);
-  arb_get_lbound_arf(end, least, 128);
-  e->low = arf_get_d(end, ARF_RND_FLOOR);
-  arb_get_ubound_arf(end, least, 128);
-  e->high = arf_get_d(end, ARF_RND_CEIL);
-  arf_clear(end);
+  place_text(place, roots + best, t->stride, false);
+  snprintf(r->note, sizeof r->note,
+           "a pole at %s: the series is that of a rational function, with %ld coefficients more than that takes", place,
+           (long)(t->count - 2 * length));
+  arb_root_ui(least, least, (ulong)t->stride, PLACE_BITS);
+  set_bounds(r, least, least);
   arb_clear(size);
   arb_clear(least);
   _acb_vec_clear(roots, degree);
 }
 
-static bool by_poles(struct radius_estimate *e, const struct terms *t)
+static bool by_poles(struct radius *r, const struct terms *t)
 {
   enum { SIZE = 2 * MOST_POLES + 2 };
   fmpq *a = _fmpq_vec_init(t->count), *c = _fmpq_vec_init(SIZE);
@@ -160,11 +162,11 @@ static bool by_poles(struct radius_estimate *e, const struct terms *t)
     fmpz_poly_derivative(common, whole);
     fmpz_poly_gcd(common, common, whole);
     fmpz_poly_div(whole, whole, common); /* each root once */
-    *e = (struct radius_estimate){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY };
+    *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
     if (fmpz_poly_degree(whole) > 0)
-      nearest_root(e, whole, t, length);
+      nearest_root(r, whole, t, length);
     else
-      snprintf(e->note, sizeof e->note, "the series ends: a polynomial in T");
+      snprintf(r->note, sizeof r->note, "the series ends: a polynomial in T");
     fmpq_poly_clear(q);
     fmpz_poly_clear(whole);
     fmpz_poly_clear(common);
@@ -174,227 +176,67 @@ static bool by_poles(struct radius_estimate *e, const struct terms *t)
   return found;
 }
 
-/* ---- estimates ----
- *
- * Near its singularity at distance R a function goes as (1 - z/R)^p, and its coefficients as R^-j j^(-1-p): the ratio of neighbours is
- * (1 - (1 + p)/j)/R, from which the last two take the 1/j: j q_j - (j - 1) q_(j-1). Where there are several singularities at about
- * that distance the ratio oscillates; a Pade approximant has its poles near each of them. */
-
-struct growth {
-  const struct terms *terms;
-  slong precision;
-  double *size; /* log |a_j|, and the sign                                                     */
-  int *sign;
-};
-
-static double nth_root(double x, slong n) { return exp(log(x) / (double)n); }
-
-/* |a_(j-1)/a_j|, extrapolated; nan where the signs did not repeat from the middle on. */
-static double by_ratio(const struct growth *g, slong j)
+static bool is_zero(const struct series *s, slong order)
 {
-  for (slong k = j / 2; k <= j; k++)
-    if (g->sign[k] * g->sign[k - 1] != g->sign[j] * g->sign[j - 1])
-      return NAN;
-  double q = exp(g->size[j] - g->size[j - 1] - (g->size[j - 1] - g->size[j - 2])), n = (double)j;
-  return exp(g->size[j - 2] - g->size[j - 1]) / (n * q - (n - 1));
-}
-
-/* log |a_j| = A - j log R - B log j through three places that are far apart */
-static double by_root(const struct growth *g, slong j)
-{
-  const slong places[3] = { j / 3, 2 * j / 3, j };
-  double x[3], y[3];
-  for (int i = 0; i < 3; i++) {
-    x[i] = (double)places[i];
-    y[i] = g->size[places[i]];
-  }
-  double u1 = x[1] - x[0], u2 = x[2] - x[0], v1 = log(x[1] / x[0]), v2 = log(x[2] / x[0]);
-  double w1 = y[1] - y[0], w2 = y[2] - y[0];
-  return exp(-(w1 * v2 - w2 * v1) / (u1 * v2 - u2 * v1));
-}
-
-static void coefficient_of(arb_t a, const struct growth *g, slong j)
-{
-  series_coefficient(a, g->terms->series, g->terms->first + j * g->terms->stride, g->precision);
-}
-
-/* numerator/denominator, from a_0 to a_2n. */
-struct pade {
-  acb_poly_t numerator, denominator;
-  slong n;
-};
-
-/* sum over k <= n of q_k a_(m-k) = 0 for m = n + 1, ..., 2n, q_0 = 1. False: it has fewer poles. */
-static bool find_denominator(struct pade *p, const struct growth *g)
-{
-  slong n = p->n;
-  arb_mat_t a, b, q;
-  arb_mat_init(a, n, n);
-  arb_mat_init(b, n, 1);
-  arb_mat_init(q, n, 1);
-  for (slong row = 0; row < n; row++)
-    for (slong k = 0; k <= n; k++)
-      coefficient_of(k == 0 ? arb_mat_entry(b, row, 0) : arb_mat_entry(a, row, k - 1), g, n + 1 + row - k);
-  arb_mat_neg(b, b);
-  bool found = n > 0 && arb_mat_solve(q, a, b, g->precision);
-  acb_poly_one(p->denominator);
-  for (slong k = 1; found && k <= n; k++) {
-    acb_t c;
-    acb_init(c);
-    arb_get_mid_arb(acb_realref(c), arb_mat_entry(q, k - 1, 0));
-    acb_poly_set_coeff_acb(p->denominator, k, c);
-    acb_clear(c);
-  }
-  arb_mat_clear(a);
-  arb_mat_clear(b);
-  arb_mat_clear(q);
-  return found;
-}
-
-static void find_numerator(struct pade *p, const struct growth *g)
-{
-  acb_t a;
-  acb_init(a);
-  for (slong k = 0; k <= p->n; k++) {
-    coefficient_of(acb_realref(a), g, k);
-    acb_poly_set_coeff_acb(p->numerator, k, a);
-  }
-  acb_poly_mullow(p->numerator, p->numerator, p->denominator, p->n + 1, g->precision);
-  acb_clear(a);
-}
-
-/* Has a pole a share in the last coefficient, a_2n? Others, with a zero beside them, are of no meaning. */
-static bool matters(const struct pade *p, const acb_t pole, const arb_t last, slong precision)
-{
-  enum { LEAST_SHARE = 1000 };
-  acb_t value, residue, slope;
-  arb_t share;
-  acb_init(value);
-  acb_init(residue);
-  acb_init(slope);
-  arb_init(share);
-  acb_poly_evaluate(residue, p->numerator, pole, precision);
-  acb_poly_evaluate2(value, slope, p->denominator, pole, precision);
-  acb_div(residue, residue, slope, precision);
-  acb_pow_ui(slope, pole, (ulong)(2 * p->n + 1), precision);
-  acb_div(residue, residue, slope, precision);
-  acb_abs(share, residue, precision);
-  arb_mul_ui(share, share, LEAST_SHARE, precision);
-  bool does = arf_cmpabs(arb_midref(share), arb_midref(last)) > 0;
-  acb_clear(value);
-  acb_clear(residue);
-  acb_clear(slope);
-  arb_clear(share);
-  return does;
-}
-
-/* The least |z| of the poles that matter, not proven; nan if they are not found. */
-static double nearest_pole(const struct pade *p, const arb_t last, slong precision)
-{
-  acb_ptr poles = _acb_vec_init(p->n);
-  arb_t size;
-  double least = NAN;
-  arb_init(size);
-  acb_poly_find_roots(poles, p->denominator, NULL, 0, precision);
-  for (slong i = 0; i < p->n; i++) {
-    acb_get_mid(poles + i, poles + i);
-    acb_abs(size, poles + i, precision);
-    double here = arf_get_d(arb_midref(size), ARF_RND_NEAR);
-    if (!(here >= least) && matters(p, poles + i, last, precision))
-      least = here;
-  }
-  arb_clear(size);
-  _acb_vec_clear(poles, p->n);
-  return least;
-}
-
-/* From a_0 to a_j, or one less */
-static double by_pade(const struct growth *g, slong j)
-{
-  struct pade p = { .n = j / 2 };
-  arb_t last;
-  arb_init(last);
-  acb_poly_init(p.numerator);
-  acb_poly_init(p.denominator);
-  double least = NAN;
-  if (find_denominator(&p, g)) {
-    find_numerator(&p, g);
-    coefficient_of(last, g, 2 * p.n);
-    least = nearest_pole(&p, last, g->precision);
-  }
-  acb_poly_clear(p.numerator);
-  acb_poly_clear(p.denominator);
-  arb_clear(last);
-  return least;
-}
-
-/* From the last coefficient; and the ends of what the same says from one, two, three, an eighth and a quarter less. False: one of these
- * says nothing, or they contradict each other. */
-static bool set_estimate(struct radius_estimate *e, double (*estimate)(const struct growth *, slong), const struct growth *g)
-{
-  slong last = g->terms->count - 1;
-  const slong places[] = { last, last - 1, last - 2, last - 3, last - last / 8, last - last / 4 };
-  for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-    double T = nth_root(estimate(g, places[i]), g->terms->stride);
-    if (!isfinite(T) || T <= 0)
+  for (slong k = s->first; k < order && k < s->known; k++)
+    if (!series_coefficient_is_zero(s, k))
       return false;
-    e->T = i == 0 ? T : e->T;
-    e->low = i == 0 ? T : fmin(e->low, T);
-    e->high = i == 0 ? T : fmax(e->high, T);
-  }
-  return e->high <= 2 * e->low;
+  return true;
 }
 
-static bool take_logarithms(struct growth *g)
-{
-  bool sound = true;
-  arb_t a;
-  arb_init(a);
-  for (slong j = 0; j < g->terms->count; j++) {
-    coefficient_of(a, g, j);
-    g->sign[j] = arb_is_positive(a) ? 1 : arb_is_negative(a) ? -1 : 0;
-    arb_abs(a, a);
-    arb_log(a, a, g->precision);
-    g->size[j] = arf_get_d(arb_midref(a), ARF_RND_NEAR);
-    sound = sound && g->sign[j] != 0;
-  }
-  arb_clear(a);
-  return sound;
-}
-
-int radius_from_poles(struct radius_estimate e[RADIUS_METHODS], const struct series *series, slong order)
+bool radius_from_poles(struct radius *r, const struct series *series, slong order)
 {
   struct terms t = terms_of(series, order);
-  return t.count > 0 && by_poles(e, &t) ? 1 : 0;
+  if (is_zero(series, order)) {
+    *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
+    snprintf(r->note, sizeof r->note, "every coefficient below T^%ld is 0", (long)order);
+    return true;
+  }
+  return t.count > 0 && by_poles(r, &t);
 }
 
-int radius_from_growth(struct radius_estimate e[RADIUS_METHODS], const struct series *series, slong order, slong precision)
+/* ---- singularities of the branch ---- */
+
+static enum continued_value continued(enum breakdown_quantity quantity)
 {
-  enum { LEAST = 16 };
-  static const struct {
-    double (*estimate)(const struct growth *, slong);
-    const char *method, *note;
-  } methods[] = { { by_pade, "Pade", "nearest pole of the diagonal Pade approximant that the coefficients show" },
-                  { by_ratio, "ratio", "ratio of neighbouring coefficients, extrapolated in 1/n (Domb and Sykes)" },
-                  { by_root, "root", "n-th root, with a power of n taken out" } };
-  struct terms t = terms_of(series, order);
-  if (t.count < LEAST)
-    return 0;
-  struct growth g = { &t, precision, calloc((size_t)t.count, sizeof *g.size), calloc((size_t)t.count, sizeof *g.sign) };
-  int found = 0;
-  if (g.size && g.sign && take_logarithms(&g))
-    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-      struct radius_estimate *estimate = &e[found];
-      *estimate = (struct radius_estimate){ .method = methods[i].method };
-      snprintf(estimate->note, sizeof estimate->note, "%s", methods[i].note);
-      found += set_estimate(estimate, methods[i].estimate, &g);
-    }
-  free(g.size);
-  free(g.sign);
-  return found;
+  switch (quantity) {
+  case OF_V_START: return AT_START;
+  case OF_V_MID:
+  case OF_V_END: return AFTER_FIRST_PHASE;
+  case OF_T1:
+  case OF_DT: return LAST_CROSSING;
+  default: return TRAVEL;
+  }
 }
 
-int radius_estimates(struct radius_estimate e[RADIUS_METHODS], const struct series *series, slong order, slong precision)
+void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum breakdown_quantity quantity)
 {
-  return radius_from_poles(e, series, order) == 1 ? 1 : radius_from_growth(e, series, order, precision);
+  char place[PLACE] = "";
+  if (s->found)
+    place_text(place, s->place, s->power, s->even);
+  bool shows = s->found && s->shows[continued(quantity)];
+  *r = (struct radius){ .method = shows ? "singularity" : "bound", .status = "certified" };
+  set_bounds(r, s->low, shows ? s->T : s->low);
+  if (!shows)
+    snprintf(r->note, sizeof r->note, "the series converges at least below this T; %s%s",
+             s->found ? "not shown to be singular at the branch point " : "no singularity was found", place);
+  else if (r->high - r->low <= 1e-12 * r->high)
+    snprintf(r->note, sizeof r->note, "a branch point at %s, and no singularity nearer: both are proven", place);
+  else
+    snprintf(r->note, sizeof r->note,
+             "a branch point at %s is proven, and no singularity below T = %.6g; between them nothing nearer was found",
+             place, r->low);
+}
+
+bool singularity_of(struct scallop_singularity *s, const struct expansions *e, bool first_crossing)
+{
+  fmpq_t v0;
+  fmpq_init(v0);
+  scallop_rational_set_double(v0, e->subject->v0);
+  enum scallop_status status = e->subject->steady
+                                   ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
+                                   : scallop_phase_singularity(s, &e->crawler, e->subject->kind, v0,
+                                                               first_crossing ? 1 : INT_MAX, PLACE_BITS, NULL);
+  fmpq_clear(v0);
+  return status == SCALLOP_OK;
 }

@@ -85,6 +85,19 @@ for phase in "" "--phase extension"; do
 done
 finish "phases, selections, formulas that reach nowhere, json, parameters that are not used"
 
+# Where the series is not that of a rational function its nearest singularity is proven, and one for all quantities; t1 has its own.
+run 0 breakdown --only radius --gait sinusoidal
+[ "$(cells out series | sort | uniq -c | awk '{ print $1 $2 }')" = 4singularity ] || note "methods: $(cells out series)"
+[ "$(cells out status | sort -u)" = certified ] || note "status: $(cells out status)"
+[ "$(cells out T | sort -u | wc -l)" = 1 ] || note "radii: $(cells out T)"
+awk 'BEGIN { FS = "\t" } /^radius/ && !($8 <= 1e-14) { bad = 1 } END { exit bad }' out || note "errors: $(cells out error)"
+grep -q 'T^2 = +-23.7268.*+-0.0938' out || note "the place: $(cells out note)"
+run 0 breakdown --only radius --gait sinusoidal --phase contraction --v0 0.5
+[ "$(cells out T | sort -u | wc -l)" = 2 ] || note "of a phase: $(cells out T)"
+run 0 breakdown --only radius --F1 1 --gait sinusoidal
+[ "$(cells out T | sort -u)" = inf ] || note "F1 = F2: $(cells out T)"
+finish "radius of convergence"
+
 refused() { # WHAT ARGUMENT...
   what=$1
   shift

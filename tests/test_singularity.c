@@ -1,0 +1,325 @@
+/* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the poles of rational
+ * functions. */
+#include "tests/check.h"
+
+#include <math.h>
+
+#include "asymptotics/continuation.h"
+#include "asymptotics/derived.h"
+#include "tests/odd_gaits.h"
+#include "tests/random_crawler.h"
+
+enum { PRECISION = 128 };
+
+static struct scallop_crawler draw(struct random *r, const struct scallop_gait *gait)
+{
+  return (struct scallop_crawler){ .m1 = random_decades(r, 0.1, 10),
+                                   .m2 = random_decades(r, 0.1, 10),
+                                   .F1 = random_decades(r, 0.1, 10),
+                                   .F2 = random_decades(r, 0.1, 10),
+                                   .L = random_decades(r, 0.1, 10),
+                                   .T = 1,
+                                   .alpha = random_between(r, 0.05, 0.95),
+                                   .gait = gait };
+}
+
+static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
+
+struct subject {
+  struct scallop_rational_crawler crawler;
+  struct scallop_singularity singularity;
+};
+
+static void begin(struct subject *s, const struct scallop_crawler *crawler)
+{
+  scallop_rational_init(&s->crawler);
+  scallop_rational_of(&s->crawler, crawler);
+  scallop_singularity_init(&s->singularity);
+}
+
+static void end(struct subject *s)
+{
+  scallop_rational_clear(&s->crawler);
+  scallop_singularity_clear(&s->singularity);
+}
+
+static void find_steady(struct subject *s, const struct scallop_crawler *crawler)
+{
+  begin(s, crawler);
+  assert_int_equal(scallop_steady_singularity(&s->singularity, &s->crawler, PRECISION, NULL), SCALLOP_OK);
+}
+
+/* Found, and nothing is nearer */
+static void check_proven(const struct scallop_singularity *s)
+{
+  assert_true(s->found);
+  assert_true(arb_equal(s->low, s->T));
+  assert_true(arb_rel_accuracy_bits(s->T) > 80);
+}
+
+/* ---- growth of the coefficients ---- */
+
+/* How far the coefficients a_j of Z^j, Z = T^4, are from those of branch points at Z and its conjugate: b_j = j^(3/2) a_j |Z|^j is then
+ * Re(A e^(i j arg Z)) but for terms of the order of 1/j, and b_(j+1) - 2 cos(arg Z) b_j + b_(j-1), of a real Z b_(j+1) -+ b_j, is of the
+ * order of 1/j^2 beside it. */
+static double strangeness(const struct series *a, double T, double angle, slong j)
+{
+  double b[3];
+  arb_t ball, power;
+  arb_init(ball);
+  arb_init(power);
+  for (int i = 0; i < 3; i++) {
+    slong k = j - 1 + i;
+    series_coefficient(ball, a, 4 * k, PRECISION);
+    arb_set_d(power, T);
+    arb_pow_ui(power, power, (ulong)(4 * k), PRECISION);
+    arb_mul(ball, ball, power, PRECISION);
+    b[i] = middle(ball) * pow((double)k, 1.5);
+  }
+  arb_clear(ball);
+  arb_clear(power);
+  double most = fmax(fabs(b[0]), fmax(fabs(b[1]), fabs(b[2])));
+  bool real = fabs(sin(angle)) < 1e-9;
+  return fabs(real ? b[2] - cos(angle) * b[1] : b[2] - 2 * cos(angle) * b[1] + b[0]) / most;
+}
+
+/* Twice as many coefficients make that four times smaller; had T an error of 1 %, which is one of 4 % in Z, it would stay at 0.04. */
+static void check_growth(const struct subject *s, double error)
+{
+  enum { FEW = 14, MANY = 28, ORDER = 4 * MANY + 8, BITS = 1024 };
+  struct scallop_steady_expansion e;
+  scallop_steady_expansion_init(&e);
+  assert_int_equal(scallop_expand_steady(&s->crawler, ORDER, BITS, &e, NULL), SCALLOP_OK);
+  double T = middle(s->singularity.T) * (1 + error);
+  double angle = 2 * atan2(middle(acb_imagref(s->singularity.place)), middle(acb_realref(s->singularity.place)));
+  double few = strangeness(&e.displacement, T, angle, FEW), many = strangeness(&e.displacement, T, angle, MANY);
+  bool agrees = many < 0.04 && (many < few / 2 || many < 1e-3);
+  if (agrees != (error == 0))
+    fail_msg("T %.17g (error %g), angle %g: %g, then %g", T, error, angle, few, many);
+  scallop_steady_expansion_clear(&e);
+}
+
+static void coefficients_grow_as_the_singularity_says(void **state)
+{
+  (void)state;
+  enum { CRAWLERS = 20 };
+  struct random r = { 82 };
+  for (int i = 0; i < CRAWLERS; i++) {
+    struct subject s;
+    const struct scallop_crawler c = draw(&r, &scallop_gait_sinusoidal);
+    find_steady(&s, &c);
+    check_proven(&s.singularity);
+    assert_true(s.singularity.even && s.singularity.shows[TRAVEL] && s.singularity.shows[AT_START]);
+    check_growth(&s, 0);
+    if (i == 0) { /* and the check can fail */
+      check_growth(&s, 0.01);
+      check_growth(&s, -0.01);
+    }
+    end(&s);
+  }
+}
+
+/* ---- one phase ---- */
+
+/* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
+ * one that it meets at x = 4.4934, where eps < 0. */
+static void from_rest(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct subject s;
+  fmpq_t v0;
+  double x = 4.5;
+  for (int i = 0; i < 10; i++)
+    x -= (x * cos(x) - sin(x)) / (-x * sin(x));
+  c.gait = &scallop_gait_sinusoidal;
+  double q = c.m2 / (c.m1 + c.m2), beta = (c.F1 - c.F2) / (c.F1 + c.F2), pi = acos(-1);
+  double eps = q * pi * pi / 2 * cos(x) / beta, T = sqrt(-eps * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
+  begin(&s, &c);
+  fmpq_init(v0);
+  assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
+                   SCALLOP_OK);
+  check_proven(&s.singularity);
+  CHECK_RELATIVE(middle(s.singularity.T), T, 1e-14);
+  assert_true(arb_contains_zero(acb_realref(s.singularity.place)));
+  for (int k = AFTER_FIRST_PHASE; k < CONTINUED_VALUES; k++)
+    assert_true(s.singularity.shows[k]);
+  assert_false(s.singularity.shows[AT_START]);
+  fmpq_clear(v0);
+  end(&s);
+}
+
+/* The first crossing knows nothing of the second: its series goes on converging where that of the second does not. */
+static void first_crossing_alone(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct subject s;
+  fmpq_t v0;
+  double T[2];
+  c.gait = &scallop_gait_sinusoidal;
+  begin(&s, &c);
+  fmpq_init(v0);
+  fmpq_set_si(v0, 1, 2);
+  for (int i = 0; i < 2; i++) {
+    assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_CONTRACTION, v0, 1 + i, PRECISION, NULL),
+                     SCALLOP_OK);
+    check_proven(&s.singularity);
+    T[i] = middle(s.singularity.T);
+  }
+  assert_true(T[0] > 1.5 * T[1]);
+  fmpq_clear(v0);
+  end(&s);
+}
+
+/* ---- what else there is ---- */
+
+/* T goes as the square root of L; w = 0 in the limit at alpha = 1/2; nothing is singular of a crawler that rests. */
+static void special_crawlers(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
+  struct subject s, longer;
+  c.gait = &scallop_gait_sinusoidal;
+  c.alpha = 0.5;
+  find_steady(&s, &c);
+  check_proven(&s.singularity);
+  assert_true(s.singularity.shows[AT_START] && !s.singularity.shows[TRAVEL]);
+  c.L *= 4;
+  find_steady(&longer, &c);
+  CHECK_RELATIVE(middle(longer.singularity.T), 2 * middle(s.singularity.T), 4 * 0x1p-53);
+  end(&longer);
+  end(&s);
+  c.F1 = c.F2;
+  find_steady(&s, &c);
+  assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
+  end(&s);
+}
+
+/* Of a polynomial gait, whose crossings are joined as those of the sine are */
+static void minimum_jerk(void **state)
+{
+  (void)state;
+  struct subject s;
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = &minimum_jerk_gait;
+  find_steady(&s, &c);
+  check_proven(&s.singularity);
+  check_growth(&s, 0);
+  end(&s);
+}
+
+static void no_expansion_no_singularity(void **state)
+{
+  (void)state;
+  const char *why = NULL;
+  struct subject s;
+  fmpq_t v0;
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = &minimum_jerk_gait;
+  begin(&s, &c);
+  fmpq_init(v0);
+  assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
+                   SCALLOP_EDOMAIN);
+  assert_ptr_equal(why, branch_without_ends);
+  fmpq_clear(v0);
+  end(&s);
+}
+
+/* ---- the curves ---- */
+
+/* D = (f(b) - f(a))/(b - a) of the law f: D_a = (D - f'(a))/(b - a), D_b = (f'(b) - D)/(b - a) and so on, in balls */
+static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr b)
+{
+  acb_ptr d = _acb_vec_init(JET), fa = _acb_vec_init(JET), fb = _acb_vec_init(JET), wanted = _acb_vec_init(JET);
+  acb_t way;
+  acb_init(way);
+  acb_sub(way, b, a, PRECISION);
+  at->joined = true;
+  continued_law(d, at, a, b, PRECISION);
+  at->joined = false;
+  continued_law(fa, at, a, a, PRECISION);
+  continued_law(fb, at, a, b, PRECISION);
+  acb_sub(wanted + JET_VALUE, fb + JET_VALUE, fa + JET_VALUE, PRECISION);
+  acb_sub(wanted + JET_A, d + JET_VALUE, fa + JET_B, PRECISION);
+  acb_sub(wanted + JET_B, fb + JET_B, d + JET_VALUE, PRECISION);
+  acb_mul_2exp_si(wanted + JET_AA, d + JET_A, 1);
+  acb_sub(wanted + JET_AA, wanted + JET_AA, fa + JET_BB, PRECISION);
+  acb_sub(wanted + JET_AB, d + JET_B, d + JET_A, PRECISION);
+  acb_mul_2exp_si(wanted + JET_BB, d + JET_B, 1);
+  acb_sub(wanted + JET_BB, fb + JET_BB, wanted + JET_BB, PRECISION);
+  for (int k = 0; k < JET; k++) {
+    acb_div(wanted + k, wanted + k, way, PRECISION);
+    assert_true(acb_overlaps(d + k, wanted + k));
+    assert_true(acb_rel_accuracy_bits(d + k) > 60);
+  }
+  acb_clear(way);
+  _acb_vec_clear(d, JET);
+  _acb_vec_clear(fa, JET);
+  _acb_vec_clear(fb, JET);
+  _acb_vec_clear(wanted, JET);
+}
+
+static void joined_crossings(void **state)
+{
+  (void)state;
+  struct random r = { 83 };
+  struct continued_crossing at = { .sine = true };
+  acb_t a, b;
+  acb_init(a);
+  acb_init(b);
+  arb_init(at.q);
+  arb_init(at.base);
+  arb_poly_init(at.law);
+  arb_set_d(at.q, 0.7);
+  arb_set_d(at.base, 0.3);
+  for (int i = 0; i < 40; i++) {
+    double size = i % 4 < 2 ? 1 : 0.1;
+    at.sine = i % 2;
+    arb_set_d(acb_realref(a), random_between(&r, -1, 1));
+    arb_set_d(acb_imagref(a), random_between(&r, -1, 1));
+    arb_set_d(acb_realref(b), size * random_between(&r, -1, 1));
+    arb_set_d(acb_imagref(b), size * random_between(&r, -1, 1));
+    acb_add(b, b, a, PRECISION);
+    arb_poly_zero(at.law);
+    for (int k = 0; k < 6; k++) {
+      arb_set_d(acb_realref(a), random_between(&r, -1, 1));
+      arb_poly_set_coeff_arb(at.law, k, acb_realref(a));
+    }
+    check_joined(&at, a, b);
+  }
+  arb_clear(at.q);
+  arb_clear(at.base);
+  arb_poly_clear(at.law);
+  acb_clear(a);
+  acb_clear(b);
+}
+
+/* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the equations is singular and the
+ * branch is not: for every other crawler or so on the imaginary axis of T^2. */
+static void a_crossing_does_not_meet_itself(void **state)
+{
+  (void)state;
+  struct subject s;
+  const struct scallop_crawler c = { 2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal };
+  find_steady(&s, &c);
+  check_proven(&s.singularity);
+  assert_true(arb_contains_zero(acb_realref(s.singularity.place)));
+  check_growth(&s, 0);
+  end(&s);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(coefficients_grow_as_the_singularity_says),
+    cmocka_unit_test(from_rest),
+    cmocka_unit_test(first_crossing_alone),
+    cmocka_unit_test(special_crawlers),
+    cmocka_unit_test(minimum_jerk),
+    cmocka_unit_test(no_expansion_no_singularity),
+    cmocka_unit_test(joined_crossings),
+    cmocka_unit_test(a_crossing_does_not_meet_itself),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
