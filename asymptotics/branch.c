@@ -93,12 +93,14 @@ int branch_region(const struct branch *b, int segment)
 
 typedef void piece_function(arb_t value, const struct scallop_piece *piece, const arb_t u, slong precision);
 
-static bool is_zero_at(piece_function *f, const struct scallop_piece *piece, double offset)
+typedef void piece_place(arb_t u, const struct scallop_piece *piece, slong precision);
+
+static bool is_zero_at(piece_function *f, const struct scallop_piece *piece, piece_place *place)
 {
   arb_t u, value;
   arb_init(u);
   arb_init(value);
-  arb_set_d(u, offset);
+  place(u, piece, 64);
   f(value, piece, u, 64);
   bool zero = arb_contains_zero(value);
   arb_clear(u);
@@ -117,8 +119,8 @@ bool branch_is_possible(const struct scallop_gait *gait)
       const struct scallop_piece *piece = &shape->pieces[i];
       if (piece->direction != (kind == SCALLOP_EXTENSION ? 1 : -1))
         return false;
-      if ((i > 0 && is_zero_at(scallop_ball_speed, piece, piece->begin))
-          || (i + 1 < shape->count && is_zero_at(scallop_ball_speed, piece, piece->end)))
+      if ((i > 0 && is_zero_at(scallop_ball_speed, piece, scallop_ball_begin))
+          || (i + 1 < shape->count && is_zero_at(scallop_ball_speed, piece, scallop_ball_end)))
         return false;
     }
   }
@@ -129,11 +131,12 @@ const char *const branch_without_ends = "l'' = 0 at an end of a phase: the switc
                                         "the piece there is anchored elsewhere";
 
 /* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c is small. */
-static bool add_end(struct branch *b, const struct scallop_piece *piece, double offset, int curve, int to)
+static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at_end, int curve, int to)
 {
-  if (!is_zero_at(scallop_ball_speed, piece, offset))
+  piece_place *place = at_end ? scallop_ball_end : scallop_ball_begin;
+  if (!is_zero_at(scallop_ball_speed, piece, place))
     return true;
-  if (offset != 0 || is_zero_at(scallop_ball_rate, piece, offset))
+  if ((at_end ? piece->end : piece->begin) != 0 || is_zero_at(scallop_ball_rate, piece, place))
     return false;
   struct crossing *at = &b->crossing[b->count++];
   at->piece = piece;
@@ -149,12 +152,12 @@ bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sig
   b->count = 0;
   b->first_region = 1;
   if (sign_at_start != 0) {
-    if (!add_end(b, first, first->begin, sign_at_start > 0 ? 0 : 1, 1))
+    if (!add_end(b, first, false, sign_at_start > 0 ? 0 : 1, 1))
       return false;
     if (b->count > 0)
       b->first_region = sign_at_start > 0 ? 0 : 2;
   }
-  return sign_at_end == 0 || add_end(b, last, last->end, sign_at_end > 0 ? 0 : 1, sign_at_end > 0 ? 0 : 2);
+  return sign_at_end == 0 || add_end(b, last, true, sign_at_end > 0 ? 0 : 1, sign_at_end > 0 ? 0 : 2);
 }
 
 /* ---- where |l'| takes a value ---- */
@@ -275,7 +278,7 @@ static int side_at_start(const struct search *s)
   arb_t u, f;
   arb_init(u);
   arb_init(f);
-  arb_set_d(u, s->constants->shape->pieces[0].begin);
+  scallop_ball_begin(u, &s->constants->shape->pieces[0], s->precision);
   excess(f, &s->constants->shape->pieces[0], u, s->level, s->precision);
   int side = definite_sign(f);
   arb_clear(u);
@@ -291,6 +294,8 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
   arf_t lo, hi;
   if (sign == 0)
     return false;
+  arb_t border;
+  arb_init(border);
   arb_init(s.level);
   arf_init(lo);
   arf_init(hi);
@@ -302,10 +307,14 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
   bool found = side != 0;
   for (int i = 0; found && i < p->shape->count; i++) {
     s.piece = &p->shape->pieces[i];
-    arf_set_d(lo, fmin(s.piece->begin, s.piece->end));
-    arf_set_d(hi, fmax(s.piece->begin, s.piece->end));
+    bool forward = s.piece->anchor == SCALLOP_FROM_START;
+    (forward ? scallop_ball_begin : scallop_ball_end)(border, s.piece, precision);
+    arf_set(lo, arb_midref(border));
+    (forward ? scallop_ball_end : scallop_ball_begin)(border, s.piece, precision);
+    arf_set(hi, arb_midref(border));
     found = search_between(&s, lo, hi, DEPTH);
   }
+  arb_clear(border);
   arb_clear(s.level);
   arf_clear(lo);
   arf_clear(hi);

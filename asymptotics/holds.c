@@ -88,13 +88,13 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
 }
 
 /* Whether the ball of a crossing reaches over the end of its piece in time, or over the beginning */
-static bool spills(const struct edge *e, const struct phase_constants *p, bool over_end)
+static bool spills(const struct edge *e, const struct phase_constants *p, bool over_end, slong precision)
 {
   const struct scallop_piece *piece = &p->shape->pieces[e->piece];
   bool forward = piece->anchor == SCALLOP_FROM_START;
   arb_t border;
   arb_init(border);
-  arb_set_d(border, over_end ? piece->end : piece->begin);
+  (over_end ? scallop_ball_end : scallop_ball_begin)(border, piece, precision);
   bool inside = forward == over_end ? arb_lt(e->offset, border) : arb_gt(e->offset, border);
   arb_clear(border);
   return e->curve >= 0 && !inside;
@@ -106,16 +106,20 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
   enum { DEPTH = 30 };
   bool clear = from->piece <= to->piece;
   /* a crossing on the border of two pieces may be in either */
-  int touches_until = from->piece + (spills(from, g->p, true) ? 1 : 0),
-      touches_from = to->piece - (spills(to, g->p, false) ? 1 : 0);
+  int touches_until = from->piece + (spills(from, g->p, true, g->precision) ? 1 : 0),
+      touches_from = to->piece - (spills(to, g->p, false, g->precision) ? 1 : 0);
   arf_t early, late;
+  arb_t border;
+  arb_init(border);
   arf_init(early);
   arf_init(late);
   for (int i = from->piece; clear && i <= to->piece; i++) {
     const struct scallop_piece *piece = &g->p->shape->pieces[i];
     bool forward = piece->anchor == SCALLOP_FROM_START;
-    arf_set_d(early, piece->begin);
-    arf_set_d(late, piece->end);
+    scallop_ball_begin(border, piece, g->precision); /* outward, where it is no number that a ball holds exactly */
+    (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, border, g->precision);
+    scallop_ball_end(border, piece, g->precision);
+    (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, border, g->precision);
     if (i == from->piece)
       (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, from->offset, g->precision);
     if (i == to->piece)
@@ -127,6 +131,7 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
                         forward ? at_late : at_early, DEPTH);
     }
   }
+  arb_clear(border);
   arf_clear(early);
   arf_clear(late);
   return clear;
@@ -162,12 +167,12 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
   bool forward = piece->anchor == SCALLOP_FROM_START, goes_on = false, turned;
   if (at->piece + 1 < p->shape->count)
     goes_on = scallop_piece_goes_on(piece, piece + 1, &turned);
-  arb_set_d(limit, piece->end);
+  scallop_ball_end(limit, piece, precision);
   arb_sub(limit, limit, at->offset, precision);
   if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
     why = at->piece + 1 < p->shape->count ? leaves[p->kind] : starts[1 - p->kind]; /* where the other phase starts */
   goes_on = at->piece > 0 && scallop_piece_goes_on(piece - 1, piece, &turned);
-  arb_set_d(limit, piece->begin);
+  scallop_ball_begin(limit, piece, precision);
   arb_sub(limit, at->offset, limit, precision);
   if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
     why = at->piece > 0 ? leaves[p->kind] : starts[p->kind];

@@ -1,6 +1,8 @@
 #include "compare/decimal.h"
 
+#include "compare/gaits.h"
 #include "compare/table.h"
+#include "compare/written_gait.h"
 
 static void decimal_rational(fmpq_t x, double value)
 {
@@ -16,7 +18,26 @@ void decimal_crawler(struct scallop_rational_crawler *exact, const struct scallo
   const double values[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
   for (int i = 0; i < 7; i++)
     decimal_rational(fields[i], values[i]);
-  exact->gait = c->gait;
+  exact->gait = written_gait(c->gait);
+}
+
+/* L, T and alpha that come of the table of a measured gait are those of its decimals. */
+static void take_own(struct scallop_rational_crawler *exact, const struct options *o)
+{
+  enum { OWN = 3, FIRST = 4 }; /* of the crawler's numbers */
+  fmpq_t own[OWN];
+  double L, T, alpha;
+  for (int i = 0; i < OWN; i++)
+    fmpq_init(own[i]);
+  if (gait_has_own(o->crawler.gait, &L, &T, &alpha) && written_gait_has_own(o->crawler.gait, own[0], own[1], own[2])) {
+    const double is[OWN] = { o->crawler.L, o->crawler.T, o->crawler.alpha }, was[OWN] = { L, T, alpha };
+    fmpq *const fields[OWN] = { exact->L, exact->T, exact->alpha };
+    for (int i = 0; i < OWN; i++)
+      if (!o->written[FIRST + i] && is[i] == was[i])
+        fmpq_set(fields[i], own[i]);
+  }
+  for (int i = 0; i < OWN; i++)
+    fmpq_clear(own[i]);
 }
 
 void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const struct options *o)
@@ -26,6 +47,7 @@ void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const st
   for (int i = 0; i < 7; i++)
     if (o->written[i])
       scallop_rational_parse(fields[i], o->written[i]);
+  take_own(exact, o);
   if (!v0)
     return;
   decimal_rational(v0, o->v0);

@@ -5,7 +5,8 @@
 #include "compare/options.h"
 #include "model/ball.h"
 
-/* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. */
+/* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. The gait is the one of its own
+ * numbers as they were written (written_gait.h). */
 void decimal_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);
 /* The crawler of the options, as it was written: every digit that was given counts. v0 likewise (may be NULL). */
 void decimal_options(struct scallop_rational_crawler *exact, fmpq_t v0, const struct options *options);

@@ -25,6 +25,9 @@ struct row {
 };
 struct rows {
   struct row *at;
+  struct gait_row *written;
+  char *texts;
+  size_t length, texts_room;
   long count, room;
 };
 
@@ -50,11 +53,29 @@ static bool make_room(struct rows *rows)
     return true;
   long room = rows->room > 0 ? 2 * rows->room : 64;
   struct row *more = realloc(rows->at, (size_t)room * sizeof *more);
-  if (more) {
-    rows->at = more;
-    rows->room = room;
+  struct gait_row *written = more ? realloc(rows->written, (size_t)room * sizeof *written) : NULL;
+  rows->at = more ? more : rows->at;
+  rows->written = written ? written : rows->written;
+  rows->room = written ? room : rows->room;
+  return written != NULL;
+}
+
+/* Keeps a word; *at: where */
+static bool keep_word(struct rows *rows, const char *word, size_t *at)
+{
+  size_t size = strlen(word) + 1;
+  if (rows->length + size > rows->texts_room) {
+    size_t room = 2 * (rows->length + size);
+    char *more = realloc(rows->texts, room);
+    if (!more)
+      return false;
+    rows->texts = more;
+    rows->texts_room = room;
   }
-  return more != NULL;
+  *at = rows->length;
+  memcpy(rows->texts + rows->length, word, size);
+  rows->length += size;
+  return true;
 }
 
 /* The words of a line between blanks, which become NULs: at most `most` of them. Returns how many there are. */
@@ -105,7 +126,8 @@ static const char *read_line(struct rows *rows, struct lines *lines, const char 
   if (rows->count > 0 && !(t > rows->at[rows->count - 1].t))
     return at_line(file, lines->number, "t = %.17g does not come after %.17g of line %ld: t must increase", t,
                    rows->at[rows->count - 1].t, rows->at[rows->count - 1].line);
-  if (!make_room(rows))
+  if (!make_room(rows) || !keep_word(rows, words[0], &rows->written[rows->count].t)
+      || !keep_word(rows, words[1], &rows->written[rows->count].l))
     return no_memory();
   rows->at[rows->count++] = (struct row){ t, l, lines->number };
   return NULL;
@@ -276,8 +298,16 @@ const char *gait_file_read(struct gait_file *gait, const char *name, const char 
     gait->L = period.L;
     gait->T = period.T;
     gait->alpha = period.until_most / period.T;
-  } else
+    gait->texts = rows.texts;
+    gait->rows = rows.written;
+    gait->last = rows.count - 1;
+    gait->least = period.least;
+    gait->most = period.most;
+  } else {
     gait_file_free(gait);
+    free(rows.texts);
+    free(rows.written);
+  }
   free(rows.at);
   return wrong;
 }
@@ -287,5 +317,7 @@ void gait_file_free(struct gait_file *gait)
   free(gait->spline.pieces);
   free(gait->spline.laws);
   free(gait->spline.numbers);
-  gait->spline = (struct scallop_spline){ .pieces = NULL };
+  free(gait->texts);
+  free(gait->rows);
+  *gait = (struct gait_file){ .L = 0 };
 }

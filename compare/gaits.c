@@ -24,6 +24,9 @@ static char message[MESSAGE];
 struct made {
   struct made *next;
   char *text;
+  const char *kind, *parameters;
+  void *kept;
+  void (*discard)(void *);
   const struct scallop_gait *gait;
   bool is_measured, is_unreadable;
   union {
@@ -38,6 +41,8 @@ static int made_count;
 
 static void discard(struct made *made)
 {
+  if (made && made->kept)
+    made->discard(made->kept);
   if (made && made->is_measured)
     gait_file_free(&made->file);
   if (made)
@@ -228,6 +233,8 @@ static struct gait_answer make(const struct kind *kind, const char *text, const 
     discard(m);
     return refused(GAIT_UNKNOWN);
   }
+  m->kind = kind->name;
+  m->parameters = strchr(m->text, ':') ? strchr(m->text, ':') + 1 : parameters;
   if (kind->make(m, parameters)) {
     keep(m);
     return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
@@ -270,23 +277,34 @@ bool gait_has_ends(const struct scallop_gait *gait)
   return true;
 }
 
-static const struct made *measured(const struct scallop_gait *gait)
+/* Of those that were made. */
+static struct made *made_of(const struct scallop_gait *gait)
 {
-  const struct made *made = made_count > 0 ? find(gait->name) : NULL;
-  return made && made->gait == gait && made->is_measured ? made : NULL;
+  struct made *made = made_count > 0 ? find(gait->name) : NULL;
+  return made && made->gait == gait ? made : NULL;
 }
 
 uint32_t gait_checksum(const struct scallop_gait *gait)
 {
-  const struct made *made = measured(gait);
-  uint32_t knots = made ? made->file.checksum : CHECKSUM_OF_NOTHING;
+  const struct made *made = made_of(gait);
+  uint32_t knots = made && made->is_measured ? made->file.checksum : CHECKSUM_OF_NOTHING;
   return checksum_after(knots, gait->name, strlen(gait->name));
+}
+
+bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
+{
+  struct made *made = made_of(gait);
+  if (!made)
+    return false;
+  *source = (struct gait_source){ made->kind, made->parameters, made->is_measured ? &made->file : NULL, &made->kept,
+                                  &made->discard };
+  return true;
 }
 
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
 {
-  const struct made *made = measured(gait);
-  if (!made)
+  const struct made *made = made_of(gait);
+  if (!made || !made->is_measured)
     return false;
   *L = made->file.L;
   *T = made->file.T;

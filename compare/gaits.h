@@ -38,6 +38,17 @@ bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double 
 /* Of all that the gait is: its name, and where it is a measured one the knots of its spline, as its file may change. */
 uint32_t gait_checksum(const struct scallop_gait *gait);
 
+/* What a gait was made of, for those who want more digits of its numbers than doubles have. */
+struct gait_file;
+struct gait_source {
+  const char *kind, *parameters; /* as they were written: "trapezoidal", "0.2,0.3"                                 */
+  const struct gait_file *file;  /* of a measured gait, or NULL                                                    */
+  void **kept;                   /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
+  void (**discard)(void *);      /* this, when the program ends                                                   */
+};
+/* False: it is none of those that were made of numbers. */
+bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source);
+
 /* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
 int gait_reversals(const struct scallop_gait *gait);
 

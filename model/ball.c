@@ -256,6 +256,26 @@ static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order
   view_close(&view);
 }
 
+static void set_place(arb_t u, const struct scallop_piece *p, void (*place)(fmpq_t, const struct scallop_piece *),
+                      slong precision)
+{
+  fmpq_t exact;
+  fmpq_init(exact);
+  place(exact, p);
+  arb_set_fmpq(u, exact, precision);
+  fmpq_clear(exact);
+}
+
+void scallop_ball_begin(arb_t u, const struct scallop_piece *p, slong precision)
+{
+  set_place(u, p, scallop_rational_begin, precision);
+}
+
+void scallop_ball_end(arb_t u, const struct scallop_piece *p, slong precision)
+{
+  set_place(u, p, scallop_rational_end, precision);
+}
+
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
 {
   if (is_sine(p)) { /* (pi/2) sin(pi u) */

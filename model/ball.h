@@ -51,6 +51,10 @@ bool scallop_gait_is_exact(const struct scallop_gait *gait);
 /* Whether every coefficient of l' is rational, so that series have exact coefficients. */
 bool scallop_gait_is_rational(const struct scallop_gait *gait);
 
+/* The offsets at which a piece begins and ends */
+void scallop_ball_begin(arb_t u, const struct scallop_piece *piece, slong precision);
+void scallop_ball_end(arb_t u, const struct scallop_piece *piece, slong precision);
+
 /* |l'| and d|l'|/dt at offset u of a piece; any ball within [0, 1]. */
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *piece, const arb_t u, slong precision);
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *piece, const arb_t u, slong precision);

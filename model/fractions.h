@@ -34,16 +34,17 @@ void scallop_exact_clear(struct scallop_exact_gait *exact);
 /* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines) have no fractions. */
 void scallop_exact_of(struct scallop_exact_gait *exact, const struct scallop_gait *gait);
 
-/* The gaits of gaits.h with these numbers instead of the doubles that `gait` was made with, which are those nearest to them. False: they are
- * too far from these, or make no such gait; *exact is then what the doubles say.
- * trapezoidal: UP + DOWN within a rounding of 1 is 1, as it is there; numbers: of the extension, then of the contraction. */
-bool scallop_exact_trapezoidal(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *up,
+/* The gaits of gaits.h with these numbers instead of the doubles nearest to them, which `gait` was made with. False: there is no such gait, and
+ * *exact is what the doubles say.
+ * trapezoidal, skewed: numbers of the extension, and then of the contraction. As there, UP + DOWN within a rounding of 1 is 1. */
+void scallop_exact_trapezoidal(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *up,
                                const fmpq *down);
-bool scallop_exact_skewed(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *beta);
-/* c: of s, s^2, ..., `degree` of them. False also where l' is not 0 at both ends exactly, or turns within a phase: its zeros are no fractions. */
+void scallop_exact_skewed(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *beta);
+/* c: of s, s^2, ..., `degree` of them. False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are
+ * no fractions. */
 bool scallop_exact_polynomial(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *c, int degree);
-/* Through the count[kind] points of each phase, times and lengths as a scallop_knot has them, with Steffen's slopes (Astron. Astrophys. 239,
- * 1990), 0 at the ends. */
+/* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and elsewhere Steffen's
+ * (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
 bool scallop_exact_spline(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *const times[2],
                           const fmpq *const lengths[2], const int count[2]);
 
