@@ -21,7 +21,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/with_flint.h).
-flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold singularity) \
+flint_parts := $(addprefix model/,ball) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,decimal ledger ledger_measure claims_book claims_order claims_ends claims_words claims_family claims_peak claims_steady claims_table claims_read certified_rows counts_flint scene_flint flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/stress*.c compare/breakdown*.c compare/map*.c))
 flint_headers = model/ball|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
