@@ -21,7 +21,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/with_flint.h).
-flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold singularity) \
+flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,decimal written_gait ledger ledger_measure certified_rows counts_flint scene_flint flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/claims*.c compare/stress*.c compare/breakdown*.c compare/map*.c))
 flint_headers = model/(ball|fractions)|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions

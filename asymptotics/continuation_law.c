@@ -51,11 +51,35 @@ static void sine_quotient(acb_ptr g, const acb_t y, slong precision)
   mag_clear(rest);
 }
 
-/* (sin(pi b) - sin(pi a))/(b - a) = pi cos(pi m) g(-pi^2 h^2), m = (a + b)/2, h = (b - a)/2 */
+/* S(h) = sin(pi h)/(pi h) = g(y), y = -pi^2 h^2, and S' = -2 pi^2 h g', S'' = -2 pi^2 (g' + 2 y g'') */
+static void sine_quotient_jet(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
+{
+  acb_ptr g = _acb_vec_init(3);
+  acb_t y;
+  acb_init(y);
+  acb_mul(y, h, h, precision);
+  acb_mul_arb(y, y, pi_squared, precision);
+  acb_neg(y, y);
+  sine_quotient(g, y, precision);
+  acb_set(S, g);
+  acb_mul(S + 1, h, g + 1, precision);
+  acb_mul_2exp_si(g + 2, g + 2, 1);
+  acb_mul(S + 2, y, g + 2, precision);
+  acb_add(S + 2, S + 2, g + 1, precision);
+  for (int k = 1; k < 3; k++) {
+    acb_mul_arb(S + k, S + k, pi_squared, precision);
+    acb_mul_si(S + k, S + k, -2, precision);
+  }
+  acb_clear(y);
+  _acb_vec_clear(g, 3);
+}
+
+/* D = (sin(pi b) - sin(pi a))/(b - a) = pi cos(pi m) S(h), m = (a + b)/2, h = (b - a)/2: D_a = (D_m - D_h)/2, D_b = (D_m + D_h)/2,
+ * D_aa = (D_mm - 2 D_mh + D_hh)/4, D_ab = (D_mm - D_hh)/4, D_bb = (D_mm + 2 D_mh + D_hh)/4 */
 static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precision)
 {
-  acb_ptr t = _acb_vec_init(12), g = t, m = t + 3, h = t + 4, y = t + 5, sine = t + 6, cosine = t + 7, by_h = t + 8,
-          by_hh = t + 9, by_m = t + 10, by_mh = t + 11;
+  acb_ptr S = _acb_vec_init(3), t = _acb_vec_init(7);
+  acb_ptr m = t, h = t + 1, sine = t + 2, cosine = t + 3, by_m = t + 4, by_mm = t + 5, by_mh = t + 6;
   arb_t pi, square;
   arb_init(pi);
   arb_init(square);
@@ -65,44 +89,31 @@ static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precisi
   acb_sub(h, b, a, precision);
   acb_mul_2exp_si(m, m, -1);
   acb_mul_2exp_si(h, h, -1);
+  sine_quotient_jet(S, h, square, precision);
   acb_sin_cos_pi(sine, cosine, m, precision);
-  acb_mul_arb(cosine, cosine, pi, precision); /* pi cos, and its derivative */
+  acb_mul_arb(cosine, cosine, pi, precision);
   acb_mul_arb(sine, sine, square, precision);
   acb_neg(sine, sine);
-  acb_mul(y, h, h, precision);
-  acb_mul_arb(y, y, square, precision);
-  acb_neg(y, y);
-  sine_quotient(g, y, precision);
-  /* dy/dh = -2 pi^2 h, (dy/dh)^2 = -4 pi^2 y */
-  acb_mul(by_hh, y, g + 2, precision);
-  acb_mul_2exp_si(by_hh, by_hh, 1);
-  acb_add(by_hh, by_hh, g + 1, precision);
-  acb_mul_arb(by_hh, by_hh, square, precision);
-  acb_mul_2exp_si(by_hh, by_hh, 1);
-  acb_neg(by_hh, by_hh);
-  acb_mul(by_h, h, g + 1, precision);
-  acb_mul_arb(by_h, by_h, square, precision);
-  acb_mul_2exp_si(by_h, by_h, 1);
-  acb_neg(by_h, by_h);
-  acb_mul(jet + JET_VALUE, cosine, g, precision);
-  acb_mul(by_m, sine, g, precision);
-  acb_mul(by_mh, sine, by_h, precision);
-  acb_mul(by_h, cosine, by_h, precision);
-  acb_mul(by_hh, cosine, by_hh, precision);
-  acb_sub(jet + JET_A, by_m, by_h, precision);
-  acb_add(jet + JET_B, by_m, by_h, precision);
-  acb_mul_arb(by_m, jet + JET_VALUE, square, precision); /* minus the second derivative by m */
-  acb_sub(by_h, by_hh, by_m, precision);
-  acb_add(jet + JET_AB, by_hh, by_m, precision);
-  acb_neg(jet + JET_AB, jet + JET_AB);
+  acb_mul(jet + JET_VALUE, cosine, S, precision);
+  acb_mul(by_m, sine, S, precision);
+  acb_mul(by_mh, sine, S + 1, precision);
+  acb_mul(S + 1, cosine, S + 1, precision); /* D_h */
+  acb_mul(S + 2, cosine, S + 2, precision); /* D_hh */
+  acb_mul_arb(by_mm, jet + JET_VALUE, square, precision);
+  acb_neg(by_mm, by_mm);
+  acb_sub(jet + JET_A, by_m, S + 1, precision);
+  acb_add(jet + JET_B, by_m, S + 1, precision);
+  acb_sub(jet + JET_AB, by_mm, S + 2, precision);
+  acb_add(by_mm, by_mm, S + 2, precision);
   acb_mul_2exp_si(by_mh, by_mh, 1);
-  acb_sub(jet + JET_AA, by_h, by_mh, precision);
-  acb_add(jet + JET_BB, by_h, by_mh, precision);
+  acb_sub(jet + JET_AA, by_mm, by_mh, precision);
+  acb_add(jet + JET_BB, by_mm, by_mh, precision);
   for (int k = JET_A; k < JET; k++)
     acb_mul_2exp_si(jet + k, jet + k, k < JET_AA ? -1 : -2);
   arb_clear(pi);
   arb_clear(square);
-  _acb_vec_clear(t, 12);
+  _acb_vec_clear(S, 3);
+  _acb_vec_clear(t, 7);
 }
 
 static void lone_sine(acb_ptr jet, const acb_t b, slong precision)

@@ -119,6 +119,23 @@ static void coefficients_grow_as_the_singularity_says(void **state)
   }
 }
 
+/* Of the default crawler, where other sheets have branch points too: one nearer, which the branch does not meet, and one on the real axis a
+ * thousandth farther, between the two that are the nearest. */
+static void branch_points_of_other_sheets(void **state)
+{
+  (void)state;
+  struct subject s;
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = &scallop_gait_sinusoidal;
+  find_steady(&s, &c);
+  check_proven(&s.singularity);
+  assert_false(arb_contains_zero(acb_imagref(s.singularity.place)));
+  check_growth(&s, 0);
+  check_growth(&s, 0.02);
+  check_growth(&s, -0.02);
+  end(&s);
+}
+
 /* ---- one phase ---- */
 
 /* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
@@ -313,6 +330,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(coefficients_grow_as_the_singularity_says),
+    cmocka_unit_test(branch_points_of_other_sheets),
     cmocka_unit_test(from_rest),
     cmocka_unit_test(first_crossing_alone),
     cmocka_unit_test(special_crawlers),
