@@ -234,7 +234,7 @@ static const struct option_description descriptions[] = {
   { "quick.stress", NULL, "with --stiff: delta down to 1e-5 only", set_flag },
   { "summary.stress", NULL, "with --stiff: the order in delta, and where each stepper gives up", set_flag },
   { "family", "NAME", "of this family only", set_family },
-  { "cases", "N", "of each family and gait (1000; 5000 with --full, 5 steady states or 30 phases with --check)", set_count },
+  { "cases", "N", "of each family and gait (1000; 5000 with --full, 4 steady states or 30 phases with --check)", set_count },
   { "seed", "N", "of their parameters (1)", set_count },
   { "full", NULL, "many cases: takes minutes", set_flag },
   { "stiff", NULL, "friction smoothed for stiff ODE solvers, instead", set_flag },

@@ -42,7 +42,7 @@ enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS 
 /* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady state. */
 static int cases_of(const struct options *o, enum stress_kind kind)
 {
-  static const int check[] = { [STRESS_STEADY] = 5, [STRESS_PHASE] = 30, [STRESS_TRAJECTORY] = 2 };
+  static const int check[] = { [STRESS_STEADY] = 4, [STRESS_PHASE] = 30, [STRESS_TRAJECTORY] = 2 };
   int cases = o->cases > 0 ? (int)o->cases : o->full ? FULL_CASES : o->against ? check[kind] : CASES;
   return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
 }
