@@ -34,7 +34,7 @@ enum exit_code workprec_table(const struct options *options);
 
 /* Digits that survive: a table of families, one point, and friction smoothed for stiff solvers. Cases unless --cases is given */
 #define STRESS_CASES 1000
-#define STRESS_CHECK_STEADY 5
+#define STRESS_CHECK_STEADY 4
 #define STRESS_CHECK_PHASES 30
 #define STRESS_FULL_CASES 5000
 enum exit_code stress_table(const struct options *options);

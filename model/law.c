@@ -1,6 +1,5 @@
 #include "model/law.h"
 
-#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -153,15 +152,16 @@ static void bernstein_rates(const struct scallop_piece *p, double u, double *vel
 }
 
 /* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
- * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971), which is slow where the root is many orders of magnitude below hi and the slope
- * goes with a power of u: then u is halved in its logarithm. */
+ * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of u and the root is many orders of magnitude
+ * below hi, that would only double lo: the logarithm of u is halved then. */
 static double slope_root(const struct scallop_law *law, long double wanted, double lo, double hi, long double f_lo,
                          long double f_hi)
 {
   enum { STEPS = 200, FEW = 16 };
+  const double far = 0x1p40;
   for (int i = 0, kept = 0; i < STEPS; i++) {
-    bool far_apart = i >= FEW && hi > 16 * fmax(lo, DBL_MIN);
-    double u = far_apart ? sqrt(fmax(lo, DBL_MIN)) * sqrt(hi) : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
+    bool far_apart = i >= FEW && lo > 0 && hi > far * lo;
+    double u = far_apart ? sqrt(lo) * sqrt(hi) : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
     if (!(u > lo && u < hi))
       return fabsl(f_lo) < fabsl(f_hi) ? lo : hi;
     struct place at = place_at(law, u);
@@ -178,7 +178,7 @@ static double slope_root(const struct scallop_law *law, long double wanted, doub
       f_hi = f;
       f_lo *= kept < 0 ? 0.5L : 1;
     }
-    kept = low ? 1 : -1;
+    kept = far_apart ? 0 : low ? 1 : -1;
   }
   return lo; /* GCOVR_EXCL_LINE: halving ends before STEPS */
 }

@@ -227,7 +227,7 @@ run 4 workprec --from nowhere.tsv
 grep -q 'cannot read nowhere.tsv: No such file' err || note "$(cat err)"
 printf 'method\tsett\000ing\n' >nul.tsv
 run 2 workprec --from nul.tsv
-grep -q 'nul.tsv:1: not a text file' err || note "$(cat err)"
+grep -q 'nul.tsv:1: this is not a text file' err || note "$(cat err)"
 finish "--from: tables that are none"
 
 run 0 workprec --quick --gait sinusoidal --T 0.3 --F1 3 --alpha 0.7 --limit 0.02 --format json

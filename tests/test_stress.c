@@ -159,6 +159,17 @@ static const struct {
                    0.001787415058391338, 0.053628653958439826, NULL },
       .phase = SCALLOP_CONTRACTION,
       .v0 = -1.2813210988875906e-06 } },
+  /* l'' goes with t^2 and the body leaves rest at 1e-97 of the phase, where the search for it did not get to: 1e15 units */
+  { "polynomial:0,0,0,35,-84,70,-20",
+    { .kind = STRESS_PHASE,
+      .crawler = { 1.0038726027937885, 2.7234725458171587, 0.22941104443983673, 0.4614474148894865, 0.4486942986572502,
+                   1.5717202005720724e-97, 0.3099920505285263, NULL },
+      .phase = SCALLOP_CONTRACTION } },
+  /* its body leaves rest just before l'' is steepest: 37 units over the rounding modes with a search that takes the wrong end */
+  { "polynomial:0,0,0,35,-84,70,-20",
+    { .kind = STRESS_PHASE,
+      .crawler = { 0.2796751659140918, 0.4276855676947472, 0.2111825647632437, 0.1500468544162752, 0.3328990436695564,
+                   4.494756589609767, 0.930630007609725, NULL } } },
 };
 
 static void check_promises(const struct stress_case *c)
