@@ -52,11 +52,15 @@ static bool make_room(struct rows *rows)
     return true;
   long room = rows->room > 0 ? 2 * rows->room : 64;
   struct row *more = realloc(rows->at, (size_t)room * sizeof *more);
-  struct gait_row *written = more ? realloc(rows->written, (size_t)room * sizeof *written) : NULL;
-  rows->at = more ? more : rows->at;
-  rows->written = written ? written : rows->written;
-  rows->room = written ? room : rows->room;
-  return written != NULL;
+  if (!more)
+    return false;
+  rows->at = more;
+  struct gait_row *written = realloc(rows->written, (size_t)room * sizeof *written);
+  if (!written)
+    return false;
+  rows->written = written;
+  rows->room = room;
+  return true;
 }
 
 /* Keeps a word; *at: where */

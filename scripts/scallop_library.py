@@ -22,7 +22,7 @@ _double, _int, _pointer, _text = ctypes.c_double, ctypes.c_int, ctypes.c_void_p,
 # model/model.h
 Law = _structure("scallop_law", (_int, "kind degree"), (_pointer, "numerator"), (_double, "denominator"))
 Piece = _structure("scallop_piece", (_double, "begin end"), (_int, "anchor direction"), (ctypes.c_bool, "jump linear"),
-                   (_double, "velocity acceleration"), (_pointer, "curve law"))
+                   (_double, "velocity acceleration"), (_pointer, "curve law exact"))
 Shape = _structure("scallop_shape", (_pointer, "pieces"), (_int, "count"), (_double, "l0 lT peak net"),
                    (ctypes.c_bool, "concave ramps"))
 Gait = _structure("scallop_gait", (_pointer, "name"), (Shape * 2, "phase"))
