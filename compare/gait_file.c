@@ -67,7 +67,7 @@ static bool make_room(struct rows *rows)
 static bool keep_word(struct rows *rows, const char *word, size_t *at)
 {
   size_t size = strlen(word) + 1;
-  if (rows->length + size > rows->texts_room) {
+  if (!rows->texts || rows->length + size > rows->texts_room) {
     size_t room = 2 * (rows->length + size);
     char *more = realloc(rows->texts, room);
     if (!more)
