@@ -93,7 +93,7 @@ static const char *each_row(const struct options *o, claim_sink *sink, void *con
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   decimal_options(&exact, NULL, o);
-  const char *wrong = claims_of_order(&exact, gait, o->errors, sink, context);
+  const char *wrong = claims_of_order(&exact, gait ? exact.gait : NULL, o->errors, sink, context);
   scallop_rational_clear(&exact);
   if (!o->errors)
     claims_in_words(&o->crawler, gait, sink, context);

@@ -190,8 +190,9 @@ const struct command command_steady = {
       "doubles\n"
       "nearest to the parameters as written; --certified takes the decimals themselves.\n"
       "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n"
-      "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), and status is certified; what\n"
-      "touches a boundary exactly cannot be decided, which status says.",
+      "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table too,\n"
+      "and status is certified. What touches a boundary exactly cannot be decided, which status says. A polynomial\n"
+      "whose l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles.",
   .unless_given = unless_given,
   .proven = "with --certified",
   .run = run,

@@ -53,18 +53,22 @@ static bool make_room(struct rows *rows)
     return true;
   long room = rows->room > 0 ? 2 * rows->room : 64;
   struct row *more = realloc(rows->at, (size_t)room * sizeof *more);
-  struct gait_row *written = more ? realloc(rows->written, (size_t)room * sizeof *written) : NULL;
-  rows->at = more ? more : rows->at;
-  rows->written = written ? written : rows->written;
-  rows->room = written ? room : rows->room;
-  return written != NULL;
+  if (!more)
+    return false;
+  rows->at = more;
+  struct gait_row *written = realloc(rows->written, (size_t)room * sizeof *written);
+  if (!written)
+    return false;
+  rows->written = written;
+  rows->room = room;
+  return true;
 }
 
 /* Keeps a word; *at: where */
 static bool keep_word(struct rows *rows, const char *word, size_t *at)
 {
   size_t size = strlen(word) + 1;
-  if (rows->length + size > rows->texts_room) {
+  if (!rows->texts || rows->length + size > rows->texts_room) {
     size_t room = 2 * (rows->length + size);
     char *more = realloc(rows->texts, room);
     if (!more)

@@ -16,7 +16,8 @@ struct gait_file {
   uint32_t checksum;  /* of the knots                                                           */
   char *texts;
   struct gait_row *rows; /* 0 to last: the last one is the first one, a period later               */
-  long last, least, most; /* the first row with the smallest l; the first after it with the largest, from `last` on a period later */
+  long last, least,
+      most; /* the first row with the smallest l; the first after it with the largest, from `last` on a period later */
 };
 
 /* Reads a table of t and l from file, which is called name in messages, and lays the spline through it. NULL, or what is wrong with it: it

@@ -75,7 +75,8 @@ static enum part part_of(const struct scallop_piece *p)
 }
 
 /* What a piece with the other anchor leaves of the phase: half, where a part is split there */
-static void set_most(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up, const fmpq_t down)
+static void set_most(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
+                     const fmpq_t down)
 {
   enum part here = part_of(&shape->pieces[i]);
   bool from_start = is_from_start(&shape->pieces[i]);
@@ -91,8 +92,8 @@ static void set_most(struct scallop_fractions *f, const struct scallop_shape *sh
 }
 
 /* height: of |l'| where it stays */
-static void set_straight(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up, const fmpq_t down,
-                         const fmpq_t height)
+static void set_straight(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
+                         const fmpq_t down, const fmpq_t height)
 {
   enum part here = part_of(&shape->pieces[i]);
   fmpq_t steep;
@@ -139,7 +140,8 @@ static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmp
   fmpq_clear(height);
 }
 
-void scallop_exact_trapezoidal(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *up, const fmpq *down)
+void scallop_exact_trapezoidal(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *up,
+                               const fmpq *down)
 {
   scallop_exact_of(e, gait);
   for (int kind = 0; kind < 2; kind++)
@@ -227,10 +229,8 @@ static void chord(fmpq_t slope, fmpq_t width, const struct points *p, int i)
 /* Of a point between two chords a and b, over times g and h, of one sign: the least of |a|, |b| and |a h + b g|/(2 (g + h)), twice */
 static void set_slope(struct points *p, int i)
 {
-  fmpq_t a, b, g, h, mean;
-  fmpq *all[] = { a, b, g, h, mean };
-  for (int k = 0; k < 5; k++)
-    fmpq_init(all[k]);
+  enum { FRACTIONS = 5 };
+  fmpq *x = _fmpq_vec_init(FRACTIONS), *a = x, *b = x + 1, *g = x + 2, *h = x + 3, *mean = x + 4;
   chord(a, g, p, i - 1);
   chord(b, h, p, i);
   int sign = fmpq_sgn(a);
@@ -241,12 +241,11 @@ static void set_slope(struct points *p, int i)
     fmpq_div(mean, mean, h);
     fmpq_div_2exp(mean, mean, 1);
     for (int k = 0; k < 2; k++)
-      if (sign * fmpq_cmp(all[k], mean) < 0)
-        fmpq_set(mean, all[k]);
+      if (sign * fmpq_cmp(x + k, mean) < 0)
+        fmpq_set(mean, x + k);
     fmpq_mul_2exp(p->slope + i, mean, 1);
   }
-  for (int k = 0; k < 5; k++)
-    fmpq_clear(all[k]);
+  _fmpq_vec_clear(x, FRACTIONS);
 }
 
 /* Of the piece between points j and j + 1: near is the one where its law begins, as seen from the anchor. */

@@ -86,7 +86,8 @@ struct scallop_piece {
   double acceleration; /* linear pieces: l''; others likewise */
   const struct scallop_curve *curve;
   const struct scallop_law *law; /* NULL: a linear piece is exactly what its numbers say; others have no exact law */
-  const struct scallop_fractions *exact; /* NULL, or what the piece is in fractions (fractions.h), where doubles are only near */
+  const struct scallop_fractions
+      *exact; /* NULL, or what the piece is in fractions (fractions.h), where doubles are only near */
 };
 
 struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1                      */

@@ -127,7 +127,7 @@ static void improve(const struct scallop_scaled *s, struct period *p)
 static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, struct period *p,
                                      struct scallop_work *work)
 {
-  double c = isfinite(guess) ? guess : 0;
+  double c = isfinite(guess) ? guess + 0.0 : 0; /* no -0 */
   struct bracket b = { -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {

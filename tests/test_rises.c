@@ -64,8 +64,30 @@ static void steps_of_a_motor(void **state)
   judge(&s);
 }
 
+/* Where friction brings all to rest v_start is 0, and not -0. */
+static void no_minus_zero(void **state)
+{
+  (void)state;
+  struct random r = { 20261502 };
+  struct rises g;
+  int zeros = 0;
+  for (int i = 0; i < 60; i++) {
+    struct stress_case s = draw(&r, rises_draw(&g, &r, 1e-3), STRESS_STEADY);
+    struct scallop_steady_result steady;
+    set_eps(&s.crawler, 1e4);
+    assert_int_equal(scallop_steady(&s.crawler, &steady), SCALLOP_OK);
+    const double v[] = { steady.period.v_start, steady.period.v_mid, steady.period.v_end, steady.v_low, steady.v_high };
+    for (int k = 0; k < 5; k++) {
+      zeros += v[k] == 0;
+      assert_false(v[k] == 0 && signbit(v[k]));
+    }
+  }
+  assert_true(zeros > 60);
+}
+
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(within_units), cmocka_unit_test(steps_of_a_motor) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(within_units), cmocka_unit_test(steps_of_a_motor),
+                                      cmocka_unit_test(no_minus_zero) };
   return cmocka_run_group_tests_name("rises", tests, NULL, NULL);
 }
