@@ -86,16 +86,16 @@ static void place_text(char text[PLACE], const acb_t z, slong power, bool mirror
 {
   char *re = arb_get_str(acb_realref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS),
        *im = arb_get_str(acb_imagref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS);
-  const char *size = *im == '-' ? im + 1 : im, *sign = mirrored ? "+-" : "";
+  const char *size = *im == '-' ? im + 1 : im, *left = mirrored && *re == '-' ? re + 1 : re, *sign = mirrored ? "+-" : "";
   int used = power == 1 ? snprintf(text, PLACE, "T = ") : snprintf(text, PLACE, "T^%ld = ", (long)power);
   char *rest = text + used;
   size_t room = PLACE - (size_t)used;
   if (arb_contains_zero(acb_imagref(z)))
-    snprintf(rest, room, "%s%s", sign, re);
+    snprintf(rest, room, "%s%s", sign, left);
   else if (arb_contains_zero(acb_realref(z)))
     snprintf(rest, room, "+-%s i", size);
   else
-    snprintf(rest, room, "%s%s+-%s i", sign, re, size);
+    snprintf(rest, room, "%s%s +- %s i", sign, left, size);
   flint_free(re);
   flint_free(im);
 }

@@ -100,7 +100,7 @@ enum exit_code committed_read(struct committed_ledger *ledger, const char *file)
   if (wrong)
     complain("claims", "%s:%ld: %s: `scallop claims` writes one", name, r.lines.number, wrong);
   else if (failed)
-    complain("claims", "cannot read %s: %s", name, strerror(r.lines.error));
+    complain("claims", "cannot read %s: %s", name, lines_error_text(&r.lines));
   else if (ledger->count == 0)
     complain("claims", "%s: no row of a ledger: `scallop claims` writes one", name);
   if (file)

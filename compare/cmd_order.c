@@ -212,7 +212,7 @@ static enum exit_code read_file(const struct options *options, struct list *list
   if (wrong)
     complain("order", "%s:%ld: %s", name, lines.number, wrong);
   else if (failed)
-    complain("order", "cannot read %s: %s", name, strerror(lines.error));
+    complain("order", "cannot read %s: %s", name, lines_error_text(&lines));
   else if (list->count == 0)
     complain("order", "%s: no data: lines of 'h err' are wanted", name);
   lines_free(&lines);

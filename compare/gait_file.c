@@ -149,7 +149,7 @@ static const char *read_rows(struct rows *rows, const char *file, bool *unreadab
     wrong = read_line(rows, &lines, file, &header);
   if (!wrong && lines.error) {
     *unreadable = true;
-    wrong = at_line(file, 0, "cannot be read: %s", strerror(lines.error));
+    wrong = at_line(file, 0, "cannot be read: %s", lines_error_text(&lines));
   }
   fclose(lines.file);
   lines_free(&lines);

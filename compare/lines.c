@@ -10,8 +10,6 @@ enum { CHUNK = 1 << 16 }; /* bytes that are read at a time */
 /* What some programs write at the head of a UTF-8 file */
 static const char BYTE_ORDER_MARK[] = "\xef\xbb\xbf";
 
-static bool is_too_long(const struct lines *l) { return l->length == LONGEST_LINE; }
-
 static bool fail(struct lines *l, int error)
 {
   l->error = error;
@@ -80,7 +78,7 @@ bool next_line(struct lines *l)
 {
   char *end = NULL;
   size_t seen = 0;
-  if (is_too_long(l))
+  if (l->too_long)
     return fail(l, EFBIG);
   pass_newline(l);
   for (;;) {
@@ -92,7 +90,8 @@ bool next_line(struct lines *l)
   l->length = end ? end - (l->buffer + l->begin) : (ssize_t)seen;
   if (l->error || (!end && seen == 0))
     return false;
-  if (l->length > LONGEST_LINE)
+  l->too_long = l->length >= LONGEST_LINE;
+  if (l->too_long)
     l->length = LONGEST_LINE;
   l->line = l->buffer + l->begin;
   l->ended_by_return = end && *end == '\r';
@@ -118,11 +117,16 @@ void lines_free(struct lines *l)
   l->buffer = l->line = NULL;
 }
 
+const char *lines_error_text(const struct lines *l)
+{
+  return l->error == EFBIG ? "a line has more than a million characters" : strerror(l->error);
+}
+
 const char *line_fault(const struct lines *l)
 {
   if (memchr(l->line, '\0', (size_t)l->length) != NULL)
     return "this is not a text file";
-  return is_too_long(l) ? "this line is too long: more than a million characters" : NULL;
+  return l->too_long ? "this line is too long: more than a million characters" : NULL;
 }
 
 int lines_cells(char *line, char **cells, int most)

@@ -14,6 +14,7 @@ struct lines {
   ssize_t length;       /* of it                                                              */
   long number;          /* from 1                                                             */
   int error;            /* why the file cannot be read, where it cannot; else 0               */
+  bool too_long;        /* the current line, and it is the last                                 */
   bool ended_by_return; /* the current line, by a CR                                          */
   char *buffer;         /* what has been read, and from begin to end is still to come         */
   size_t begin, end, size;
@@ -26,6 +27,9 @@ bool next_line(struct lines *lines);
 /* The lines of a text, of which a copy is kept. False: out of memory. */
 bool lines_of_text(struct lines *lines, const char *text);
 void lines_free(struct lines *lines);
+
+/* What to say of error. */
+const char *lines_error_text(const struct lines *lines);
 
 /* Why the current line is no line of a text file (it holds a NUL byte, or is too long), or NULL. */
 const char *line_fault(const struct lines *lines);

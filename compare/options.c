@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "compare/compare.h"
 #include "compare/gaits.h"
@@ -191,10 +190,7 @@ static bool digits_are_sound(const struct options *o)
 /* A measurement must not be lost to a slip of the keyboard. */
 static bool output_is_sound(const struct options *o)
 {
-  const char *gait = o->crawler.gait->name, *measured = strncmp(gait, "measured:", 9) == 0 ? gait + 9 : NULL;
-  struct stat in, out;
-  bool lost = measured && o->output && stat(measured, &in) == 0 && stat(o->output, &out) == 0 && in.st_dev == out.st_dev
-              && in.st_ino == out.st_ino;
+  bool lost = o->output && gait_is_from(o->output);
   if (lost)
     complain(o->command->name, "--output: %s is the file of the gait and is not replaced: name another file", o->output);
   return !lost;

@@ -134,11 +134,15 @@ static bool is_there(const struct reader *r, const char *parameter)
   return false;
 }
 
-/* Names with commas between, up to where the room ends */
-static void add_name(char names[MESSAGE], const char *name)
+/* Names with commas between; of many the first ones */
+static void add_name(char names[MESSAGE], const char *name, int before)
 {
+  enum { SHOWN = 4 };
   size_t used = strlen(names);
-  snprintf(names + used, MESSAGE - used, "%s%.40s", used ? ", " : "", *name ? name : "''");
+  if (before < SHOWN)
+    snprintf(names + used, MESSAGE - used, "%s%.40s", before ? ", " : "", *name ? name : "''");
+  else if (before == SHOWN)
+    snprintf(names + used, MESSAGE - used, " and others");
 }
 
 static enum exit_code read_column(struct reader *r, const char *name, const char *const *extra)
@@ -160,7 +164,7 @@ static enum exit_code read_column(struct reader *r, const char *name, const char
 static enum exit_code read_header(struct reader *r, const char *const *extra)
 {
   if (!next_data(&r->lines) && r->lines.error) {
-    complain(r->command, "cannot read %s: %s", r->name, strerror(r->lines.error));
+    complain(r->command, "cannot read %s: %s", r->name, lines_error_text(&r->lines));
     return EXIT_FILE;
   }
   if (r->lines.length == 0) {
@@ -179,7 +183,7 @@ static enum exit_code read_header(struct reader *r, const char *const *extra)
     if (code != EXIT_DONE)
       return code;
     if (!r->parameter[r->columns - 1])
-      add_name(unused, name);
+      add_name(unused, name, r->unused - 1);
     cell = tab ? tab + 1 : NULL;
   }
   if (r->unused == r->columns)
@@ -290,7 +294,7 @@ static void solve_blocks(struct reader *r, struct table *table, const struct opt
 static enum exit_code finish(struct reader *r, struct table *table, const struct options *options)
 {
   if (r->lines.error) {
-    complain(options->command->name, "cannot read %s: %s", r->name, strerror(r->lines.error));
+    complain(options->command->name, "cannot read %s: %s", r->name, lines_error_text(&r->lines));
     table_abandon(table);
     return EXIT_FILE;
   }

@@ -292,11 +292,12 @@ static void begin(struct run *run)
   const struct options *o = run->options;
   struct table *t = &run->table;
   table_note(t, "scallop " SCALLOP_VERSION);
-  char number[40];
-  bool check = o->check && o->cases <= 0 && !o->full;
-  snprintf(number, sizeof number, check ? " --check" : " --cases %d", cases_of(o, STRESS_PHASE));
-  table_note(t, "command: stress%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-             o->has_gait ? " --gait " : "", o->has_gait ? o->crawler.gait->name : "", number, o->seed);
+  char number[40] = "";
+  if (o->cases > 0)
+    snprintf(number, sizeof number, " --cases %ld", o->cases);
+  table_note(t, "command: stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
+             o->has_gait ? " --gait " : "", o->has_gait ? o->crawler.gait->name : "", o->full ? " --full" : "",
+             o->check ? " --check" : "", number, o->seed);
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);

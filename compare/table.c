@@ -437,7 +437,10 @@ bool table_close(struct table *t)
   free(t->names);
   flush_text(t);
   note_error(t, fflush(t->file) != 0);
-  if (t->is_aside && t->error != 0)
+  bool lost = t->is_aside && gait_is_from(t->output); /* of a gait that a column of points names */
+  if (lost)
+    complain(t->options->command->name, "%s is the file of a gait and is not replaced: name another file", t->output);
+  if (t->is_aside && (lost || t->error != 0))
     aside_drop(&t->aside);
   else if (t->is_aside)
     note_error(t, !aside_keep(&t->aside));
@@ -445,7 +448,7 @@ bool table_close(struct table *t)
     note_error(t, (t->file == stdout ? !closes(STDOUT_FILENO) : fclose(t->file) != 0));
   if (t->error != 0)
     complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(t->error));
-  return t->error == 0;
+  return t->error == 0 && !lost;
 }
 
 void table_abandon(struct table *t)

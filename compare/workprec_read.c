@@ -169,7 +169,7 @@ static enum exit_code read_file(const char *name, struct table *table)
   while (r->lines.file && code == EXIT_DONE && next_line(&r->lines))
     code = read_line(r) ? EXIT_DONE : EXIT_USAGE;
   if (!r->lines.file || r->lines.error) {
-    complain("workprec", "cannot read %s: %s", name, strerror(r->lines.file ? r->lines.error : errno));
+    complain("workprec", "cannot read %s: %s", name, r->lines.file ? lines_error_text(&r->lines) : strerror(errno));
     code = EXIT_FILE;
   } else if (code == EXIT_DONE && r->rows == 0) {
     complain("workprec", "%s: no rows: `scallop workprec` writes such a table, as TSV", name);

@@ -91,7 +91,7 @@ run 0 breakdown --only radius --gait sinusoidal
 [ "$(cells out status | sort -u)" = certified ] || note "status: $(cells out status)"
 [ "$(cells out T | sort -u | wc -l)" = 1 ] || note "radii: $(cells out T)"
 awk 'BEGIN { FS = "\t" } /^radius/ && !($8 <= 1e-14) { bad = 1 } END { exit bad }' out || note "errors: $(cells out error)"
-grep -q 'T^2 = +-23.7268.*+-0.0938' out || note "the place: $(cells out note)"
+grep -q 'T^2 = +-23.7268.* +- 0.0938' out || note "the place: $(cells out note)"
 run 0 breakdown --only radius --gait sinusoidal --phase contraction --v0 0.5
 [ "$(cells out T | sort -u | wc -l)" = 2 ] || note "of a phase: $(cells out T)"
 run 0 breakdown --only radius --F1 1 --gait sinusoidal

@@ -154,8 +154,10 @@ ends 2 '/dev/zero:1: this is not a text file' steady --points /dev/zero
 ends 2 '/dev/zero:1: this is not a text file' order /dev/zero
 ends 2 '/dev/zero:1: this is not a text file' steady --gait measured:/dev/zero
 { printf 'T\n'; head -c 3000000 /dev/zero | tr '\0' 1; } >long.tsv
-ends 4 'cannot read long.tsv: File too large' steady --points long.tsv
+ends 4 'cannot read long.tsv: a line has more than a million characters' steady --points long.tsv
 grep -q 'line 2: this line is too long: more than a million characters' out || note "$(tail -n 1 out)"
+{ printf '\357\273\277T\t'; head -c 3000000 /dev/zero | tr '\0' x; } >long.tsv
+ends 2 'long.tsv:1: this line is too long' steady --points long.tsv
 { printf 'T\n'; head -c 20000 /dev/zero | tr '\0' 0; echo 1; } >long.tsv
 ends 3 '1 of 1 points' steady --certified --points long.tsv
 grep -q 'this one has more than 10100 characters' out || note "$(tail -n 1 out | cut -c 1-300)"
@@ -177,6 +179,9 @@ for name in motion.txt ./motion.txt linked.txt; do
   run 2 steady --gait measured:motion.txt -o "$name"
   grep -q "$name is the file of the gait and is not replaced" err || note "$(cat err)"
 done
+printf 'gait\nmeasured:motion.txt\n' >named.tsv
+run 4 steady --points named.tsv -o motion.txt
+grep -q 'motion.txt is the file of a gait and is not replaced' err || note "a column: $(cat err)"
 cmp -s motion.txt before.txt || note "the measurement is lost"
 finish "a table does not feed itself, and does not take the place of a measurement"
 
