@@ -305,12 +305,14 @@ static long solve_all(const struct job *job, int threads)
   long count = job->crawlers->count, failed = 0;
   if (threads > 1)
     threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
-  if (threads <= 1) { /* without the runtime of OpenMP, which may allocate */
+#ifdef _OPENMP
+  if (threads > 1) { /* else without the runtime of OpenMP, which may allocate */
+#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);
     return failed;
   }
-#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
+#endif
   for (long first = 0; first < count; first += BLOCK)
     failed += solve_next(job, first);
   return failed;

@@ -455,10 +455,9 @@ static bool pass_zero(struct scallop_march *m, const struct scallop_piece *next)
   bool alike = m->s1 == m->s2 && m->s1 != 0;
   if (!alike && !is_at_rest(m))
     return undecided(m, at_end[arb_is_zero(m->v1) ? 1 : 0]);
-  if (!alike && m->piece->direction != 0 && !turn_back(m))
-    return false;
+  bool decided = alike || m->piece->direction == 0 || turn_back(m);
   set_piece(m, next);
-  return next->direction == 0 ? begin_dwell(m) : alike || start_from_rest(m);
+  return decided && (next->direction == 0 ? begin_dwell(m) : alike || start_from_rest(m));
 }
 
 /* Where a piece begins. settle() looks at m->piece: the piece before must have been settled if l' jumps. */

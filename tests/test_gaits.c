@@ -231,6 +231,29 @@ static void bad_polynomials(void **state)
   }
 }
 
+/* Two zeros of l', 1e-4 apart, and nearly two more near the end: each has its piece. Their distance is from a search for all zeros
+ * in 60 digits, of C1 + 2 C2 s + ... less its value at the end times s^6. */
+static void two_zeros_and_almost_two(void **state)
+{
+  (void)state;
+  static const double c[] = { 0,
+                              0,
+                              0.15456065558773208,
+                              -0.67635268360914214,
+                              1.3060806298739194,
+                              -1.3195741346534107,
+                              0.68224748223722309,
+                              -0.14285714285714285 };
+  struct scallop_polynomial g;
+  assert_int_equal(scallop_make_polynomial(&g, "", c, 7, NULL), SCALLOP_OK);
+  const struct scallop_shape *shape = &g.gait.phase[SCALLOP_EXTENSION];
+  double back = 0;
+  for (int i = 0; i < shape->count; i++)
+    if (shape->pieces[i].direction < 0)
+      back += fabs(shape->pieces[i].end - shape->pieces[i].begin);
+  CHECK_RELATIVE(back, 1.1640201457269268e-4, 1e-10);
+}
+
 static void bad_splines(void **state)
 {
   (void)state;
@@ -261,6 +284,28 @@ static void bad_splines(void **state)
       fail_msg("knot %d: %g %g %g", bad[i].at, bad[i].knot.time, bad[i].knot.length, bad[i].knot.slope);
   }
   assert_int_equal(scallop_make_spline(&s, "", phases, (const int[2]){ 1, 2 }), SCALLOP_EDOMAIN);
+}
+
+/* Once up and down |l'| is concave; with a rest, or a way back, it is not. */
+static void concave_splines(void **state)
+{
+  (void)state;
+  const struct scallop_knot once[3] = { { 0, 0, 0 }, { 0.5, 0.5, 1.5 }, { 1, 1, 0 } },
+                            rest[4] = { { 0, 0, 0 }, { 0.25, 0.5, 0 }, { 0.5, 0.5, 0 }, { 1, 1, 0 } },
+                            detour[4] = { { 0, 0, 0 }, { 0.25, 0.75, 0 }, { 0.5, 0.5, 0 }, { 1, 1, 0 } },
+                            back[3] = { { 0, 1, 0 }, { 0.5, 0.5, -1.5 }, { 1, 0, 0 } };
+  const struct scallop_knot *const out[3] = { once, rest, detour };
+  struct scallop_piece pieces[MOST_SPLINE_PIECES];
+  struct scallop_law laws[MOST_SPLINE_PIECES];
+  double numbers[MOST_SPLINE_PIECES][7];
+  struct scallop_spline s = { .pieces = pieces, .laws = laws, .numbers = numbers };
+  for (int i = 0; i < 3; i++) {
+    const struct scallop_knot *const phases[2] = { out[i], back };
+    assert_int_equal(scallop_make_spline(&s, "", phases, (const int[2]){ i == 0 ? 3 : 4, 3 }), SCALLOP_OK);
+    assert_int_equal(s.gait.phase[SCALLOP_EXTENSION].concave, i == 0);
+    assert_true(s.gait.phase[SCALLOP_CONTRACTION].concave);
+    CHECK_EQUAL(s.gait.phase[SCALLOP_EXTENSION].net, 1 - i * 0.25); /* the share of the phase there, minus that back */
+  }
 }
 
 /* ---- symmetry ---- */
@@ -687,7 +732,9 @@ int main(void)
     cmocka_unit_test(pieces_begin_at_doubles),
     cmocka_unit_test(bad_straight_gaits),
     cmocka_unit_test(bad_polynomials),
+    cmocka_unit_test(two_zeros_and_almost_two),
     cmocka_unit_test(bad_splines),
+    cmocka_unit_test(concave_splines),
     cmocka_unit_test(symmetries),
     cmocka_unit_test(turns_next_to_the_ends),
     cmocka_unit_test(the_same_laws),

@@ -2,6 +2,7 @@
  * the last digit of such edges, and the phase solved on both sides and around: each ends, and v_end is
  * continuous across the edge, because the map never drives two motions apart. */
 #include "tests/check.h"
+#include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
 
 enum { CRAWLERS = 150, SCAN = 24, AROUND = 8 };
@@ -91,6 +92,48 @@ static void stops_at_once(void **state)
   CHECK_NEAR(r.dx1, 0, 1e-14);
 }
 
+/* m1 = m2 = 1, tau = 1, L = 1: l' = 0 at t = 3/4, where both bodies, which go backward at -12 + 16 t -+ l'/2, come to rest at once. */
+static void stops_where_the_length_turns(void **state)
+{
+  (void)state;
+  struct scallop_crawler c = { 1, 1, 20, 12, 1, 2, 0.5, &there_and_back_gait };
+  char text[SCALLOP_MODES_TEXT];
+  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -12);
+  scallop_modes_text(&r.modes, text);
+  assert_string_equal(text, "-- +- 0-");
+  CHECK_EQUAL(r.t1, 0.75);
+  CHECK_EQUAL(r.v_end, 0);
+  CHECK_EQUAL(r.dx1, -4.5 - 1.125 / 2); /* and then it is held, while l falls by 1/8 */
+  CHECK_EQUAL(r.dx2, -4.5 + 1.125 / 2 - 0.125);
+}
+
+/* m1 = m2 = 1, tau = 1, L = 1, F1 - F2 = 6: body 1 is held while l'' = 5, lets go for 1/32 where l'' = 8, at an acceleration of -1, and comes
+ * back as fast where l'' = 4. Each piece is straight. */
+#define BUMP_END (9. / 32 + 67. / 560)
+#define BUMP_FALL ((1.5 + 4 * 67. / 560) / (1 - BUMP_END))
+#define BUMP(sign) \
+  RUN(0, 0.25, sign, 0, (sign)*5), RUN(0.25, 9. / 32, sign, (sign) * -0.75, (sign)*8), \
+      RUN(9. / 32, BUMP_END, sign, (sign)*0.375, (sign)*4), \
+      RUN(BUMP_END, 0.75, sign, (sign)*BUMP_FALL, (sign) * -BUMP_FALL), \
+      SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -BUMP_FALL)
+
+static void lets_go_for_a_while(void **state)
+{
+  (void)state;
+  static const struct scallop_piece out[] = { BUMP(1) }, back[] = { BUMP(-1) };
+  static const struct scallop_gait bump = {
+    "bump", { { out, 5, 5, -BUMP_FALL, 2, 1, false, false }, { back, 5, -5, BUMP_FALL, 2, -1, false, false } }
+  };
+  struct scallop_crawler c = { 1, 1, 7, 1, 1, 2, 0.5, &bump };
+  char text[SCALLOP_MODES_TEXT];
+  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0);
+  scallop_modes_text(&r.modes, text);
+  assert_string_equal(text, "0+ -+ 0+");
+  CHECK_EQUAL(r.t1, 0.25);
+  CHECK_EQUAL(r.dx1, -0x1p-10);
+  CHECK_EQUAL(r.v_end, 0);
+}
+
 /* Forces so weak that the square of a velocity is nothing: a phase is the first half of the period all the same. */
 static void weak_forces(void **state)
 {
@@ -131,8 +174,9 @@ static void far_from_the_guess(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge), cmocka_unit_test(touches_where_it_is_held),
-                                      cmocka_unit_test(stops_at_once), cmocka_unit_test(weak_forces),
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge),          cmocka_unit_test(touches_where_it_is_held),
+                                      cmocka_unit_test(stops_at_once),       cmocka_unit_test(stops_where_the_length_turns),
+                                      cmocka_unit_test(lets_go_for_a_while), cmocka_unit_test(weak_forces),
                                       cmocka_unit_test(far_from_the_guess) };
   return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "asymptotics/continuation.h"
+#include "asymptotics/cover.h"
 #include "asymptotics/derived.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
@@ -239,6 +240,18 @@ static void no_expansion_no_singularity(void **state)
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
                    SCALLOP_EDOMAIN);
   assert_ptr_equal(why, branch_without_ends);
+  assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
+                   SCALLOP_EDOMAIN);
+  why = NULL;
+  s.crawler.gait = &there_and_back_gait; /* l' changes its sign within a phase */
+  assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
+                   SCALLOP_EDOMAIN);
+  assert_ptr_equal(why, branch_impossible);
+  why = NULL;
+  assert_int_equal(scallop_steady_singularity(&s.singularity, &s.crawler, PRECISION, &why), SCALLOP_EDOMAIN);
+  assert_non_null(why);
+  assert_int_equal(scallop_steady_singularity(&s.singularity, &s.crawler, PRECISION, NULL), SCALLOP_EDOMAIN);
+  assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
   fmpq_clear(v0);
   end(&s);
 }
@@ -326,6 +339,77 @@ static void a_crossing_does_not_meet_itself(void **state)
   end(&s);
 }
 
+/* ---- where the proof ends early ---- */
+
+enum gathered { NOTHING, MANY_PLACES, MANY_FOLDS, MANY_SECTORS, MORE_SECTORS };
+
+/* What a long search could have gathered: places and folds that are nowhere near, sectors whose turn never comes. */
+static void gather(struct search *s, enum gathered what)
+{
+  enum { AT_FIRST = 8 };
+  int sectors = what == MORE_SECTORS ? MOST_SECTORS - AT_FIRST : what == MANY_SECTORS ? MOST_SECTORS - AT_FIRST - 1 : 0;
+  if (what == MANY_PLACES)
+    s->places = MOST_PLACES;
+  for (; what == MANY_FOLDS && s->folds < MOST_FOLDS; s->folds++)
+    fold_init(&s->fold[s->folds], s->apart);
+  for (; s->sectors < sectors; s->sectors++)
+    s->sector[s->sectors] =
+        (struct sector){ .r = INFINITY, .at = _acb_vec_init(s->n + 1), .around = _acb_vec_init(s->n + 1) };
+}
+
+struct outcome {
+  double covered, reach;
+};
+
+/* Of the steady state of the default crawler, sinusoidal. shift: of the velocity at z = 0 from where the branch begins */
+static struct outcome search_after(enum gathered what, slong shift)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct subject subject;
+  struct continuation both[2];
+  struct limit l;
+  fmpq_t kappa;
+  c.gait = &scallop_gait_sinusoidal;
+  begin(&subject, &c);
+  limit_init(&l, &subject.crawler);
+  fmpq_init(kappa);
+  fmpq_one(kappa);
+  assert_int_equal(limit_find(&l, &subject.crawler, PRECISION, NULL), SCALLOP_OK);
+  for (int join = 0; join < 2; join++)
+    continue_steady(&both[join], &l, kappa, join, PRECISION);
+  acb_add_si(both[0].start, both[0].start, shift, PRECISION);
+  struct search *s = search_new(both, 0.5, PRECISION);
+  gather(s, what);
+  struct outcome outcome = { .covered = search_cover(s) };
+  outcome.reach = s->reach;
+  search_free(s);
+  for (int join = 0; join < 2; join++)
+    continuation_clear(&both[join]);
+  fmpq_clear(kappa);
+  limit_clear(&l);
+  end(&subject);
+  return outcome;
+}
+
+/* Without room the search finds nothing, and the proof goes no farther than the branch point that there is. */
+static void a_search_without_room(void **state)
+{
+  (void)state;
+  struct outcome whole = search_after(NOTHING, 0);
+  assert_true(whole.covered > 0 && whole.covered >= whole.reach);
+  for (int what = MANY_PLACES; what <= MORE_SECTORS; what++) {
+    struct outcome less = search_after((enum gathered)what, 0);
+    assert_true(isinf(less.reach));
+    assert_true(less.covered > whole.reach / 4 && less.covered < whole.reach);
+  }
+}
+
+static void a_search_from_beside_the_branch(void **state)
+{
+  (void)state;
+  CHECK_EQUAL(search_after(NOTHING, 100).covered, 0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -338,6 +422,8 @@ int main(void)
     cmocka_unit_test(no_expansion_no_singularity),
     cmocka_unit_test(joined_crossings),
     cmocka_unit_test(a_crossing_does_not_meet_itself),
+    cmocka_unit_test(a_search_without_room),
+    cmocka_unit_test(a_search_from_beside_the_branch),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

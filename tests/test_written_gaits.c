@@ -171,9 +171,16 @@ static void own_numbers(void **state)
 static void as_doubles(void **state)
 {
   (void)state;
-  static const char *const texts[] = { "quadratic", "sinusoidal", "polynomial:0,1.5,-1.0000000000000000001",
-                                       "polynomial:0,-0.5,2,-1.25" };
-  for (int i = 0; i < 4; i++)
+  static const char *const texts[] = { "quadratic",
+                                       "sinusoidal",
+                                       "polynomial:0,1.5,-1.0000000000000000001",
+                                       "polynomial:0,-0.5,2,-1.25",
+                                       "measured:level.txt",
+                                       "measured:level-back.txt" };
+  /* the third length differs from the second in the decimals only: a rest in doubles, and in the fractions none */
+  write_text("level.txt", "0 0\n1 0.5\n2 0.50000000000000000001\n3 1\n4 0\n");
+  write_text("level-back.txt", "0 0\n1 1\n2 0.50000000000000000001\n3 0.5\n4 0\n");
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     assert_true(written_gait(gait_of(texts[i])) == gait_of(texts[i]));
 }
 
