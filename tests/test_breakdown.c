@@ -421,7 +421,7 @@ static void radius_of_known_functions(void **state)
   (void)state;
   enum { COUNT = 60 };
   static const char *const denominators[] = { "3  1 -5/36 -1/36", "3  1 -6/25 1/25" }, *const places[] = {
-    "T^2 = 4.000000000:", "T^2 = 3.000000000+-4.000000000 i:"
+    "T^2 = 4.000000000:", "T^2 = 3.000000000 +- 4.000000000 i:"
   };
   for (int i = 0; i < 2; i++) {
     fmpq_poly_t poly;

@@ -285,6 +285,84 @@ static void long_double_rounded_to_double(void **state)
 }
 #endif
 
+/* ---- the end of the range ---- */
+
+/* One phase, or a period, in double; the largest of the numbers in *size */
+static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
+{
+  struct scallop_phase_result phase;
+  struct scallop_period_result period;
+  if (whole) {
+    enum scallop_status status = scallop_period(c, v0, &period);
+    *size = fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
+    return status;
+  }
+  enum scallop_status status = scallop_phase(c, SCALLOP_EXTENSION, v0, &phase);
+  *size = fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
+  return status;
+}
+
+static enum scallop_status solve_wide(bool whole, const struct scallop_crawler *c, double v0, bool *kept)
+{
+  union {
+    struct scallop_wide_phase phase;
+    struct scallop_wide_period period;
+  } out, before;
+  memset(&out, 7, sizeof out);
+  memset(&before, 7, sizeof before);
+  enum scallop_status status = whole ? scallop_wide_period(SCALLOP_BINARY128, c, v0, &out.period)
+                                     : scallop_wide_phase(SCALLOP_BINARY128, c, SCALLOP_EXTENSION, v0, &out.phase);
+  *kept = memcmp(&out, &before, sizeof out) == 0;
+  return status;
+}
+
+/* The same motion in units of length that are 1/unit of before */
+static struct scallop_crawler in_unit(const struct scallop_crawler *c, double unit)
+{
+  struct scallop_crawler other = *c;
+  other.L *= unit;
+  other.F1 *= unit;
+  other.F2 *= unit;
+  return other;
+}
+
+/* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is said, and else never.
+ * With so long a period and such small masses no number is larger than the displacement. */
+static void beyond_the_range(void **state)
+{
+  (void)state;
+  enum { TRIES = 120, LAST = 6 };
+  struct random r = { 20261203 };
+  int beyond[2] = { 0 };
+  for (int n = 0; n < TRIES; n++) {
+    const double T = 1e3, mass = 1e-12;
+    bool whole = n % 4 < 2, kept;
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    double shorter = c.T / T, v0 = random_between(&r, -80, 80) * c.L / T, low = 1, high = 0x1p1023, size;
+    c.m1 *= mass;
+    c.m2 *= mass;
+    c.F1 *= mass * shorter * shorter;
+    c.F2 *= mass * shorter * shorter;
+    c.T = T;
+    while (nextafter(low, high) < high) {
+      double unit = high > 4 * low ? sqrt(low) * sqrt(high) : low + (high - low) / 2;
+      struct scallop_crawler there = in_unit(&c, unit);
+      *(solve_double(whole, &there, v0 * unit, &size) == SCALLOP_OK ? &low : &high) = unit;
+    }
+    for (int i = 0; i < LAST; i++, low = nextafter(low, 0)) {
+      struct scallop_crawler there = in_unit(&c, low);
+      if (solve_double(whole, &there, v0 * low, &size) != SCALLOP_OK)
+        continue;
+      enum scallop_status status = solve_wide(whole, &there, v0 * low, &kept);
+      assert_int_equal(status, kept ? SCALLOP_ERANGE : SCALLOP_OK);
+      if (kept)
+        CHECK_AT_MOST(1 - size / DBL_MAX, 0x1p-40);
+      beyond[whole] += kept;
+    }
+  }
+  assert_true(beyond[0] > 0 && beyond[1] > 0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -292,6 +370,7 @@ int main(void)
     cmocka_unit_test(estimates_of_steady_states),
     cmocka_unit_test(estimate_of_a_wrong_number),
     cmocka_unit_test(period_and_steady_state_agree),
+    cmocka_unit_test(beyond_the_range),
     cmocka_unit_test(modes),
     cmocka_unit_test(polynomial_gaits),
     cmocka_unit_test(refusals),
