@@ -303,15 +303,17 @@ static long solve_next(const struct job *job, long first)
 static long solve_all(const struct job *job, int threads)
 {
   long count = job->crawlers->count, failed = 0;
+#ifdef _OPENMP
   if (threads > 1)
     threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
-#ifdef _OPENMP
   if (threads > 1) { /* else without the runtime of OpenMP, which may allocate */
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);
     return failed;
   }
+#else
+  (void)threads;
 #endif
   for (long first = 0; first < count; first += BLOCK)
     failed += solve_next(job, first);

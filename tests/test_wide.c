@@ -307,12 +307,13 @@ static enum scallop_status solve_wide(bool whole, const struct scallop_crawler *
   union {
     struct scallop_wide_phase phase;
     struct scallop_wide_period period;
+    unsigned char bytes[sizeof(struct scallop_wide_phase) + sizeof(struct scallop_wide_period)];
   } out, before;
   memset(&out, 7, sizeof out);
   memset(&before, 7, sizeof before);
   enum scallop_status status = whole ? scallop_wide_period(SCALLOP_BINARY128, c, v0, &out.period)
                                      : scallop_wide_phase(SCALLOP_BINARY128, c, SCALLOP_EXTENSION, v0, &out.phase);
-  *kept = memcmp(&out, &before, sizeof out) == 0;
+  *kept = memcmp(out.bytes, before.bytes, sizeof out.bytes) == 0;
   return status;
 }
 
