@@ -24,7 +24,6 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,decimal written_gait ledger ledger_measure certified_rows counts_flint scene_flint flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/claims*.c compare/stress*.c compare/breakdown*.c compare/map*.c))
-flint_headers = model/(ball|fractions)|asymptotics/(series|expression|evaluate|derived)|numerics/certified|compare/(decimal|claims|ledger|workprec)|tests/expansions
 flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
@@ -194,7 +193,7 @@ fuzz:
 	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 fuzz-programs: $(fuzz)
 
-## valgrind:   memory errors and leaks in tests, fuzz replays and commands: some 15 minutes
+## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 valgrind:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests valgrind
 	@$(MAKE) --no-print-directory $(at_once) $(programs) $(tests) $(fuzz)
