@@ -329,9 +329,9 @@ static bool share_amplitude(struct scallop_polynomial *g, const struct plan *pla
 {
   const struct scallop_piece *pieces = g->pieces[SCALLOP_EXTENSION];
   int longest = 0, n = plan->n, numbers = n + 5;
+  bool positive = true;
   for (int i = 0; i + 1 < plan->count; i++) {
-    if (!(*way_of(g, i, n) > 0))
-      return false;
+    positive = positive && *way_of(g, i, n) > 0;
     if (*way_of(g, i, n) > *way_of(g, longest, n))
       longest = i;
   }
@@ -340,7 +340,7 @@ static bool share_amplitude(struct scallop_polynomial *g, const struct plan *pla
       g->numbers[longest][numbers++] = -pieces[longest].direction * pieces[i].direction * *way_of(g, i, n);
   *way_of(g, longest, n) = pieces[longest].direction;
   g->laws[longest].denominator = numbers - (n + 4);
-  return true;
+  return positive;
 }
 
 static bool add_pieces(struct scallop_polynomial *g, const struct plan *plan)
@@ -419,8 +419,8 @@ enum scallop_status scallop_make_polynomial(struct scallop_polynomial *g, const 
   const char *wrong = plan_of(&plan, c, degree);
   if (!wrong && !plan.turns)
     set_common_laws(g, &plan);
-  if (!wrong && !add_pieces(g, &plan))
-    wrong = too_near;
+  if (!wrong)
+    wrong = add_pieces(g, &plan) ? NULL : too_near;
   if (wrong && why)
     *why = wrong;
   if (wrong)

@@ -453,9 +453,8 @@ static bool pass_zero(struct scallop_march *m, const struct scallop_piece *next)
   settle_at(m, rate);
   arb_clear(rate);
   bool alike = m->s1 == m->s2 && m->s1 != 0;
-  if (!alike && !is_at_rest(m))
-    return undecided(m, at_end[arb_is_zero(m->v1) ? 1 : 0]);
-  bool decided = alike || m->piece->direction == 0 || turn_back(m);
+  bool decided = alike || is_at_rest(m) || undecided(m, at_end[arb_is_zero(m->v1) ? 1 : 0]);
+  decided = decided && (alike || m->piece->direction == 0 || turn_back(m));
   set_piece(m, next);
   return decided && (next->direction == 0 ? begin_dwell(m) : alike || start_from_rest(m));
 }

@@ -4,7 +4,7 @@
  *     real                                              the type
  *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
- *     walk_when(piece, a)                               u in the piece with l''(u) = a, nan if there is none
+ *     walk_when(piece, a)                               u in a curved piece with l''(u) = a, nan if there is none
  *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece, whichever is first
  *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which may be far larger than their difference
  *     struct root_end, root_function, root_between      as in root.h
@@ -511,7 +511,7 @@ static real released(const struct walk *w, int j, int to)
 {
   const struct scallop_piece *p = w->piece;
   real now = magnitude(w->curve[j] * w->here.rate - w->slope[to]);
-  real when = now == 0 ? w->u : walk_when(p, w->slope[to] / w->curve[j] * p->direction);
+  real when = now == 0 || p->linear ? w->u : walk_when(p, w->slope[to] / w->curve[j] * p->direction);
   if (w->sense * (when - w->u) >= 0)
     return w->sense * (p->end - when) > 0 ? when : p->end;
   /* it is within rounding of one of them, and may then be nowhere */

@@ -200,8 +200,6 @@ static real rate_beyond(const void *context, real u, real *slope)
 
 static real walk_when(const struct scallop_piece *p, real a)
 {
-  if (p->linear)
-    return a == p->acceleration ? p->begin : NAN;
   const struct rate_search search = { p, (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * a };
   struct root_end begin = { .u = p->begin }, end = { .u = p->end };
   begin.f = rate_beyond(&search, begin.u, &begin.slope);
