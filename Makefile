@@ -20,10 +20,11 @@ linked    = $(if $(filter 0,$(STATIC)),-l$(1),$(if $(findstring /,$(archive)),$(
 LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
-# (compare/with_flint.h).
+# (compare/command/with_flint.h).
 flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,decimal written_gait ledger ledger_measure certified_rows counts_flint scene_flint flint_end series_derived workprec_ours workprec_rivals workprec_measure workprec_summary workprec_read workprec_table) $(patsubst %.c,%,$(wildcard compare/claims*.c compare/stress*.c compare/breakdown*.c compare/map*.c))
+               $(addprefix compare/,text/decimal answers/written_gait answers/certified_rows answers/counts_flint answers/series_derived scenes/flint command/flint_end) \
+               $(filter-out compare/workprec/stopwatch,$(patsubst %.c,%,$(foreach r,claims breakdown maps stress workprec,$(wildcard compare/$(r)/*.c))))
 flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
@@ -37,11 +38,12 @@ cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
+folders  = model asymptotics numerics compare/* tests tests/fuzz bench
 rooms    = $(wildcard $(1)/*.c)
-parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare,$(call rooms,$(r))))
+parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call rooms,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
-core    := $(call objects,$(filter-out compare/main compare/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
-alone   := $(core) $(call objects,compare/hand_over)
+core    := $(call objects,$(filter-out compare/command/main compare/command/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
+alone   := $(core) $(call objects,compare/command/hand_over)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
 full    := $(core) $(call objects,$(flint_parts) $(cvode) shipped_ledger) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
@@ -82,11 +84,11 @@ setup-plots:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build plots
 
 $(B)/scallop: private openmp = -fopenmp-simd
-$(B)/scallop: $(B)/compare/main.o $(filter-out $(call objects,$(threaded)),$(alone)) $(one_thread)
+$(B)/scallop: $(B)/compare/command/main.o $(filter-out $(call objects,$(threaded)),$(alone)) $(one_thread)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 
-$(B)/scallop-flint: $(B)/compare/main.o $(full)
+$(B)/scallop-flint: $(B)/compare/command/main.o $(full)
 	@echo "  LD $@"
 	@$(link) $(FLINT) $(SUNDIALS) $(LDLIBS)
 
@@ -112,7 +114,7 @@ $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/shipped_%.c: scripts/embed.sh
 	@mkdir -p $(@D)
 	@sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
-$(B)/shipped_%.o: $(B)/shipped_%.c compare/shipped.h
+$(B)/shipped_%.o: $(B)/shipped_%.c compare/scenes/shipped.h
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -c -o $@ $<
 
 # Who judges rounds the same way whatever CFLAGS allow the judged
@@ -209,11 +211,11 @@ coverage:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests coverage
 	+@MAKE="$(MAKE)" sh scripts/coverage.sh $(B)/coverage
 
-sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.c)))
+sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(folders),$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format
 lint:
 	@scripts/setup.sh build tests lint
-	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,model asymptotics numerics compare tests tests/fuzz bench,$(wildcard $(r)/*.h))
+	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,$(folders),$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy
 

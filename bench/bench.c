@@ -15,7 +15,7 @@
 
 #include "bench/floor.h"
 #include "bench/start.h"
-#include "compare/stopwatch.h"
+#include "compare/workprec/stopwatch.h"
 #include "numerics/numerics.h"
 #include "numerics/odeiv.h"
 

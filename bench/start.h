@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "compare/stopwatch.h"
+#include "compare/workprec/stopwatch.h"
 
 enum { START_RUNS = 401 };
 

@@ -132,8 +132,8 @@ few=$(memory 200) many=$(memory 20000)
 [ "$many" -lt $((few + 600)) ] || note "200 points: $few kB, 20000: $many kB"
 finish "memory does not grow with the number of points"
 
-uncounted=$(grep -n -E 'scallop_(steady|steady_batch|phase|trajectory|certified_steady|certified_phase|expand_steady|expand_phase)\(' "$scenes"/../../compare/*.c |
-  grep -v -e '/counts' -e '/workprec_ours.c')
+uncounted=$(grep -n -E 'scallop_(steady|steady_batch|phase|trajectory|certified_steady|certified_phase|expand_steady|expand_phase)\(' "$scenes"/../../compare/*/*.c |
+  grep -v -e '/counts' -e '/workprec/ours.c')
 [ -z "$uncounted" ] || note "not counted: $uncounted"
 finish "all solutions are counted"
 

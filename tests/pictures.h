@@ -2,7 +2,7 @@
 #ifndef PICTURES_H
 #define PICTURES_H
 
-#include "compare/plot.h"
+#include "compare/command/plot.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
 

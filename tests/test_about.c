@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "check.h"
-#include "compare/about.h"
+#include "compare/command/about.h"
 
 static void is(struct span got, const char *wanted)
 {

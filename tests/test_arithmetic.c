@@ -1,5 +1,5 @@
 /* compare/arithmetic: what formulas are worth, which quantities they need, and what is said of those that are none. */
-#include "compare/arithmetic.h"
+#include "compare/text/formula.h"
 #include "tests/check.h"
 
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #ifdef __linux__
 #define _GNU_SOURCE /* O_TMPFILE */
 #endif
-#include "compare/aside.h"
+#include "compare/text/aside.h"
 #include "tests/scratch_folder.h"
 
 #include <errno.h>

@@ -1,6 +1,6 @@
 /* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
  * radii of convergence by two routes. */
-#include "compare/breakdown_parts.h"
+#include "compare/breakdown/parts.h"
 #include "numerics/certified.h"
 #include "tests/random_crawler.h"
 

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims.h"
-#include "compare/decimal.h"
+#include "compare/claims/claims.h"
+#include "compare/text/decimal.h"
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims_words.h"
+#include "compare/claims/words.h"
 #include "tests/random_crawler.h"
 
 enum { MOST = 160 };

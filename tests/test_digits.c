@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "compare/digits.h"
+#include "compare/text/digits.h"
 #include "tests/random_crawler.h"
 
 static long often = 1;

@@ -1,4 +1,4 @@
-/* Gaits made to measure (model/gaits.h, compare/gaits.h): that they are what they say, what is refused, and what is known of motions with
+/* Gaits made to measure (model/gaits.h, compare/answers/gaits.h): that they are what they say, what is refused, and what is known of motions with
  * them in closed form or by symmetry. */
 #include "tests/check.h"
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "compare/gaits.h"
+#include "compare/answers/gaits.h"
 #include "model/gaits.h"
 #include "model/law.h"
 #include "numerics/numerics.h"

@@ -4,8 +4,8 @@
 #include <float.h>
 
 #include "asymptotics/derived.h"
-#include "compare/gaits.h"
-#include "compare/stress.h"
+#include "compare/answers/gaits.h"
+#include "compare/stress/stress.h"
 #include "model/ball.h"
 #include "numerics/certified.h"
 #include "numerics/wide.h"

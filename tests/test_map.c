@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "compare/axis.h"
-#include "compare/journal.h"
-#include "compare/mode_change.h"
+#include "compare/maps/axis.h"
+#include "compare/text/journal.h"
+#include "compare/answers/mode_change.h"
 #include "tests/check.h"
 
 /* ---- axes ---- */

@@ -1,7 +1,7 @@
 /* compare/options: operands, one or many, and where they are kept. */
 #include "check.h"
-#include "compare/compare.h"
-#include "compare/option_table.h"
+#include "compare/command/compare.h"
+#include "compare/command/option_table.h"
 
 static const char *const accepts[] = { "T", "map", "quiet", NULL };
 static const struct command one = { .name = "one", .operand = "FILE", .accepts = accepts, .about = "" };

@@ -1,7 +1,7 @@
 /* The order estimator: right orders with honest intervals, and a refusal of what cannot be judged. */
 #include "tests/check.h"
 
-#include "compare/order.h"
+#include "compare/order/order.h"
 
 enum { MOST = 64 };
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "compare/roff.h"
+#include "compare/command/roff.h"
 
 static char *written;
 static size_t size;

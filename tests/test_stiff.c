@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/stress_stiff.h"
+#include "compare/stress/stiff.h"
 
 enum { LONG = 100000, DECADES = 6 };
 

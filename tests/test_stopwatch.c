@@ -1,6 +1,6 @@
 /* compare/stopwatch: what does not depend on how fast the machine is. */
 #include "check.h"
-#include "compare/stopwatch.h"
+#include "compare/workprec/stopwatch.h"
 
 static void spread_of_known_samples(void **state)
 {

@@ -1,7 +1,7 @@
 /* The judge of `stress`: cases that once broke a promise hold it now, and it sees what is wrong. */
 #include <float.h>
 
-#include "compare/stress.h"
+#include "compare/stress/stress.h"
 #include "tests/check.h"
 
 #define QUADRATIC &scallop_gait_quadratic

@@ -1,5 +1,5 @@
 /* Tables: lead cells, and what continues an open table. What a whole command writes has its tests in tests/cli_*.sh. */
-#include "compare/compare.h"
+#include "compare/command/compare.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
 

@@ -3,7 +3,7 @@
 #include <time.h>
 
 #include "check.h"
-#include "compare/workprec.h"
+#include "compare/workprec/workprec.h"
 
 /* What a made-up way does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
 static enum scallop_status give(struct way *way, const struct scallop_patience *patience, struct answer *answer)

@@ -1,8 +1,8 @@
 /* A gait's own numbers count as they were written: the same gait in other numbers is the same one to every digit. */
 #include <string.h>
 
-#include "compare/gaits.h"
-#include "compare/written_gait.h"
+#include "compare/answers/gaits.h"
+#include "compare/answers/written_gait.h"
 #include "model/fractions.h"
 #include "numerics/certified.h"
 #include "tests/certified_balls.h"

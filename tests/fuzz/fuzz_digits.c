@@ -1,5 +1,5 @@
 /* Numbers as text, both ways, against C's library: eight bytes as a double, and all bytes as text. */
-#include "compare/digits.h"
+#include "compare/text/digits.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/plan.h"
+#include "compare/scenes/plan.h"
 #include "tests/fuzz/target.h"
 
 static void judge(const struct plan *plan, const struct scene *scene)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/claims_read.h"
+#include "compare/claims/read.h"
 #include "tests/fuzz/target.h"
 
 /* Every ratio of a summary is a number > 0, or nan where somebody is missing. */

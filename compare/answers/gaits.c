@@ -1,0 +1,347 @@
+#include "compare/answers/gaits.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "compare/text/checksum.h"
+#include "compare/answers/counts.h"
+#include "compare/answers/gait_file.h"
+#include "compare/command/options.h"
+#include "model/gaits.h"
+
+const char gaits_help[] =
+    "quadratic, sinusoidal, trapezoidal[:UP,DOWN] (0.25,0.25), skewed[:BETA] (0.25), minimum-jerk, polynomial:C1,C2,... or "
+    "measured:FILE, which has L, T and alpha of its own";
+
+enum { MOST_GAITS = 65536, BUCKETS = 4096, MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE, MESSAGE = 480 };
+
+static char message[MESSAGE];
+
+/* ---- the gaits that were made ---- */
+
+struct made {
+  struct made *next;
+  char *text;
+  const char *kind, *parameters;
+  void *kept;
+  void (*discard)(void *);
+  const struct scallop_gait *gait;
+  bool is_measured, is_unreadable;
+  union {
+    struct scallop_straight straight;
+    struct scallop_polynomial polynomial;
+    struct gait_file file;
+  };
+};
+
+static struct made *buckets[BUCKETS];
+static int made_count;
+
+static void discard(struct made *made)
+{
+  if (made && made->kept)
+    made->discard(made->kept);
+  if (made && made->is_measured)
+    gait_file_free(&made->file);
+  if (made)
+    free(made->text);
+  free(made);
+}
+
+static void free_all(void)
+{
+  for (int i = 0; i < BUCKETS; i++)
+    while (buckets[i]) {
+      struct made *first = buckets[i];
+      buckets[i] = first->next;
+      discard(first);
+    }
+}
+
+static unsigned bucket_of(const char *text) { return checksum_after(CHECKSUM_OF_NOTHING, text, strlen(text)) % BUCKETS; }
+
+static struct made *find(const char *text)
+{
+  struct made *m = buckets[bucket_of(text)];
+  while (m && strcmp(m->text, text) != 0)
+    m = m->next;
+  return m;
+}
+
+static void keep(struct made *made)
+{
+  count_add(COUNT_GAITS, 1);
+  if (made_count++ == 0)
+    atexit(free_all);
+  struct made **bucket = &buckets[bucket_of(made->text)];
+  made->next = *bucket;
+  *bucket = made;
+}
+
+/* ---- numbers ---- */
+
+/* Numbers between commas, at most `most`. Returns how many there are, or -1 where one is none: message says so. */
+static int numbers_of(const char *text, double *numbers, int most)
+{
+  int count = 0;
+  for (const char *end; text; text = *end ? end + 1 : NULL) {
+    char word[400];
+    end = text + strcspn(text, ",");
+    size_t length = (size_t)(end - text);
+    snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : 0, text);
+    double value;
+    if (!read_number(word, &value)) {
+      snprintf(message, sizeof message, "'%.80s' is not a number", word);
+      return -1;
+    }
+    if (count < most)
+      numbers[count] = value;
+    count++;
+    if (!*end)
+      break;
+  }
+  return count;
+}
+
+/* ---- kinds ---- */
+
+struct kind {
+  const char *name;
+  const char *usual; /* its parameters where none are given, or NULL                                */
+  const char *allowed;
+  bool (*make)(struct made *made, const char *parameters); /* false: message says why, or is empty: not as allowed */
+  const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
+};
+
+static bool make_trapezoidal(struct made *m, const char *parameters)
+{
+  double x[4];
+  int count = numbers_of(parameters, x, 4);
+  if (count == 2) {
+    x[2] = x[0];
+    x[3] = x[1];
+  }
+  const double up[2] = { x[0], x[2] }, down[2] = { x[1], x[3] };
+  m->gait = &m->straight.gait;
+  return (count == 2 || count == 4) && scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK;
+}
+
+static bool make_skewed(struct made *m, const char *parameters)
+{
+  double beta[2];
+  int count = numbers_of(parameters, beta, 2);
+  if (count == 1)
+    beta[1] = beta[0];
+  m->gait = &m->straight.gait;
+  return (count == 1 || count == 2) && scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK;
+}
+
+static bool make_polynomial(struct made *m, const char *parameters)
+{
+  double c[MOST_NUMBERS + 1] = { 0 };
+  const char *why = "";
+  int count = numbers_of(parameters, c + 1, MOST_NUMBERS);
+  m->gait = &m->polynomial.gait;
+  if (count > MOST_NUMBERS)
+    why = "the degree is not from 3 to 16";
+  else if (count >= 0 && scallop_make_polynomial(&m->polynomial, m->text, c, count, &why) == SCALLOP_OK)
+    return true;
+  if (*why)
+    snprintf(message, sizeof message, "%s", why);
+  return false;
+}
+
+static bool make_measured(struct made *m, const char *file)
+{
+  for (const char *c = file; *c; c++)
+    if ((unsigned char)*c < ' ')
+      return false; /* it could not be printed in a table */
+  const char *wrong = *file ? gait_file_read(&m->file, file, m->text, &m->is_unreadable) : "";
+  m->gait = &m->file.spline.gait;
+  m->is_measured = !wrong;
+  if (wrong)
+    snprintf(message, sizeof message, "%s", wrong);
+  return !wrong;
+}
+
+static const struct kind kinds[] = {
+  { "quadratic", NULL, NULL, NULL, "quadratic" },
+  { "sinusoidal", NULL, NULL, NULL, "sinusoidal" },
+  { "trapezoidal", "0.25,0.25",
+    "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which |l'| "
+    "rises and falls: "
+    "from 2^-100, UP + DOWN at most 1",
+    make_trapezoidal, "trapezoidal:0.2,0.3" },
+  { "skewed", "0.25",
+    "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from 2^-100, "
+    "below 1",
+    make_skewed, "skewed:0.3" },
+  { "polynomial", NULL, "polynomial:C1,C2,... of degree 3 to 16 with l' = 0 at both ends and C1 + C2 + ... > 0",
+    make_polynomial, "polynomial:0,0,0,35,-84,70,-20" },
+  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial, "minimum-jerk" },
+  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured, NULL },
+};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+const char *gait_sample(int i)
+{
+  for (int k = 0; k < KINDS; k++)
+    if (kinds[k].sample && i-- == 0)
+      return kinds[k].sample;
+  return NULL;
+}
+
+/* The kind of that name, up to the colon or the end */
+static const struct kind *kind_of(const char *text)
+{
+  size_t length = strcspn(text, ":");
+  for (int i = 0; i < KINDS; i++)
+    if (strncmp(text, kinds[i].name, length) == 0 && kinds[i].name[length] == '\0')
+      return &kinds[i];
+  return NULL;
+}
+
+static struct gait_answer refused(enum gait_fault fault) { return (struct gait_answer){ NULL, fault, message }; }
+
+static struct gait_answer unknown(const char *text)
+{
+  const char *names[KINDS + 1] = { NULL };
+  char name[40];
+  for (int i = 0; i < KINDS; i++)
+    names[i] = kinds[i].name;
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
+  const char *near = nearest(name, names);
+  snprintf(message, sizeof message,
+           "'%.80s' is not allowed here: it takes quadratic, sinusoidal, trapezoidal, skewed, minimum-jerk, "
+           "polynomial:C1,C2,... or "
+           "measured:FILE%s%s%s",
+           text, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+  return refused(GAIT_UNKNOWN);
+}
+
+static struct gait_answer make(const struct kind *kind, const char *text, const char *parameters)
+{
+  struct made *m = made_count < MOST_GAITS ? calloc(1, sizeof *m) : NULL;
+  *message = '\0';
+  if (m)
+    m->text = strdup(text);
+  if (!m || !m->text) {
+    snprintf(message, sizeof message,
+             m ? "out of memory" : "'%.80s' is one gait too many: 65536 different ones are the most", text);
+    discard(m);
+    return refused(GAIT_UNKNOWN);
+  }
+  m->kind = kind->name;
+  m->parameters = strchr(m->text, ':') ? strchr(m->text, ':') + 1 : parameters;
+  if (kind->make(m, parameters)) {
+    keep(m);
+    return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
+  }
+  char why[MESSAGE];
+  snprintf(why, sizeof why, "%s", message);
+  enum gait_fault fault = m->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
+  if (*why == '\0' || kind->make != make_measured)
+    snprintf(message, sizeof message, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "",
+             kind->allowed);
+  discard(m);
+  return refused(fault);
+}
+
+struct gait_answer gait_of_text(const char *text)
+{
+  const struct scallop_gait *fixed = scallop_gait_named(text);
+  if (fixed)
+    return (struct gait_answer){ fixed, GAIT_FINE, NULL };
+  struct made *made = find(text);
+  if (made)
+    return (struct gait_answer){ made->gait, GAIT_FINE, NULL };
+  const struct kind *kind = kind_of(text);
+  const char *colon = strchr(text, ':');
+  if (!kind || !kind->make || (colon && !kind->allowed))
+    return unknown(text);
+  if (strlen(text) > GAIT_TEXT - sizeof "--gait ") {
+    snprintf(message, sizeof message, "'%.80s...' is too long", text);
+    return refused(GAIT_UNKNOWN);
+  }
+  const char *parameters = colon ? colon + 1 : kind->usual ? kind->usual : "";
+  return make(kind, text, parameters);
+}
+
+bool gait_has_ends(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    if (gait->phase[kind].l0 == 0 || gait->phase[kind].lT == 0)
+      return false;
+  return true;
+}
+
+/* Of those that were made. */
+static struct made *made_of(const struct scallop_gait *gait)
+{
+  struct made *made = made_count > 0 ? find(gait->name) : NULL;
+  return made && made->gait == gait ? made : NULL;
+}
+
+static bool is_from(const struct made *made, const struct stat *there)
+{
+  struct stat file;
+  return made->is_measured && stat(made->text + strlen("measured:"), &file) == 0 && file.st_dev == there->st_dev
+         && file.st_ino == there->st_ino;
+}
+
+bool gait_is_from(const char *path)
+{
+  struct stat there;
+  bool found = false;
+  if (stat(path, &there) == 0)
+    for (int i = 0; i < BUCKETS; i++)
+      for (const struct made *m = buckets[i]; m; m = m->next)
+        found = found || is_from(m, &there);
+  return found;
+}
+
+uint32_t gait_checksum(const struct scallop_gait *gait)
+{
+  const struct made *made = made_of(gait);
+  uint32_t knots = made && made->is_measured ? made->file.checksum : CHECKSUM_OF_NOTHING;
+  return checksum_after(knots, gait->name, strlen(gait->name));
+}
+
+bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
+{
+  struct made *made = made_of(gait);
+  if (!made)
+    return false;
+  *source = (struct gait_source){ made->kind, made->parameters, made->is_measured ? &made->file : NULL, &made->kept,
+                                  &made->discard };
+  return true;
+}
+
+bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
+{
+  const struct made *made = made_of(gait);
+  if (!made || !made->is_measured)
+    return false;
+  *L = made->file.L;
+  *T = made->file.T;
+  *alpha = made->file.alpha;
+  return true;
+}
+
+int gait_reversals(const struct scallop_gait *gait)
+{
+  int reversals = 0;
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &gait->phase[kind];
+    int last = kind == SCALLOP_EXTENSION ? 1 : -1;
+    for (int i = 0; i < shape->count; i++) {
+      int direction = shape->pieces[i].direction;
+      reversals += direction != 0 && direction != last;
+      last = direction != 0 ? direction : last;
+    }
+  }
+  return reversals;
+}

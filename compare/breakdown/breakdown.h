@@ -1,0 +1,41 @@
+/* Where the expansion breaks down: how far a series in T can be trusted, what ends it, and maps of both. Needs FLINT. */
+#ifndef SCALLOP_BREAKDOWN_H
+#define SCALLOP_BREAKDOWN_H
+
+#include "compare/command/compare.h"
+
+/* ---- series beside the exact value ---- */
+
+/* Of the steady state, and of one phase from a start velocity that does not depend on T. */
+enum breakdown_quantity {
+  OF_V_START,
+  OF_V_MID,
+  OF_DISPLACEMENT,
+  OF_MEAN_VELOCITY,
+  STEADY_QUANTITIES,
+  OF_T1 = STEADY_QUANTITIES,
+  OF_DT,
+  OF_V_END,
+  OF_DX1,
+  OF_DX2,
+  OF_DXC,
+  BREAKDOWN_QUANTITIES
+};
+const char *breakdown_quantity_text(enum breakdown_quantity quantity);
+
+enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
+
+struct breakdown_series {
+  enum breakdown_source source;
+  long order; /* derived: terms below T^order; of no meaning for the others                   */
+  enum breakdown_quantity quantity;
+};
+
+/* One series of the steady state of a crawler, for one value of T or for a search: thread-safe. T of the crawler is the period.
+ * The relative error series/exact - 1; nan where there is no such series, or no exact value; 0 where both are 0. */
+double breakdown_error(const struct scallop_crawler *crawler, const struct breakdown_series *series);
+/* The largest T up to which the absolute value of that stays below tolerance: 0 if it does not as T -> 0, INFINITY if for every T up to
+ * permanent rest, nan where there is no such series. T of the crawler is not used. */
+double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
+
+#endif

@@ -1,0 +1,178 @@
+/* The series beside the exact motion: the paper's, the derived ones, the limit. */
+#include <math.h>
+#include <string.h>
+
+#include "compare/breakdown/parts.h"
+#include "compare/answers/counts_flint.h"
+#include "compare/answers/exact.h"
+
+static const struct ring ring = { 1, BREAKDOWN_BITS };
+
+void expansions_init(struct expansions *e, const struct subject *subject, slong order, slong precision)
+{
+  struct scallop_crawler crawler = subject->crawler;
+  fmpq_t v0;
+  fmpq_init(v0);
+  *e = (struct expansions){ .subject = subject };
+  scallop_rational_init(&e->crawler);
+  scallop_steady_expansion_init(&e->steady);
+  scallop_phase_expansion_init(&e->phase);
+  scallop_symbols_init(&e->symbols);
+  crawler.T = 1; /* not used */
+  scallop_rational_of(&e->crawler, &crawler);
+  scallop_rational_set_double(v0, subject->v0);
+  e->status = subject->steady
+                  ? counted_expand_steady(&e->crawler, order, precision, &e->steady, &e->why)
+                  : counted_expand_phase(&e->crawler, subject->kind, v0, order, precision, NULL, &e->phase, &e->why);
+  enum scallop_phase_kind kind = subject->steady ? SCALLOP_EXTENSION : subject->kind;
+  scallop_symbols_set(&e->symbols, &e->crawler, kind, subject->steady ? NULL : v0, NULL, &ring);
+  fmpq_clear(v0);
+}
+
+void expansions_clear(struct expansions *e)
+{
+  scallop_symbols_clear(&e->symbols);
+  scallop_phase_expansion_clear(&e->phase);
+  scallop_steady_expansion_clear(&e->steady);
+  scallop_rational_clear(&e->crawler);
+}
+
+const char *expansions_modes(const struct expansions *e)
+{
+  return e->status != SCALLOP_OK ? "" : e->subject->steady ? e->steady.modes : e->phase.modes;
+}
+
+const struct series *expansions_of(const struct expansions *e, enum breakdown_quantity quantity)
+{
+  const struct series *const all[] = {
+    &e->steady.v_start, &e->steady.v_mid, &e->steady.displacement, &e->steady.mean_velocity,
+    &e->phase.t1,       &e->phase.dT,     &e->phase.v_end,         &e->phase.dx1,
+    &e->phase.dx2,      &e->phase.dxC
+  };
+  bool none = e->status != SCALLOP_OK || (!e->phase.switches && (quantity == OF_T1 || quantity == OF_DT));
+  return none ? NULL : all[quantity];
+}
+
+/* ---- which there are ---- */
+
+/* A formula that takes t1, dT or a position at a switch as given is not a function of T alone. */
+static bool takes_given(const struct scallop_formula *f)
+{
+  return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
+}
+
+/* Whether the formula is about the quantity, itself or (*by_T) its product with T, or what it gains (*change). */
+static bool is_about(const struct scallop_formula *f, const struct subject *s, enum breakdown_quantity quantity, bool *by_T,
+                     bool *change)
+{
+  static const enum breakdown_quantity of_extension[] = {
+    OF_DT, OF_T1, BREAKDOWN_QUANTITIES, BREAKDOWN_QUANTITIES, OF_DX1, OF_DX2, OF_DXC, OF_V_END, OF_V_END
+  };
+  *by_T = *change = false;
+  if (s->steady) {
+    *by_T = f->quantity == SCALLOP_STEADY_DISPLACEMENT && quantity == OF_MEAN_VELOCITY;
+    return f->setting == SCALLOP_STEADY
+           && (*by_T || (f->quantity == SCALLOP_STEADY_VELOCITY ? quantity == OF_V_START : quantity == OF_DISPLACEMENT));
+  }
+  bool extension = s->kind == SCALLOP_EXTENSION;
+  enum scallop_setting moving = extension ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
+  if (f->setting != (s->v0 == 0 ? SCALLOP_AT_REST_START : moving) || takes_given(f))
+    return false;
+  enum breakdown_quantity about = of_extension[f->quantity];
+  if (!extension && (about == OF_DX1 || about == OF_DX2))
+    about = about == OF_DX1 ? OF_DX2 : OF_DX1;
+  *change = f->quantity == SCALLOP_VELOCITY_CHANGE;
+  return about == quantity;
+}
+
+static bool next_published(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity)
+{
+  const struct scallop_formula *f = item->name ? item->formula + 1 : scallop_published;
+  for (; f->name; f++)
+    if (is_about(f, e->subject, quantity, &item->divide_by_T, &item->add_v0)) {
+      item->which = (struct breakdown_series){ FROM_PUBLISHED, 0, quantity };
+      item->formula = f;
+      item->name = f->name;
+      return true;
+    }
+  return false;
+}
+
+/* Its first term that is not 0; known if there is none. */
+static slong first_power(const struct series *s)
+{
+  slong k = s->first;
+  while (k < s->known && k < s->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(s, k))
+    k++;
+  return k;
+}
+
+bool series_item_next(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity, long order)
+{
+  bool begin = !item->name;
+  if ((begin || item->which.source == FROM_PUBLISHED) && next_published(item, e, quantity))
+    return true;
+  enum breakdown_source source = begin || item->which.source == FROM_PUBLISHED ? FROM_DERIVED : FROM_LIMIT;
+  if (!begin && item->which.source == FROM_LIMIT)
+    return false;
+  const struct series *s = expansions_of(e, quantity);
+  if (!s)
+    return false;
+  *item = (struct series_item){ .which = { source, source == FROM_DERIVED ? order : 0, quantity },
+                                .series = s,
+                                .before = source == FROM_DERIVED ? order : first_power(s) + 1,
+                                .name = source == FROM_DERIVED ? "derived" : "limit" };
+  return true;
+}
+
+/* ---- their values ---- */
+
+/* Where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them. */
+static bool has_ends(const struct subject *s)
+{
+  const struct scallop_shape *phase = s->crawler.gait->phase;
+  bool has = true;
+  for (int kind = 0; kind < 2; kind++)
+    if (s->steady || kind == (int)s->kind)
+      has = has && phase[kind].l0 != 0 && phase[kind].lT != 0;
+  return has;
+}
+
+static bool formula_value(arb_t value, const struct series_item *item, struct expansions *e, const fmpq_t T)
+{
+  if (!has_ends(e->subject))
+    return false;
+  struct series v;
+  series_init(&v);
+  series_set_rational(&e->symbols.value[SYMBOL_T], T);
+  enum scallop_phase_kind kind = e->subject->steady ? SCALLOP_EXTENSION : e->subject->kind;
+  bool found = scallop_formula_expand(&v, item->formula, &e->symbols, kind, &ring);
+  if (found)
+    series_coefficient(value, &v, 0, BREAKDOWN_BITS);
+  series_clear(&v);
+  return found;
+}
+
+void series_item_value(arb_t value, const struct series_item *item, struct expansions *e, double T, slong precision)
+{
+  arb_t time;
+  arb_init(time);
+  arb_set_d(time, T);
+  if (item->series) {
+    series_value(value, item->series, time, item->before, precision);
+  } else {
+    fmpq_t t;
+    fmpq_init(t);
+    scallop_rational_set_double(t, T);
+    if (!formula_value(value, item, e, t))
+      arb_indeterminate(value);
+    fmpq_clear(t);
+    if (item->divide_by_T)
+      arb_div(value, value, time, precision);
+    if (item->add_v0) {
+      arb_set_d(time, e->subject->v0);
+      arb_add(value, value, time, precision);
+    }
+  }
+  arb_clear(time);
+}

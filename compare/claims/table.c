@@ -1,0 +1,214 @@
+/* The ledger as a table, and its verdicts against those of a ledger that was written before. */
+#include <string.h>
+
+#include "compare/claims/claims.h"
+#include "compare/claims/read.h"
+#include "compare/command/compare.h"
+#include "compare/text/decimal.h"
+#include "compare/command/with_flint.h"
+
+static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
+                                       "order",         "order_lo",    "order_hi",  "points",     "verdict",
+                                       "derived_order", "coefficient", "corrected", "conditions", "inside",
+                                       "source",        "measured",    "reason",    NULL };
+
+static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
+                                             "inside", "h",        "err",      "pairwise", "use",           NULL };
+
+struct ledger {
+  struct table table;
+  int verdicts[2][4]; /* of the paper's claims, outside and inside of its conditions           */
+  int ours[4];
+};
+
+static void write_errors(void *context, const struct claim_row *row)
+{
+  struct ledger *ledger = context;
+  struct table *t = &ledger->table;
+  for (int i = 0; i < row->count; i++) {
+    const struct order_point *p = &row->points[i];
+    table_text(t, row->claim);
+    table_text(t, row->equation);
+    table_text(t, row->quantity);
+    table_text(t, row->gait);
+    table_number(t, row->claimed_order);
+    table_text(t, row->conditions);
+    table_text(t, row->inside ? "yes" : "no");
+    table_number(t, p->h);
+    table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
+    table_rounded(t, p->pairwise, "%.2f");
+    table_text(t, order_use_text(row->exact ? ORDER_ZERO : p->use));
+  }
+}
+
+/* "none": every coefficient that was looked at vanishes */
+static const char *derived_text(const struct claim_row *row)
+{
+  static char text[24];
+  snprintf(text, sizeof text, "%ld", row->derived_order);
+  return !row->proven ? "-" : row->exact ? "none" : text;
+}
+
+static void write_row(void *context, const struct claim_row *row)
+{
+  struct ledger *ledger = context;
+  struct table *t = &ledger->table;
+  table_text(t, row->claim);
+  table_text(t, row->equation);
+  table_text(t, row->quantity);
+  table_text(t, row->gait);
+  table_number(t, row->claimed_order);
+  table_rounded(t, row->fit.order, "%.6f");
+  table_rounded(t, row->fit.lo, "%.6f");
+  table_rounded(t, row->fit.hi, "%.6f");
+  table_rounded(t, row->fit.used, "%.0f");
+  table_text(t, claim_verdict_text(row->verdict));
+  table_text(t, derived_text(row));
+  table_text(t, *row->coefficient ? row->coefficient : "-");
+  table_text(t, *row->corrected ? row->corrected : "-");
+  table_text(t, row->conditions);
+  table_text(t, row->inside ? "yes" : "no");
+  table_text(t, row->ours ? "corrected" : "paper");
+  table_text(t, *row->measured ? row->measured : "-");
+  table_text(t, *row->reason ? row->reason : "-");
+  (row->ours ? ledger->ours : ledger->verdicts[row->inside])[row->verdict]++;
+}
+
+static void summarise(const struct ledger *ledger)
+{
+  for (int inside = 1; inside >= 0; inside--) {
+    const int *v = ledger->verdicts[inside];
+    fprintf(stderr, "%s the paper's conditions: %d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
+            inside ? "inside " : "outside", v[CLAIM_HOLDS], v[CLAIM_SHARPER], v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
+  }
+  fprintf(stderr, "formulas that take the place of refuted ones: %d hold, %d are sharper than claimed, %d do not hold\n",
+          ledger->ours[CLAIM_HOLDS], ledger->ours[CLAIM_SHARPER],
+          ledger->ours[CLAIM_REFUTED] + ledger->ours[CLAIM_UNDECIDED]);
+}
+
+/* NULL, or what contradicts itself */
+static const char *each_row(const struct options *o, claim_sink *sink, void *context)
+{
+  const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : NULL;
+  struct scallop_rational_crawler exact;
+  scallop_rational_init(&exact);
+  decimal_options(&exact, NULL, o);
+  const char *wrong = claims_of_order(&exact, gait ? exact.gait : NULL, o->errors, sink, context);
+  scallop_rational_clear(&exact);
+  if (!o->errors)
+    claims_in_words(&o->crawler, gait, sink, context);
+  return wrong;
+}
+
+static bool begin(struct table *table, const struct options *o, const char *const *names)
+{
+  static const char *const varied[] = { "T", "gait", NULL };
+  if (!table_open(table, o))
+    return false;
+  table_note(table, "scallop " SCALLOP_VERSION);
+  table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+             o->check ? " --check" : "");
+  table_parameters(table, o, varied, false);
+  if (o->has_gait)
+    table_note(table, "gait: %s", o->crawler.gait->name);
+  table_columns(table, names);
+  table_begin_rows(table);
+  return true;
+}
+
+static enum exit_code end(struct table *table, const char *wrong)
+{
+  if (!table_close(table))
+    return EXIT_FILE;
+  if (wrong)
+    complain("claims", "the ledger contradicts itself: %s", wrong);
+  return wrong ? EXIT_UNSOLVED : EXIT_DONE;
+}
+
+static enum exit_code write_ledger(const struct options *options)
+{
+  struct ledger ledger = { .verdicts = { { 0 } } };
+  if (!begin(&ledger.table, options, options->errors ? error_columns : columns))
+    return EXIT_FILE;
+  const char *wrong = each_row(options, options->errors ? write_errors : write_row, &ledger);
+  enum exit_code code = end(&ledger.table, wrong);
+  if (code == EXIT_DONE && !options->quiet && !options->errors)
+    summarise(&ledger);
+  return code;
+}
+
+/* ---- --check: the verdicts against those of a ledger that was written before ---- */
+
+static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
+                                             "conditions",      "verdict",  "derived_order", "committed",
+                                             "committed_order", NULL };
+
+struct check {
+  struct table table;
+  struct committed_ledger ledger;
+  int verdicts, differ;
+};
+
+static void write_difference(struct check *check, const char *const *key, const char *now, const char *order,
+                             const char *then, const char *order_then)
+{
+  struct table *t = &check->table;
+  for (int i = 0; i < COMMITTED_KEYS; i++)
+    table_text(t, key[i]);
+  table_text(t, now);
+  table_text(t, order);
+  table_text(t, then);
+  table_text(t, order_then);
+  check->differ++;
+}
+
+static void check_row(void *context, const struct claim_row *row)
+{
+  struct check *check = context;
+  const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+  const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
+  check->verdicts++;
+  for (int i = 0; i < check->ledger.count; i++) {
+    struct committed *c = &check->ledger.rows[i];
+    bool same = true;
+    for (int k = 0; k < COMMITTED_KEYS; k++)
+      same = same && strcmp(key[k], c->key[k]) == 0;
+    if (!same || c->met)
+      continue;
+    c->met = true;
+    if (strcmp(verdict, c->verdict) != 0 || strcmp(order, c->order) != 0)
+      write_difference(check, key, verdict, order, c->verdict, c->order);
+    return;
+  }
+  write_difference(check, key, verdict, order, "-", "-");
+}
+
+static enum exit_code check_ledger(const struct options *o)
+{
+  struct check check = { .differ = 0 };
+  const char *wrong = NULL;
+  enum exit_code code = committed_read(&check.ledger, o->against);
+  if (code == EXIT_DONE && !begin(&check.table, o, check_columns))
+    code = EXIT_FILE;
+  if (code == EXIT_DONE) {
+    wrong = each_row(o, check_row, &check);
+    for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
+      if (!row->met && (!o->has_gait || strcmp(row->key[3], o->crawler.gait->name) == 0))
+        write_difference(&check, row->key, "-", "-", row->verdict, row->order);
+    code = end(&check.table, wrong);
+  }
+  if (code == EXIT_DONE && !o->quiet)
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, ledger_name(o->against));
+  committed_free(&check.ledger);
+  return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
+}
+
+enum exit_code claims_table(const struct options *options)
+{
+  if (options->errors && !claims_have_order(options->errors)) {
+    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
+             options->errors);
+    return EXIT_USAGE;
+  }
+  return options->check ? check_ledger(options) : write_ledger(options);
+}

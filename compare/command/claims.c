@@ -1,0 +1,75 @@
+#include <stddef.h>
+
+#include "compare/command/compare.h"
+#include "compare/answers/gaits.h"
+#include "compare/command/with_flint.h"
+
+static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "L",      "alpha", "gait", "errors",
+                                       "check", "against", "format", "digits", "output", "quiet", NULL };
+/* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
+static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
+
+static bool can_be_scaled(const struct options *o)
+{
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(&o->crawler, &scaled);
+  if (status != SCALLOP_OK)
+    complain("claims", "%s", scallop_status_text(status));
+  return status == SCALLOP_OK;
+}
+
+static enum exit_code run(const struct options *options)
+{
+  const struct scallop_crawler *c = &options->crawler;
+  if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
+    complain("claims",
+             "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
+             "F1 = %.17g, F2 = %.17g, alpha = %.17g",
+             c->F1, c->F2, c->alpha);
+    return EXIT_USAGE;
+  }
+  if (options->errors && options->check) {
+    complain("claims", "--errors and --check exclude each other");
+    return EXIT_USAGE;
+  }
+  if (!gait_has_ends(c->gait)) {
+    complain("claims",
+             "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
+    return EXIT_UNSOLVED;
+  }
+  if (!can_be_scaled(options))
+    return EXIT_UNSOLVED;
+  return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
+}
+
+static const struct unless_given unless_given[] = {
+  { "gait", "both of the paper: quadratic and sinusoidal" },
+  { NULL, NULL },
+};
+
+const struct command command_claims = {
+  .name = "claims",
+  .summary = "the ledger: every asymptotic and qualitative claim of the paper, decided",
+  .example = "scallop claims --format json",
+  .accepts = accepts,
+  .about =
+      "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"
+      "first power of T that the formula leaves out of the derived expansion, coefficient what stands there (exact, or\n"
+      "a ball that does not hold 0); lower coefficients vanish, and do at random rational parameters too. 'none': every\n"
+      "coefficient below T^48 vanishes. order is measured: certified errors at 12 T, down to below 1e-20, with the\n"
+      "interval of the fit. Where it is not the derived one, the exit code is 3.\n"
+      "verdict: holds; sharper (the error falls faster than claimed); refuted (slower, or not at all); undecided, with\n"
+      "the reason. corrected: the row of the formula that holds where this one does not (source 'corrected'; ':mirrored'\n"
+      "is a formula with the bodies exchanged and seen in a mirror, ':contraction' with the bodies exchanged).\n"
+      "conditions: what was assumed; inside: whether the paper assumes it too. Claims in words have the figure that\n"
+      "decides in 'measured'. claimed_order inf: the formula is printed as an equality. A summary goes to standard error.\n"
+      "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
+      "names may not hold, either: see their verdicts.\n"
+      "--check: the verdicts are compared with those of the ledger that comes with the tool (data/claims.tsv of its\n"
+      "sources); anything that differs is printed, and the exit code is 1. --against FILE: with those of FILE.\n"
+      "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
+      "`scallop order` reads such a table.",
+  .defaults = &generic,
+  .unless_given = unless_given,
+  .run = run,
+};

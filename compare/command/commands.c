@@ -1,0 +1,37 @@
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/command/commands.h"
+#include "compare/command/compare.h"
+
+const struct command *const commands[] = { &command_phase,  &command_steady,    &command_trajectory, &command_series,
+                                           &command_claims, &command_order,     &command_figure,     &command_workprec,
+                                           &command_stress, &command_breakdown, &command_run,        NULL };
+
+const struct command *command_named(const char *name)
+{
+  const struct command *const *c = commands;
+  while (*c && strcmp(name, (*c)->name) != 0)
+    c++;
+  return *c;
+}
+
+const char *nearest_command(const char *word)
+{
+  const char *names[sizeof commands / sizeof *commands] = { NULL };
+  for (size_t i = 0; commands[i]; i++)
+    names[i] = commands[i]->name;
+  return nearest(word, names);
+}
+
+void complain(const char *command, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  fprintf(stderr, "scallop %s: ", command);
+  vfprintf(stderr, format, arguments);
+  fputc('\n', stderr);
+  va_end(arguments);
+}

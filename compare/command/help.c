@@ -1,0 +1,107 @@
+#include "compare/command/help.h"
+
+#include <string.h>
+
+#include "compare/command/compare.h"
+#include "compare/command/option_table.h"
+
+const struct request requests[] = {
+  { "help", "[COMMAND]", "what there is, or what a command takes and prints; also -h, and help without dashes" },
+  { "version", NULL, "the version" },
+  { "man", "PAGE", "a page of the manual, for man(1): scallop or a command's name; list: the names of all pages" },
+  { "completion", "SHELL", "a script by which the shell completes commands, options and values: bash" },
+  { NULL, NULL, NULL }
+};
+
+const char program_example[] = "scallop steady --F1 3 --T 0.5";
+
+const char program_purpose[] = "a two-body crawler on dry friction, its exact motion and the\n"
+                               "asymptotic series said to describe it, side by side";
+
+static const char file_failed[] = "a file or standard output could not be read or written; a closed pipe is such a case: "
+                                  "scallop ... | head -n 1";
+
+const char *const exit_meanings[] = { [EXIT_DONE] = "done",
+                                      [EXIT_CHECK_FAILED] = "a check failed",
+                                      [EXIT_USAGE] = "bad usage or input",
+                                      [EXIT_UNSOLVED] = "a computation could not be done",
+                                      [EXIT_FILE] = file_failed,
+                                      NULL };
+
+const char exit_notes[] =
+    "A run that a signal ends returns the signal's. Whatever ends it, -o FILE leaves the earlier file or the "
+    "new one.";
+
+/* An option, what it takes, and what for. */
+static void option_line(FILE *to, const char *name, const char *placeholder, const char *help)
+{
+  char left[40];
+  snprintf(left, sizeof left, "--%s %s", name, placeholder ? placeholder : "");
+  fprintf(to, "  %-18s %s\n", left, help);
+}
+
+void help_program(FILE *to)
+{
+  fprintf(to, "Example: %s\n\nscallop COMMAND [options]: %s.\n\nCommands:\n", program_example, program_purpose);
+  for (const struct command *const *c = commands; *c; c++)
+    fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
+  fputs("\nscallop COMMAND --help tells what a command takes and prints. In place of a command:\n", to);
+  for (const struct request *r = requests; r->name; r++)
+    option_line(to, r->name, r->placeholder, r->help);
+  fputs("\nExit codes:\n", to);
+  for (int code = 0; exit_meanings[code]; code++)
+    fprintf(to, "%d  %s\n", code, exit_meanings[code]);
+  fprintf(to, "%s\n", exit_notes);
+}
+
+/* Is name one of names, which blanks separate? */
+static bool is_among(const char *names, const char *name)
+{
+  size_t length = strlen(name);
+  for (const char *at = names; (at = strstr(at, name)); at += length)
+    if ((at == names || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+      return true;
+  return false;
+}
+
+/* What the command does where the option is not given, in which %s stands for the value that it begins with. NULL: nothing. */
+static const char *unless_given(const struct command *command, const char *name, bool has_value)
+{
+  for (const struct unless_given *u = command->unless_given; u && u->options; u++)
+    if (is_among(u->options, name))
+      return u->text;
+  return has_value ? "%s" : NULL;
+}
+
+void help_option(const struct command *command, const char *name, char text[HELP_OPTION])
+{
+  const struct option_description *option = describe_option(name, command);
+  const char *otherwise = unless_given(command, name, option->kind->show != NULL), *place;
+  char value[OPTION_VALUE] = "", more[OPTION_RANGE] = "";
+  struct options initial;
+  options_initial(&initial, command);
+  if (option->kind->show)
+    option->kind->show(&initial, name, value);
+  if (option->kind->add)
+    option->kind->add(more, command);
+  int used = snprintf(text, HELP_OPTION, "%s%s", option->help, more);
+  if (!otherwise)
+    return;
+  place = strstr(otherwise, "%s");
+  int before = place ? (int)(place - otherwise) : (int)strlen(otherwise);
+  snprintf(text + used, HELP_OPTION - (size_t)used, " (%.*s%s%s)", before, otherwise, place ? value : "",
+           place ? place + 2 : "");
+}
+
+void help_command(FILE *to, const struct command *command)
+{
+  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n", command->example,
+          command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
+          command->about);
+  for (const char *const *name = command->accepts; *name; name++) {
+    char text[HELP_OPTION];
+    help_option(command, *name, text);
+    option_line(to, *name, describe_option(*name, command)->placeholder, text);
+  }
+  option_line(to, "help", NULL, "this text");
+}

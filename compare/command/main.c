@@ -1,0 +1,144 @@
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <gsl/gsl_errno.h>
+
+#include "compare/command/commands.h"
+#include "compare/command/compare.h"
+#include "compare/command/completion.h"
+#include "compare/command/help.h"
+#include "compare/command/man.h"
+
+/* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
+static int unknown(const char *what, const char *name, const char *near, const char *listed)
+{
+  fprintf(stderr, "scallop: %s '%s'%s%s%s (see %s)\n", what, name, near ? ": did you mean '" : "", near ? near : "",
+          near ? "'?" : "", listed);
+  return EXIT_USAGE;
+}
+
+/* Help and version are output too: a full device is an error. */
+static int flushed(void)
+{
+  if (fflush(stdout) == 0 && !ferror(stdout))
+    return EXIT_DONE;
+  fprintf(stderr, "scallop: cannot write standard output: %s\n", strerror(errno));
+  return EXIT_FILE;
+}
+
+/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written into
+ * it. What stands there instead cannot be written to either. */
+static void keep_places(void)
+{
+  for (int place = STDOUT_FILENO; place <= STDERR_FILENO; place++) {
+    if (fcntl(place, F_GETFD) >= 0)
+      continue;
+    int other = open("/", O_RDONLY);
+    if (other < 0 || other == place)
+      continue;
+    dup2(other, place);
+    close(other);
+  }
+}
+
+static bool is_help(const char *word)
+{
+  return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
+}
+
+static int give_help(const char *name)
+{
+  const struct command *command = name ? command_named(name) : NULL;
+  if (name && !command && !is_help(name))
+    return unknown("unknown command", name, nearest_command(name), "scallop --help");
+  if (command)
+    help_command(stdout, command);
+  else
+    help_program(stdout);
+  return flushed();
+}
+
+static int give_page(const char *name)
+{
+  if (!name) {
+    fputs("scallop: --man needs a page: scallop, the name of a command, or list for the names of all\n", stderr);
+    return EXIT_USAGE;
+  }
+  if (!man_page(stdout, name))
+    return unknown("--man: there is no page", name, nearest_command(man_subject(name)), "scallop --man list");
+  return flushed();
+}
+
+static int give_completion(const char *shell)
+{
+  if (!shell) {
+    fputs("scallop: --completion needs a shell: bash\n", stderr);
+    return EXIT_USAGE;
+  }
+  if (strcmp(shell, "bash") != 0) {
+    fprintf(stderr, "scallop: --completion: '%s' is not allowed here: it takes bash\n", shell);
+    return EXIT_USAGE;
+  }
+  completion_script(stdout);
+  return flushed();
+}
+
+/* Is argument option, perhaps with =VALUE? Then *value is that, and otherwise stays. */
+static bool is_request(const char *argument, const char *option, const char **value)
+{
+  size_t length = strlen(option);
+  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '='))
+    return false;
+  if (argument[length] == '=')
+    *value = argument + length + 1;
+  return true;
+}
+
+/* What does not begin with a command; value: the argument behind it, or NULL. */
+static int answer(const char *first, const char *value)
+{
+  if (is_help(first))
+    return give_help(value);
+  if (strcmp(first, "--version") == 0) {
+    puts("scallop " SCALLOP_VERSION);
+    return flushed();
+  }
+  if (is_request(first, "--man", &value))
+    return give_page(value);
+  if (is_request(first, "--completion", &value))
+    return give_completion(value);
+  if (first[0] != '-')
+    return unknown("unknown command", first, nearest_command(first), "scallop --help");
+  fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
+          first, first);
+  return EXIT_USAGE;
+}
+
+int main(int count, char **arguments)
+{
+  gsl_set_error_handler_off();
+  keep_places();
+  /* A closed pipe and a file that may not grow are failed writes, with a message: half a table is an error. */
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+  if (count < 2) {
+    help_program(stderr);
+    return EXIT_USAGE;
+  }
+  const struct command *command = command_named(arguments[1]);
+  if (!command)
+    return answer(arguments[1], arguments[2]);
+  struct options options;
+  int code;
+  if (options_read(&options, command, count, arguments, &code))
+    code = (int)command->run(&options);
+  else if (code == EXIT_DONE)
+    code = flushed();
+  options_free(&options);
+  return code;
+}

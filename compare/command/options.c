@@ -1,0 +1,233 @@
+#include "compare/command/options.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/command/compare.h"
+#include "compare/answers/gaits.h"
+#include "compare/command/help.h"
+#include "compare/command/option_table.h"
+#include "compare/text/values.h"
+#include "compare/text/words.h"
+
+const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
+
+enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
+
+int crawler_place(const char *name)
+{
+  int i = 0;
+  while (i < CRAWLER_NUMBERS && strcmp(name, crawler_parameters[i]) != 0)
+    i++;
+  return i;
+}
+
+static double *crawler_field(struct scallop_crawler *c, int place)
+{
+  double *const fields[CRAWLER_NUMBERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
+  return fields[place];
+}
+
+void crawler_numbers(const struct scallop_crawler *c, double numbers[CRAWLER_NUMBERS])
+{
+  const double all[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  memcpy(numbers, all, sizeof all);
+}
+
+double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
+{
+  double numbers[CRAWLER_NUMBERS + 1] = { [CRAWLER_NUMBERS] = NAN };
+  crawler_numbers(crawler, numbers);
+  return numbers[crawler_place(name)];
+}
+
+void options_complete(struct options *o)
+{
+  const struct scallop_crawler usual = o->command->defaults ? *o->command->defaults : scallop_crawler_default();
+  double L = usual.L, T = usual.T, alpha = usual.alpha;
+  gait_has_own(o->crawler.gait, &L, &T, &alpha);
+  if (!o->written[crawler_place("L")])
+    o->crawler.L = L;
+  if (!o->written[crawler_place("T")])
+    o->crawler.T = T;
+  if (!o->written[crawler_place("alpha")])
+    o->crawler.alpha = alpha;
+}
+
+const char *options_set_crawler_number(struct options *o, int place, const char *text)
+{
+  struct scallop_complaint complaint;
+  struct scallop_crawler candidate = o->crawler; /* has no other fault */
+  if (!read_number(text, crawler_field(&candidate, place)))
+    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
+  if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
+    return not_allowed(text, complaint.allowed);
+  o->crawler = candidate;
+  o->written[place] = text;
+  return NULL;
+}
+
+const char *options_set_parameter(struct options *o, const char *name, const char *text)
+{
+  return describe_option(name, o->command)->kind->set(o, name, text);
+}
+
+static bool refuse(int *code)
+{
+  *code = EXIT_USAGE;
+  return false;
+}
+
+/* The option called name, whose value is text, or the next argument. argument: as it was written. */
+static bool take_option(struct options *o, int count, char **arguments, int *i, int *code, char *name, const char *text)
+{
+  const char *argument = arguments[*i];
+  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
+  const struct option_description *d = option_accepted(o->command, name) ? describe_option(name, o->command) : NULL;
+  if (!d || (!two_dashes && strcmp(argument, "-o") != 0)) {
+    const char *near = nearest(name + strspn(name, "-"), o->command->accepts);
+    bool elsewhere = describe_option(name, o->command) != NULL;
+    complain(o->command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
+             elsewhere ? "this command does not take the" : "unknown", argument,
+             near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "", near && !elsewhere ? "'?" : "",
+             o->command->name);
+    return refuse(code);
+  }
+  if (d->placeholder && !text) {
+    if (*i + 1 == count) {
+      complain(o->command->name, "--%s needs a value: --%s %s", name, name, d->placeholder);
+      return refuse(code);
+    }
+    text = arguments[++*i];
+  }
+  if (!d->placeholder && text) {
+    complain(o->command->name, "--%s takes no value", name);
+    return refuse(code);
+  }
+  const char *wrong = d->kind->set(o, name, text);
+  if (!wrong && option_value_count(d) == 2) {
+    if (*i + 1 == count) {
+      complain(o->command->name, "--%s needs two values: --%s %s", name, name, d->placeholder);
+      return refuse(code);
+    }
+    wrong = d->kind->set(o, name, arguments[++*i]);
+  }
+  if (wrong)
+    complain(o->command->name, "--%s: %s", name, wrong);
+  if (wrong && o->unreadable) {
+    *code = EXIT_FILE;
+    return false;
+  }
+  return wrong ? refuse(code) : true;
+}
+
+static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
+{
+  char *argument = arguments[*i];
+  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
+  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + (two_dashes ? 2 : 0);
+  char *equals = two_dashes ? strchr(name, '=') : NULL;
+  if (equals)
+    *equals = '\0';
+  bool taken = take_option(o, count, arguments, i, code, name, equals ? equals + 1 : NULL);
+  if (equals) /* the arguments may be handed on: with_flint.h */
+    *equals = '=';
+  return taken;
+}
+
+/* Is there room for one more? */
+static bool take_operand(struct options *o, const char *text)
+{
+  if (o->operand_count == (many_operands(o->command) ? INT_MAX : o->command->operand ? 1 : 0))
+    return false;
+  o->operands[o->operand_count++] = text;
+  o->operand = o->operands[0];
+  return true;
+}
+
+/* False: *code is the exit code. */
+static bool read_arguments(struct options *o, int count, char **arguments, int *code)
+{
+  const struct command *command = o->command;
+  for (int i = 2; i < count; i++) {
+    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
+      help_command(stdout, command);
+      *code = EXIT_DONE;
+      return false;
+    }
+    if (arguments[i][0] == '-' && arguments[i][1] != '\0') {
+      if (!read_option(o, count, arguments, &i, code))
+        return false;
+    } else if (!take_operand(o, arguments[i])) {
+      complain(command->name, "unexpected argument '%s' (see scallop %s --help)", arguments[i], command->name);
+      return refuse(code);
+    }
+  }
+  if (command->operand && !o->operand) {
+    complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
+    return refuse(code);
+  }
+  return true;
+}
+
+/* Of a scene that is known when it has been read. */
+static bool digits_are_sound(const struct options *o)
+{
+  bool is_told = option_accepted(o->command, "certified") || option_accepted(o->command, "source");
+  bool proven = o->certified || o->bound || strcmp(o->source, "published") != 0;
+  char number[24];
+  if (o->digits <= DOUBLE_DIGITS || proven || !is_told)
+    return true;
+  snprintf(number, sizeof number, "%ld", o->digits);
+  complain(o->command->name, "--digits: %s", digits_refused(o->command, number));
+  return false;
+}
+
+/* A measurement must not be lost to a slip of the keyboard. */
+static bool output_is_sound(const struct options *o)
+{
+  bool lost = o->output && gait_is_from(o->output);
+  if (lost)
+    complain(o->command->name, "--output: %s is the file of the gait and is not replaced: name another file", o->output);
+  return !lost;
+}
+
+void options_initial(struct options *o, const struct command *command)
+{
+  *o = (struct options){ .command = command,
+                         .start = "rest",
+                         .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
+                         .periods = 10,
+                         .samples = 40,
+                         .source = "published",
+                         .order = 8,
+                         .seed = 1,
+                         .tolerance = 0.1 };
+}
+
+bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
+{
+  options_initial(o, command);
+  o->arguments = arguments;
+  o->operands = calloc((size_t)count, sizeof *o->operands);
+  if (!o->operands) {
+    complain(command->name, "out of memory");
+    *code = EXIT_UNSOLVED;
+    return false;
+  }
+  if (!read_arguments(o, count, arguments, code))
+    return false;
+  options_complete(o);
+  return (digits_are_sound(o) && output_is_sound(o)) || refuse(code);
+}
+
+void options_free(struct options *o)
+{
+  free(o->operands);
+  o->operands = NULL;
+  o->operand_count = 0;
+}

@@ -1,0 +1,350 @@
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/command/compare.h"
+#include "compare/text/lines.h"
+#include "compare/order/order.h"
+
+static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
+static const char *const series_column[] = { "series", NULL };
+static const char *const columns[] = { "h", "err", "pairwise", "use", NULL };
+static const char *const summary_columns[] = { "order",    "lo",        "hi",      "points", "state",
+                                               "expected", "tolerance", "verdict", NULL };
+
+/* The points whose texts left of h are the same */
+struct series {
+  char *name; /* these texts                                                                     */
+  struct order_point *points;
+  int count, room;
+  struct order_fit fit;
+  enum order_verdict verdict;
+};
+
+struct list {
+  struct series *series;
+  int count, room;
+  long rows; /* of all of them                                                                  */
+};
+
+enum { MESSAGE = 120, NAME = 1024, MOST_SERIES = 4096, MOST_ROWS = 1000000 };
+
+struct layout {
+  int h, value, noise, columns;
+  bool values;
+};
+
+static void list_clear(struct list *list)
+{
+  for (int i = 0; i < list->count; i++) {
+    free(list->series[i].name);
+    free(list->series[i].points);
+  }
+  free(list->series);
+}
+
+/* Room for one more of that size in an array, or NULL: out of memory */
+static void *grown(void *array, int count, int *room, size_t size)
+{
+  if (count < *room)
+    return array;
+  int larger = *room ? 2 * *room : 64;
+  void *moved = realloc(array, (size_t)larger * size);
+  *room = moved ? larger : *room;
+  return moved;
+}
+
+/* The series of that name, a new one if there is none; NULL: out of memory, or too many */
+static struct series *series_named(struct list *list, const char *name)
+{
+  for (int i = list->count - 1; i >= 0; i--)
+    if (strcmp(list->series[i].name, name) == 0)
+      return &list->series[i];
+  struct series *all = list->count < MOST_SERIES ? grown(list->series, list->count, &list->room, sizeof *all) : NULL;
+  if (!all)
+    return NULL;
+  list->series = all;
+  struct series *s = &all[list->count];
+  *s = (struct series){ .name = strdup(name) };
+  list->count += s->name != NULL;
+  return s->name ? s : NULL;
+}
+
+static bool append(struct series *s, struct order_point point)
+{
+  struct order_point *points = grown(s->points, s->count, &s->room, sizeof point);
+  if (!points)
+    return false;
+  s->points = points;
+  s->points[s->count++] = point;
+  return true;
+}
+
+/* Reads a number; unlike an option's, it may be nan or inf, which the estimator then refuses. */
+static bool read_any(const char *text, double *value)
+{
+  char *end;
+  *value = strtod(text, &end);
+  return end != text && *end == '\0';
+}
+
+/* At tabs if there are any, since a cell may then hold blanks; else at blanks. */
+static int split(char *line, char **cells, int most)
+{
+  int n = 0;
+  const char *ends = strchr(line, '\t') ? "\t" : " ";
+  for (char *cell = strtok(line, ends); cell && n < most; cell = strtok(NULL, ends))
+    cells[n++] = cell;
+  return n;
+}
+
+/* A header names h and err (or value), and may name noise; without a header the columns are h and err. */
+static const char *read_layout(char **cells, int count, struct layout *layout, bool *header)
+{
+  double number;
+  *layout = (struct layout){ .h = 0, .value = 1, .noise = -1, .columns = count };
+  *header = false;
+  if (read_any(cells[0], &number))
+    return count == 2 ? NULL : "without a header line there must be two columns, h and err";
+  *header = true;
+  layout->h = layout->value = -1;
+  for (int i = 0; i < count; i++) {
+    bool err = strcmp(cells[i], "err") == 0 || strcmp(cells[i], "error") == 0, value = strcmp(cells[i], "value") == 0;
+    if ((err || value) && layout->value >= 0)
+      return "one column 'err' or 'value' is wanted, not two";
+    if (err || value)
+      layout->value = i;
+    layout->values |= value;
+    bool h = strcmp(cells[i], "h") == 0, noise = strcmp(cells[i], "noise") == 0;
+    if ((h && layout->h >= 0) || (noise && layout->noise >= 0))
+      return "a column is there twice";
+    if (h)
+      layout->h = i;
+    if (noise)
+      layout->noise = i;
+  }
+  return layout->h >= 0 && layout->value >= 0
+             ? NULL
+             : "the header must name the columns 'h' and 'err' (or 'value'), separated by blanks or tabs";
+}
+
+/* The cells left of h that are no numbers, joined */
+static void read_name(char name[NAME], char *const *cells, const struct layout *layout)
+{
+  size_t used = 0;
+  double number;
+  *name = '\0';
+  for (int i = 0; i < layout->h && used < NAME; i++)
+    if (i != layout->value && i != layout->noise && !read_any(cells[i], &number))
+      used += (size_t)snprintf(name + used, NAME - used, "%s%s", used ? "; " : "", cells[i]);
+}
+
+/* Takes a line in. Returns NULL, or what is wrong with it, for which message has room. */
+static const char *read_line(char *line, struct list *list, struct layout *layout, bool *started, char message[MESSAGE])
+{
+  enum { MOST = 64 };
+  char *cells[MOST];
+  bool header = false;
+  int count = split(line, cells, MOST);
+  if (count == 0 || cells[0][0] == '#')
+    return NULL;
+  if (!*started) {
+    const char *wrong = read_layout(cells, count, layout, &header);
+    *started = true;
+    if (wrong || header)
+      return wrong;
+  }
+  if (count != layout->columns)
+    return "the number of columns changes";
+  struct order_point point = { .noise = 0 };
+  const struct {
+    int column;
+    double *value;
+  } wanted[] = { { layout->h, &point.h }, { layout->value, &point.err }, { layout->noise, &point.noise } };
+  for (int i = 0; i < 3; i++)
+    if (wanted[i].column >= 0 && !read_any(cells[wanted[i].column], wanted[i].value)) {
+      snprintf(message, MESSAGE, "column %d: '%.60s' is not a number", wanted[i].column + 1, cells[wanted[i].column]);
+      return message;
+    }
+  if (list->rows++ == MOST_ROWS)
+    return "more than a million rows";
+  char name[NAME];
+  read_name(name, cells, layout);
+  struct series *s = series_named(list, name);
+  if (!s)
+    return list->count == MOST_SERIES ? "more than 4096 series: rows with the same text left of h are one" : "out of memory";
+  return append(s, point) ? NULL : "out of memory";
+}
+
+/* Texts that are different in each row name no series: all rows are one. False: out of memory */
+static bool join_single_points(struct list *list)
+{
+  for (int i = 0; i < list->count; i++)
+    if (list->series[i].count > 1)
+      return true;
+  bool joined = true;
+  for (int i = 1; i < list->count; i++) {
+    joined &= append(&list->series[0], list->series[i].points[0]);
+    free(list->series[i].points);
+    free(list->series[i].name);
+  }
+  list->count = list->count > 0;
+  return joined;
+}
+
+static enum exit_code read_file(const struct options *options, struct list *list, bool *values)
+{
+  bool standard = strcmp(options->operand, "-") == 0, started = false;
+  const char *name = standard ? "standard input" : options->operand, *wrong = NULL;
+  struct lines lines = { .file = standard ? stdin : fopen(name, "r") };
+  struct layout layout = { .values = false };
+  char message[MESSAGE];
+  if (!lines.file) {
+    complain("order", "cannot read %s: %s", name, strerror(errno));
+    return EXIT_FILE;
+  }
+  while (!wrong && next_line(&lines))
+    wrong = line_fault(&lines) ? line_fault(&lines) : read_line(lines.line, list, &layout, &started, message);
+  bool failed = lines.error != 0;
+  if (!wrong && !join_single_points(list))
+    wrong = "out of memory";
+  if (wrong)
+    complain("order", "%s:%ld: %s", name, lines.number, wrong);
+  else if (failed)
+    complain("order", "cannot read %s: %s", name, lines_error_text(&lines));
+  else if (list->count == 0)
+    complain("order", "%s: no data: lines of 'h err' are wanted", name);
+  lines_free(&lines);
+  if (!standard)
+    fclose(lines.file);
+  *values = layout.values;
+  return failed ? EXIT_FILE : wrong || list->count == 0 ? EXIT_USAGE : EXIT_DONE;
+}
+
+static void write_points(struct table *table, const struct list *list)
+{
+  if (list->count > 1)
+    table_columns(table, series_column);
+  table_columns(table, columns);
+  table_begin_rows(table);
+  for (const struct series *s = list->series; s < list->series + list->count; s++)
+    for (const struct order_point *p = s->points; p < s->points + s->count; p++) {
+      if (list->count > 1)
+        table_text(table, s->name);
+      table_number(table, p->h);
+      table_number(table, p->err);
+      table_rounded(table, s->fit.state == ORDER_INVALID ? NAN : p->pairwise, "%.4f");
+      table_text(table, s->fit.state == ORDER_INVALID ? "-" : order_use_text(p->use));
+    }
+}
+
+/* In TSV: the series and its order in notes */
+static void note_summary(struct table *table, const struct series *s, const struct options *o, bool named)
+{
+  const struct order_fit *fit = &s->fit;
+  if (named)
+    table_note(table, "series: %s", s->name);
+  table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
+             order_state_text(fit->state));
+  if (o->has_expect)
+    table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, order_verdict_text(s->verdict));
+}
+
+static void write_summary_row(struct table *table, const struct series *s, const struct options *o, bool named)
+{
+  const struct order_fit *fit = &s->fit;
+  if (named)
+    table_text(table, s->name);
+  table_number(table, fit->order);
+  table_number(table, fit->lo);
+  table_number(table, fit->hi);
+  table_rounded(table, fit->used, "%.0f");
+  table_text(table, order_state_text(fit->state));
+  table_number(table, o->has_expect ? o->expect : NAN);
+  table_number(table, o->has_expect ? o->tolerance : NAN);
+  table_text(table, o->has_expect ? order_verdict_text(s->verdict) : "none asked for");
+}
+
+static void write_summary(struct table *table, const struct list *list, const struct options *o)
+{
+  bool named = list->count > 1;
+  if (o->format != FORMAT_TSV) {
+    table->count = 0;
+    if (named)
+      table_columns(table, series_column);
+    table_columns(table, summary_columns);
+  }
+  for (const struct series *s = list->series; s < list->series + list->count; s++)
+    (o->format == FORMAT_TSV ? note_summary : write_summary_row)(table, s, o, named);
+}
+
+static void estimate(struct list *list, const struct options *o, bool values)
+{
+  for (struct series *s = list->series; s < list->series + list->count; s++) {
+    s->fit = values ? order_estimate_values(s->points, &s->count) : order_estimate(s->points, s->count);
+    s->verdict = order_judge(&s->fit, o->expect, o->tolerance);
+  }
+}
+
+static enum exit_code conclude(const struct list *list, const struct options *o)
+{
+  bool passed = true, valid = true;
+  for (const struct series *s = list->series; s < list->series + list->count; s++) {
+    passed &= s->verdict == ORDER_PASS;
+    valid &= s->fit.state != ORDER_INVALID;
+  }
+  if (!valid && !o->has_expect) {
+    complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
+    return EXIT_UNSOLVED;
+  }
+  return o->has_expect && !passed ? EXIT_CHECK_FAILED : EXIT_DONE;
+}
+
+static enum exit_code run(const struct options *options)
+{
+  struct list list = { 0 };
+  struct table table;
+  bool values = false;
+  enum exit_code code = read_file(options, &list, &values);
+  if (code == EXIT_DONE && !table_open(&table, options))
+    code = EXIT_FILE;
+  if (code == EXIT_DONE) {
+    estimate(&list, options, values);
+    table_note(&table, "scallop " SCALLOP_VERSION);
+    table_note(&table, "command: order");
+    if (values)
+      table_note(&table, "err: differences of successive values, v(h_i) - v(h_i+1), rescaled to C h^p");
+    write_points(&table, &list);
+    write_summary(&table, &list, options);
+    code = table_close(&table) ? conclude(&list, options) : EXIT_FILE;
+  }
+  list_clear(&list);
+  return code;
+}
+
+static const struct unless_given unless_given[] = {
+  { "expect", "none, and no verdict" },
+  { NULL, NULL },
+};
+
+const struct command command_order = {
+  .name = "order",
+  .summary = "the observed order of a table of h and err, from any code",
+  .example = "scallop order errors.txt --expect 2",
+  .operand = "FILE",
+  .accepts = accepts,
+  .about =
+      "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
+      "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
+      "comes from three successive refinements each (Richardson). Lines that begin with # are passed over.\n"
+      "Columns left of h that hold text name a series: rows with the same texts are judged by themselves, so that\n"
+      "`scallop claims --errors rest_dT | scallop order -` gives one order for each gait and set of conditions. Texts that\n"
+      "are different in each row name nothing.\n"
+      "Prints each point with its pairwise order, whether it was used and why not (zero, floor: roundoff,\n"
+      "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
+      "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid; errors\n"
+      "that are all 0, or within their noise, pass (state exact). Of several series each has to pass.",
+  .unless_given = unless_given,
+  .run = run,
+};

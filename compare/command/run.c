@@ -1,0 +1,309 @@
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "compare/command/compare.h"
+#include "compare/scenes/places.h"
+#include "compare/scenes/run.h"
+#include "compare/scenes/text.h"
+#include "compare/scenes/shipped.h"
+#include "compare/command/with_flint.h"
+
+static const char *const accepts[] = { "m1",    "m2",     "F1",         "F2",      "L",     "T",
+                                       "alpha", "gait",   "check-only", "explain", "stats", "no-plots",
+                                       "into",  "output", "format",     "digits",  "quiet", NULL };
+
+enum { MOST_SCENES = 64 };
+
+struct scenes {
+  int count;
+  const char *input; /* the text of the one on standard input, or NULL */
+  struct scene *scene[MOST_SCENES];
+  struct plan *plan[MOST_SCENES];
+  struct scene_outputs outputs[MOST_SCENES];
+  char *owned[MOST_SCENES][2 * SCENE_WANTS]; /* paths of tables and plots                              */
+};
+
+/* ---- where tables go ---- */
+
+static int tables_of(const struct scenes *all)
+{
+  int tables = 0;
+  for (int i = 0; i < all->count; i++)
+    tables += all->scene[i]->wants;
+  return tables;
+}
+
+static const char *in_folder(char **owned, const char *folder, const char *file)
+{
+  size_t room = strlen(folder) + strlen(file) + 2;
+  if (!folder[0] || file[0] == '/')
+    return file;
+  *owned = malloc(room);
+  if (*owned)
+    snprintf(*owned, room, "%s/%s", folder, file);
+  return *owned;
+}
+
+/* False: no memory. */
+static bool place_tables(struct scenes *all, const struct options *o, bool to_output)
+{
+  bool named = to_output || (o->has_output && !o->explain);
+  for (int i = 0; i < all->count; i++)
+    for (int w = 0; w < all->scene[i]->wants; w++) {
+      const char *file = named ? o->output : all->scene[i]->want[w].file;
+      const char *folder = o->folder && !named ? o->folder : "";
+      const char *plot = !to_output && !o->no_plots && file && all->scene[i]->want[w].has_plot
+                             ? all->scene[i]->want[w].plot.file
+                             : NULL;
+      all->outputs[i].file[w] = file ? in_folder(&all->owned[i][w], folder, file) : NULL;
+      all->outputs[i].plot[w] = plot ? in_folder(&all->owned[i][SCENE_WANTS + w], folder, plot) : NULL;
+      if ((file && !all->outputs[i].file[w]) || (plot && !all->outputs[i].plot[w]))
+        return false;
+    }
+  return true;
+}
+
+/* Tables and plots all go to different places, and none in that of a file that is read. */
+static bool check_places(const struct scenes *all, const struct options *o)
+{
+  struct scene_places *places = calloc(1, sizeof *places);
+  bool good = places != NULL;
+  if (!places)
+    complain(o->command->name, "out of memory");
+  for (int i = 0; good && i < all->count; i++)
+    places_reads(places, all->scene[i]);
+  if (good && o->explain)
+    good = !o->has_output || places_writes(places, o->command->name, o->output);
+  for (int i = 0; good && !o->explain && i < all->count; i++)
+    for (int w = 0; good && w < all->scene[i]->wants; w++)
+      good = places_writes(places, o->command->name, all->outputs[i].file[w])
+             && (!all->outputs[i].plot[w] || places_writes(places, o->command->name, all->outputs[i].plot[w]));
+  free(places);
+  return good;
+}
+
+/* ---- what the user sees of the plan ---- */
+
+static const char *const plan_columns[] = { "scene", "stage", "work", "known", "seconds", "why", NULL };
+
+/* What is done first, then what is left out. */
+static enum exit_code explain(const struct scenes *all, const struct options *o)
+{
+  static struct table table;
+  if (!table_open(&table, o))
+    return EXIT_FILE;
+  table_note(&table, "scallop " SCALLOP_VERSION);
+  table_note(&table, "command: run --explain");
+  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so; "
+                     "where a point cannot be solved, less is done");
+  table_columns(&table, plan_columns);
+  table_begin_rows(&table);
+  for (int i = 0; i < all->count; i++)
+    for (int left_out = 0; left_out < 2; left_out++)
+      for (int k = 0; k < COUNTS; k++) {
+        const struct plan_stage *s = &all->plan[i]->stage[k];
+        if ((s->known == PLAN_LEFT_OUT) != (left_out == 1))
+          continue;
+        table_text(&table, all->scene[i]->name);
+        table_text(&table, count_name((enum count)k));
+        table_rounded(&table, s->work, "%.15g");
+        table_text(&table, plan_known_text(s->known));
+        table_rounded(&table, s->seconds, "%.2g");
+        table_text(&table, s->why);
+      }
+  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+}
+
+static void print_stats(void)
+{
+  struct rusage usage;
+  fputs("# what was done\nstage\tcount\n", stderr);
+  for (int k = 0; k < COUNTS; k++)
+    fprintf(stderr, "%s\t%ld\n", count_name((enum count)k), count_of((enum count)k));
+  if (getrusage(RUSAGE_SELF, &usage) == 0)
+    fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
+}
+
+/* ---- the run ---- */
+
+static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
+{
+  for (int i = 0; i < count; i++) {
+    struct scene *scene = malloc(sizeof *scene);
+    struct plan *plan = malloc(sizeof *plan);
+    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o) : EXIT_UNSOLVED;
+    if (code != EXIT_DONE) {
+      if (!scene || !plan)
+        complain(o->command->name, "out of memory");
+      free(scene);
+      free(plan);
+      return code;
+    }
+    plan_make(plan, scene);
+    all->scene[i] = scene;
+    all->plan[i] = plan;
+    all->count++;
+  }
+  return EXIT_DONE;
+}
+
+static void free_all(struct scenes *all)
+{
+  for (int i = 0; i < all->count; i++) {
+    scene_free(all->scene[i]);
+    free(all->scene[i]);
+    free(all->plan[i]);
+    for (int w = 0; w < 2 * SCENE_WANTS; w++)
+      free(all->owned[i][w]);
+  }
+}
+
+static bool needs_flint(const struct scenes *all)
+{
+  for (int i = 0; i < all->count; i++)
+    if (all->plan[i]->needs_flint)
+      return true;
+  return false;
+}
+
+/* Another program may take over, and read it again. */
+static bool put_back(const char *text)
+{
+  FILE *again = tmpfile();
+  bool kept = again && fputs(text, again) >= 0 && fflush(again) == 0 && lseek(fileno(again), 0, SEEK_SET) == 0
+              && dup2(fileno(again), STDIN_FILENO) >= 0;
+  if (again)
+    fclose(again);
+  return kept;
+}
+
+static bool hand_over(const struct scenes *all, const struct options *o)
+{
+  if (all->input && !put_back(all->input)) {
+    complain(o->command->name, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
+    return false;
+  }
+  for (int i = 0; i < all->count; i++) {
+    struct stat there;
+    const char *path = all->scene[i]->path;
+    if (!path || stat(path, &there) != 0 || S_ISREG(there.st_mode))
+      continue;
+    complain(o->command->name, "%s can be read only once, and scallop-flint is to read it again: give it as '-'", path);
+    return false;
+  }
+  return has_flint(o, "this scene");
+}
+
+static enum exit_code run_all(struct scenes *all, const struct options *o, bool to_output)
+{
+  enum exit_code code = EXIT_DONE;
+  if (o->has_output && !o->explain && tables_of(all) > 1) {
+    complain(o->command->name, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
+             tables_of(all));
+    return EXIT_USAGE;
+  }
+  if (!place_tables(all, o, to_output)) {
+    complain(o->command->name, "out of memory");
+    return EXIT_UNSOLVED;
+  }
+  if (!check_places(all, o))
+    return EXIT_USAGE;
+  if (o->explain)
+    return explain(all, o);
+  if (o->check_only) {
+    for (int i = 0; i < all->count && !o->quiet; i++)
+      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
+              scene_points(all->scene[i]), all->scene[i]->wants);
+    return EXIT_DONE;
+  }
+  if (needs_flint(all) && !hand_over(all, o))
+    return EXIT_UNSOLVED;
+  for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
+    enum exit_code one = scene_run(all->scene[i], all->plan[i], &all->outputs[i], o);
+    code = one > code ? one : code;
+  }
+  if (o->stats)
+    print_stats();
+  return code;
+}
+
+enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count, bool to_output)
+{
+  struct scenes *all = calloc(1, sizeof *all);
+  if (!all || count > MOST_SCENES) {
+    complain(o->command->name, all ? "%d scenes: %d at a time" : "out of memory", count, MOST_SCENES);
+    free(all);
+    return EXIT_USAGE;
+  }
+  for (int i = 0; i < count; i++)
+    if (strcmp(sources[i].path, "-") == 0)
+      all->input = sources[i].text;
+  enum exit_code code = read_all(all, o, sources, count);
+  if (code == EXIT_DONE)
+    code = run_all(all, o, to_output);
+  free_all(all);
+  free(all);
+  return code;
+}
+
+static bool is_input(const char *operand) { return strcmp(operand, "-") == 0 || strcmp(operand, "/dev/stdin") == 0; }
+
+static enum exit_code run(const struct options *o)
+{
+  struct scene_source sources[MOST_SCENES];
+  int count = o->operand_count < MOST_SCENES ? o->operand_count : MOST_SCENES;
+  if (o->operand_count > MOST_SCENES) {
+    complain("run", "%d scenes: %d at a time", o->operand_count, MOST_SCENES);
+    return EXIT_USAGE;
+  }
+  if (o->folder && o->has_output) {
+    complain("run", "--into and -o exclude each other");
+    return EXIT_USAGE;
+  }
+  char *input = NULL;
+  for (int i = 0; i < count; i++) {
+    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_text(shipped_scenes, o->operands[i]) };
+    if (!is_input(o->operands[i]))
+      continue;
+    enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);
+    if (read != EXIT_DONE)
+      return read;
+    sources[i] = (struct scene_source){ .path = "-", .text = input };
+  }
+  enum exit_code code = run_scenes(o, sources, count, false);
+  free(input);
+  return code;
+}
+
+static const struct unless_given unless_given[] = {
+  { "m1 m2 F1 F2 L T alpha gait format digits", "that of the scene" },
+  { "into", "the current one" },
+  { "output", "the files that the scenes name" },
+  { NULL, NULL },
+};
+
+const struct command command_run = {
+  .name = "run",
+  .summary = "what a scene asks for and nothing else",
+  .example = "scallop run figure5 --explain",
+  .operand = "SCENE.cfg...",
+  .accepts = accepts,
+  .about =
+      "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "
+      "steady\n"
+      "states, series, errors, orders, or the tables of other commands. docs/scenes.md has the language. Each want is a "
+      "table\n"
+      "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
+      "the tool: figure2 to figure5, claims, errors, stress, workprec and the maps are. '-' is a scene on standard input.\n"
+      "Parameters, --digits and --format given here take the place of the scene's.\n"
+      "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
+      "exactly, at most, about, at least, or left out; seconds: about; why.",
+  .unless_given = unless_given,
+  .proven = "where a scene has certified values",
+  .run = run,
+};

@@ -1,0 +1,218 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/answers/counts.h"
+#include "compare/answers/exact.h"
+#include "compare/answers/gaits.h"
+#include "compare/answers/points.h"
+#include "compare/command/with_flint.h"
+
+static const char *const accepts[] = { "m1",     "m2",    "F1",    "F2",     "L",      "T",      "alpha",  "gait",  "v0",
+                                       "source", "order", "bound", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
+                                       "published", "exact",    "error", NULL };
+static const char *const extra[] = { "v0", NULL };
+
+/* A formula at a point, and what the exact motion has there. */
+struct value {
+  const struct scallop_formula *formula;
+  const char *phase; /* "extension", "contraction" or "period"                        */
+  const char *quantity;
+  double published, exact;
+};
+typedef void value_sink(void *context, const struct value *value);
+
+/* Where v0 is not given, the formulas with a start velocity take the exact steady one of their phase. */
+static enum scallop_status each_value(const struct options *o, value_sink *sink, void *context)
+{
+  const struct scallop_crawler *c = &o->crawler;
+  struct scallop_steady_result steady;
+  enum scallop_status status = counted_steady(c, &steady);
+  if (status < 0)
+    return status;
+  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+    struct value v = { .formula = f, .phase = "period", .quantity = formula_quantity_text(f, SCALLOP_EXTENSION) };
+    if (f->setting == SCALLOP_STEADY) {
+      count_add(COUNT_FORMULAS, 1);
+      v.published = f->steady(c);
+      v.exact = f->quantity == SCALLOP_STEADY_VELOCITY ? steady.period.v_start : steady.period.displacement;
+      sink(context, &v);
+      continue;
+    }
+    int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
+    for (int k = first; k <= last; k++) {
+      enum scallop_phase_kind kind = (enum scallop_phase_kind)k;
+      double moving = o->has_v0 ? o->v0 : k == SCALLOP_EXTENSION ? steady.period.v_start : steady.period.v_mid;
+      double v0 = f->setting == SCALLOP_AT_REST_START ? 0 : moving;
+      struct scallop_phase_point point = scallop_phase_point(c, kind, v0);
+      struct exact_phase exact;
+      status = exact_phase_solve(c, kind, v0, &exact);
+      if (status < 0)
+        return status;
+      v.phase = k == SCALLOP_EXTENSION ? "extension" : "contraction";
+      v.quantity = formula_quantity_text(f, kind);
+      v.published = published_value(f, &point, &exact);
+      v.exact = exact_quantity(&exact, f->quantity);
+      sink(context, &v);
+    }
+  }
+  return SCALLOP_OK;
+}
+
+/* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
+static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+
+static double finite(double x) { return isfinite(x) ? x : NAN; }
+
+static void write_value(void *context, const struct value *v)
+{
+  struct table *table = context;
+  char order[32] = "-";
+  if (v->formula->remainder > 0)
+    snprintf(order, sizeof order, v->formula->remainder == 1 ? "O(T)" : "O(T^%d)", v->formula->remainder);
+  table_text(table, v->formula->name);
+  table_text(table, v->formula->equation);
+  table_text(table, v->phase);
+  table_text(table, v->quantity);
+  table_text(table, order);
+  table_number(table, finite(v->published));
+  table_number(table, v->exact);
+  table_number(table, finite(v->published) - v->exact);
+}
+
+static void skip_value(void *context, const struct value *v) { (void)context, (void)v; }
+
+static void write_published(void *context, const struct value *v) { table_number(context, finite(v->published)); }
+
+/* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
+static const char *row(struct table *table, const struct options *point, const char *refused)
+{
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
+  const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
+  point_parameters(table, point, refused);
+  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
+  if (why)
+    point_blank(table, table->count - table->at - 1);
+  else
+    each_value(point, write_published, table);
+  table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
+  return why;
+}
+
+static enum exit_code run_points(const struct options *options)
+{
+  enum { MOST = TABLE_COLUMNS, LONGEST = 64 };
+  static char names[MOST][LONGEST];
+  const char *list[MOST];
+  int n = 0;
+  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+    snprintf(names[n], LONGEST, "%s", f->name);
+    list[n] = names[n];
+    n++;
+    if (f->setting == SCALLOP_AT_REST_START) {
+      snprintf(names[n], LONGEST, "%s:contraction", f->name);
+      list[n] = names[n];
+      n++;
+    }
+  }
+  list[n++] = "status";
+  list[n] = NULL;
+  return for_each_point(options, extra, list, row);
+}
+
+enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
+
+/* NULL, or which options do not go together */
+static const char *excluded(const struct options *o)
+{
+  bool derived = strcmp(o->source, "derived") == 0, published = strcmp(o->source, "published") == 0;
+  if (o->bound && o->has_source && !derived)
+    return "--bound is for the derived series: leave --source out";
+  if (o->bound && o->order > MOST_ORDER_OF_BOUND)
+    return "--bound takes an --order from 1 to 60";
+  if (o->bound && o->digits > 0)
+    return "--digits and --bound exclude each other: bounds are rounded to four digits, to the safe side";
+  if (o->has_order && !o->bound && !derived)
+    return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
+                     : "--order and --source limit exclude each other: the limit is one term";
+  if (o->has_v0 && (o->bound || (!derived && !published)))
+    return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
+  return NULL;
+}
+
+static enum exit_code run(const struct options *options)
+{
+  struct table table;
+  const char *wrong = excluded(options);
+  if (wrong) {
+    complain("series", "%s", wrong);
+    return EXIT_USAGE;
+  }
+  if (options->bound || strcmp(options->source, "published") != 0) {
+    const char *what = options->bound ? "--bound" : "--source derived or limit";
+    return has_flint(options, what) ? series_derived(options) : EXIT_UNSOLVED;
+  }
+  if (options->points)
+    return run_points(options);
+  enum scallop_status status = each_value(options, skip_value, NULL);
+  if (status < 0) {
+    complain("series", "%s", scallop_status_text(status));
+    return EXIT_UNSOLVED;
+  }
+  if (!table_open(&table, options))
+    return EXIT_FILE;
+  table_note(&table, "scallop " SCALLOP_VERSION);
+  table_note(&table, "command: series");
+  table_parameters(&table, options, NULL, false);
+  if (options->has_v0) {
+    char v0[NUMBER_TEXT];
+    number_text(v0, options->v0, 0);
+    table_note(&table, "v0: %s", v0);
+  } else
+    table_note(&table, "v0: the exact steady velocity at the start of each phase");
+  if (!gait_has_ends(options->crawler.gait))
+    table_note(&table, "%s", no_ends);
+  if (!gait_has_ends(options->crawler.gait) && !options->quiet)
+    complain("series", "%s", no_ends);
+  table_columns(&table, columns);
+  table_begin_rows(&table);
+  each_value(options, write_value, &table);
+  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+}
+
+static const struct unless_given unless_given[] = {
+  { "v0", "the steady velocity of the phase; with --source derived only phases from rest" },
+  { "digits", "%s; with --source derived fractions, or 17 digits" },
+  { NULL, NULL },
+};
+
+const struct command command_series = {
+  .name = "series",
+  .summary = "the paper's formulas as published, and the series derived to any order, beside the exact values",
+  .example = "scallop series --source derived --order 8 --T 0.1",
+  .accepts = accepts,
+  .about =
+      "--source published (the default): T is the period; the formulas of one phase are evaluated for its duration,\n"
+      "alpha T or (1 - alpha) T. Formulas from rest start from rest; the others start with --v0, and without it with the\n"
+      "exact steady velocity of their phase. Columns: formula and equation (text_, rest_: the main text; A_, B_: the\n"
+      "appendices); phase; quantity; the remainder as printed; published, exact and error = published - exact.\n"
+      "v(t1) and v(T-dT) are the velocity of the body that turns then, and 0; equations (A.4) and (12) print the "
+      "remainders\n"
+      "O(t1^2) and O(dT^2).\n"
+      "With --points: one row for each point, the published value of every formula in a column of its own.\n\n"
+      "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it is given, and of\n"
+      "the steady state. Columns: phase, start, quantity as in `phase` and `steady`; power of T, the duration of the phase\n"
+      "or the period; coefficient, an exact fraction where gait and parameters are rational and --digits is not given,\n"
+      "else decimals right to a unit of the last one; sum of the terms so far at this T; error = sum - certified value;\n"
+      "status: ok, or that at this T the motion has other modes than for T -> 0, so that the series is not about it.\n"
+      "The parameters are exactly the numbers that are written: 0.7 is 7/10, in a gait and in its table too (but for the\n"
+      "polynomials that `steady --help` names).\n"
+      "--source limit: the first term of the steady state alone, the limit T -> 0.\n\n"
+      "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and displacement;\n"
+      "bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the modes of T -> 0; ends: what\n"
+      "happens there. T0 is 0.9 of T_end.",
+  .unless_given = unless_given,
+  .proven = "with --source derived or limit",
+  .run = run,
+};

@@ -1,0 +1,66 @@
+#include <stddef.h>
+
+#include "compare/command/compare.h"
+#include "compare/command/with_flint.h"
+
+static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",      "T",      "alpha", "gait",
+                                       "quick", "summary", "from", "limit", "format", "output", "quiet", NULL };
+
+/* An option that --from leaves without an effect; NULL if there is none. */
+static const char *useless_with_from(const struct options *o)
+{
+  for (int i = 0; i < 7; i++)
+    if (o->written[i])
+      return crawler_parameters[i];
+  return o->has_gait ? "gait" : o->quick ? "quick" : o->limit > 0 ? "limit" : NULL;
+}
+
+static enum exit_code run(const struct options *options)
+{
+  const char *useless = options->from ? useless_with_from(options) : NULL;
+  if (useless) {
+    complain("workprec", "--from takes its rows from a table: --%s has nothing to do there", useless);
+    return EXIT_USAGE;
+  }
+  return has_flint(options, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
+}
+
+static const struct unless_given unless_given[] = {
+  { "gait", "both of the paper: quadratic and sinusoidal" },
+  { "T", TEXT_OF(WORKPREC_T) "; with --quick " TEXT_OF(WORKPREC_QUICK_T) },
+  { "limit", TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT) },
+  { NULL, NULL },
+};
+
+const struct command command_workprec = {
+  .name = "workprec",
+  .summary = "error against run time, of every way to get the steady state",
+  .example = "scallop workprec --quick --gait quadratic --T 0.5",
+  .accepts = accepts,
+  .about =
+      "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
+      "displacement (of the geometric centre over a period). \n"
+      "error: |answer - certified| / |certified|; over L/T and L where the certified value is 0; of a certified answer\n"
+      "the far end of its ball. Parameters are the doubles nearest to what is written, for every method.\n"
+      "time: seconds for one solve: median, minimum and quartiles over the repetitions. Methods take turns; fast ones are\n"
+      "batched until the clock's own cost is below a thousandth. Only ratios within one table mean anything.\n"
+      "gait_evaluations, events, root_iterations, periods: work that a solve takes; nan where there is no such thing.\n"
+      "pareto: yes where, at this gait, T and quantity, no other row is as exact and as fast, and better in one.\n"
+      "status: ok: the method was content, however wrong: a root or a simulation of a map whose own error outweighs what\n"
+      "friction does in a period settles somewhere else; cut off: by the limit (time is what it took until then, error\n"
+      "that of where it stood); or why there is no answer.\n"
+      "The whole run takes some 7 minutes. Methods:\n"
+      "published: the paper's formula; corrected: what stands in its place where in the limit a body does not turn.\n"
+      "limit, derived series: derived and summed, all of it timed; coefficients known: only summed, in doubles.\n"
+      "exact: the double solver, one crawler at a time; batch: one of 1024, timed together; one period: from the known\n"
+      "start velocity. certified: ball arithmetic. Known coefficients, batch and one period answer other questions than\n"
+      "the rest: for them pareto is '-', and --summary passes over them.\n"
+      "The rivals, each simulated from rest until its periods repeat, and as the root of its period map: gsl rkf45, rk8pd,\n"
+      "msadams and SUNDIALS cvode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff steppers;\n"
+      "moreau: time stepping, which steps over events.\n"
+      "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
+      "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
+      "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact). --from: of an earlier table.",
+  .unless_given = unless_given,
+  .run = run,
+};

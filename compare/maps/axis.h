@@ -1,0 +1,41 @@
+/* The two axes of a map: what varies along them, and where. */
+#ifndef SCALLOP_AXIS_H
+#define SCALLOP_AXIS_H
+
+#include <stdbool.h>
+
+#include "compare/command/options.h"
+
+/* F1/F2 and m1/m2 keep body 2 as it is; froude = M L/(T^2 (F1 + F2)) sets T when all else is set. */
+enum axis_kind { AXIS_F1_F2, AXIS_M1_M2, AXIS_ALPHA, AXIS_T, AXIS_FROUDE, AXIS_KINDS };
+const char *axis_name(enum axis_kind kind);
+/* The parameter that it sets */
+const char *axis_sets(enum axis_kind kind);
+
+struct axis {
+  enum axis_kind kind;
+  double from, to; /* from < to, or from = to where count = 1                                          */
+  long count;      /* values                                                                           */
+  bool log;        /* they are spaced evenly in the logarithm                                          */
+};
+
+/* --map, --x and --y. False: the message is on stderr, exit with EXIT_USAGE. */
+bool axes_read(struct axis axes[2], const struct options *options);
+/* The usual ranges */
+#define AXIS_ALPHA_RANGE "0.01:0.99:41:linear"
+#define AXIS_RANGE "0.01:100:41:log"
+
+/* An axis from its name and FROM:TO:COUNT[:log|:linear] (NULL: the usual one). NULL, or what is wrong, until the next call. */
+const char *axis_read(struct axis *axis, const char *name, const char *range);
+
+/* The value at u in [0, 1]: from at 0, to at 1; their mean at 1/2, the geometric one where the axis is logarithmic. */
+double axis_value(const struct axis *axis, double u);
+/* Value i of count. */
+double axis_node(const struct axis *axis, long i);
+/* How much of the value a step in u is: |d value/du| over the value on a logarithmic axis, over the larger end on a linear one. */
+double axis_scale(const struct axis *axis);
+
+/* The crawler at these two values. Other parameters are those of base. */
+struct scallop_crawler axes_crawler(const struct axis axes[2], const struct scallop_crawler *base, double x, double y);
+
+#endif

@@ -1,0 +1,243 @@
+/* The columns of a want: what is asked for, or what its kind has. */
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/scenes/parts.h"
+
+enum { FORMULA_TEXT = 400, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+
+/* ---- columns ---- */
+
+static int name_of_quantity(void *context, const char *name)
+{
+  return quantity_named(&((struct scene *)context)->quantities, name);
+}
+
+bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
+{
+  const char *near = quantity_near(&r->scene->quantities, name);
+  return refuse_at(r, at, "there is no quantity '%s'%s%s%s (docs/scenes.md lists them)", name,
+                   near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+/* Does a scene like this one have the quantity? */
+bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place)
+{
+  const struct scene *s = r->scene;
+  const struct quantity *q = &s->quantities.item[place];
+  bool moving = s->start != START_REST || s->varies_v0;
+  if (q->kind == QUANTITY_SAMPLE && w->kind != WANT_TRAJECTORY)
+    return refuse_at(r, at, "%s is a quantity of a trajectory", q->name);
+  if (w->kind == WANT_TRAJECTORY && q->kind == QUANTITY_STATUS)
+    return refuse_at(r, at, "a trajectory has no status: it ends where it cannot go on");
+  const struct quantity *series = q->of >= 0 ? &s->quantities.item[q->of] : q;
+  if (series->kind == QUANTITY_PUBLISHED) {
+    enum scallop_setting setting = series->formula->setting;
+    if (setting == SCALLOP_AT_REST_START && moving)
+      return refuse_at(r, at, "%s is about a phase from rest, and this scene does not start there: start = \"rest\"",
+                       q->name);
+    if ((setting == SCALLOP_MOVING_EXTENSION && s->phase != SCALLOP_EXTENSION)
+        || (setting == SCALLOP_MOVING_CONTRACTION && s->phase != SCALLOP_CONTRACTION))
+      return refuse_at(r, at, "%s is about %s: phase = \"%s\"", q->name,
+                       setting == SCALLOP_MOVING_EXTENSION ? "an extension" : "a contraction",
+                       setting == SCALLOP_MOVING_EXTENSION ? "extension" : "contraction");
+  }
+  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && series->which >= STEADY_VALUES
+      && s->start == START_STEADY && !s->varies_v0)
+    return refuse_at(r, at, "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
+                     q->name);
+  return true;
+}
+
+/* "NAME = FORMULA" or "FORMULA" */
+bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text)
+{
+  struct scene_column *column = &w->column[w->columns];
+  const char *equals = strchr(text, '='), *formula = equals ? equals + 1 : text;
+  formula += strspn(formula, " ");
+  size_t length = equals ? (size_t)(equals - text) : strlen(text);
+  while (length > 0 && text[length - 1] == ' ')
+    length--;
+  bool is_plain = true;
+  for (size_t i = 0; i < length; i++)
+    is_plain &= text[i] > ' ' && text[i] < 0x7f && text[i] != '"' && text[i] != '\\' ? true : text[i] == ' ';
+  if (!is_plain)
+    return refuse_at(r, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes", text);
+  if (length == 0 || *formula == '\0')
+    return refuse_at(r, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
+  column->name = keep_text(r, text, (int)length, "");
+  column->quantity = quantity_named(&r->scene->quantities, formula);
+  if (column->quantity == -2)
+    return refuse_at(r, at, "more than %d quantities", MOST_QUANTITIES);
+  if (column->quantity < 0) {
+    const char *wrong = arithmetic_compile(&column->formula, formula, name_of_quantity, r->scene);
+    if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
+      return refuse_quantity(r, at, formula);
+    if (wrong)
+      return refuse_at(r, at, "'%.100s': %s", text, wrong);
+    int places[ARITHMETIC_STEPS], count = arithmetic_places(&column->formula, places);
+    for (int i = 0; i < count; i++) {
+      int place = places[i];
+      if (quantity_is_text(&r->scene->quantities.item[place]))
+        return refuse_at(r, at, "'%.100s': %s is a text, which stands alone in a column", text,
+                         r->scene->quantities.item[place].name);
+      if (!check_quantity(r, at, w, place))
+        return false;
+    }
+  } else if (!check_quantity(r, at, w, column->quantity))
+    return false;
+  for (int i = 0; i < w->columns; i++)
+    if (strcmp(w->column[i].name, column->name) == 0)
+      return refuse_at(r, at, "the column %s is there twice", column->name);
+  w->columns++;
+  return column->name != NULL;
+}
+
+bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *names)
+{
+  for (; *names; names++) {
+    if (w->columns == SCENE_COLUMNS)
+      return refuse_at(r, at, "more than %d columns", SCENE_COLUMNS);
+    if (!read_column(r, at, w, *names))
+      return false;
+  }
+  return true;
+}
+
+bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+{
+  for (int i = 0; i < r->scene->quantities.labels; i++)
+    if (!read_column(r, at, w, r->scene->quantities.label[i]))
+      return false;
+  return true;
+}
+
+/* ---- rows: what columns they have where none are asked for ---- */
+
+static bool certified_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
+                              const char *const *names, int count)
+{
+  for (int i = 0; i < count; i++) {
+    char column[FORMULA_TEXT];
+    snprintf(column, sizeof column, "%s = certified.%s", names[i], names[i]);
+    if (!read_column(r, at, w, column))
+      return false;
+  }
+  return true;
+}
+
+bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+{
+  static const char *const numbers[] = { "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", NULL };
+  static const char *const before[] = { "froude", NULL }, *const after[] = { "regime", "modes", "status", NULL };
+  static const char *const status[] = { "status", NULL };
+  bool doubles = w->digits <= DOUBLE_DIGITS;
+  return add_columns(r, at, w, crawler_parameters)
+         && (doubles ? add_columns(r, at, w, before) && add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
+                     : certified_columns(r, at, w, numbers, 5) && add_columns(r, at, w, status));
+}
+
+bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+{
+  static const char *const numbers[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
+  static const char *const before[] = { "phase", "v0", NULL };
+  static const char *const after[] = { "regime = phase_regime", "modes = phase_modes", "status", NULL }, *const status[] = {
+    "status", NULL
+  };
+  bool doubles = w->digits <= DOUBLE_DIGITS;
+  return add_columns(r, at, w, crawler_parameters) && add_columns(r, at, w, before)
+         && (doubles ? add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
+                     : certified_columns(r, at, w, numbers, 6) && add_columns(r, at, w, status));
+}
+
+/* Are formulas of the phase meant, where nothing is said? Where the scene says something about a phase. */
+static bool is_about_phase(const struct reading *r)
+{
+  const config_setting_t *root = config_root_setting(r->scene->file);
+  return config_setting_get_member(root, "phase") || config_setting_get_member(root, "start") || r->scene->varies_v0;
+}
+
+/* The formulas that a scene like this one can evaluate without a solution. */
+static bool is_at_hand(const struct reading *r, const struct scallop_formula *f)
+{
+  const struct scene *s = r->scene;
+  bool moving = s->start != START_REST || s->varies_v0;
+  if (f->setting == SCALLOP_STEADY)
+    return !is_about_phase(r);
+  if (!is_about_phase(r) || formula_takes_given(f))
+    return false;
+  return f->setting == SCALLOP_AT_REST_START ? !moving
+         : !moving                           ? false
+                                             : (f->setting == SCALLOP_MOVING_EXTENSION) == (s->phase == SCALLOP_EXTENSION);
+}
+
+static bool usual_series(const struct reading *r, const char *source, long order, struct series_names *names)
+{
+  static const char *const of_steady[] = { "v_start", "v_mid", "displacement", "mean_velocity", NULL };
+  static const char *const of_phase[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
+  if (strcmp(source, "published") == 0) {
+    for (const struct scallop_formula *f = scallop_published; f->name && names->count < SCENE_COLUMNS; f++)
+      if (is_at_hand(r, f))
+        names->name[names->count++] = f->name;
+    return true;
+  }
+  for (const char *const *value = is_about_phase(r) ? of_phase : of_steady; *value; value++) {
+    char head[40];
+    int length = snprintf(head, sizeof head, *source == 'd' ? "derived_%ld." : "limit.", order);
+    const char *name = keep_text(r, head, length, *value);
+    if (!name)
+      return false;
+    names->name[names->count++] = name;
+  }
+  return true;
+}
+
+/* Reads of, source and order. */
+bool read_series(const struct reading *r, const config_setting_t *at, struct series_names *names)
+{
+  const char *source = "published";
+  long order = 8;
+  const config_setting_t *of = config_setting_get_member(at, "of");
+  if (!read_member_text(r, at, "source", &source) || !read_member_count(r, at, "order", 1, MOST_ORDER, &order)
+      || !read_member_texts(r, at, "of", names->name, SCENE_COLUMNS, &names->count))
+    return false;
+  if (strcmp(source, "published") != 0 && strcmp(source, "derived") != 0 && strcmp(source, "limit") != 0)
+    return refuse_at(r, config_setting_get_member(at, "source"), "source is \"published\", \"derived\" or \"limit\"");
+  if (!of)
+    return usual_series(r, source, order, names);
+  for (int i = 0; i < names->count; i++) {
+    int place = quantity_named(&r->scene->quantities, names->name[i]);
+    if (place < 0)
+      return refuse_quantity(r, of, names->name[i]);
+    if (!quantity_is_series(&r->scene->quantities.item[place]))
+      return refuse_at(r, of,
+                       "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant",
+                       names->name[i]);
+  }
+  return true;
+}
+
+static bool about_series(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *prefix,
+                         const char *name)
+{
+  const char *column = keep_text(r, prefix, (int)strlen(prefix), name);
+  return column && read_column(r, at, w, column);
+}
+
+bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, bool with_errors)
+{
+  static const char *const v0[] = { "v0", NULL }, *const status[] = { "status", NULL };
+  struct series_names names = { .count = 0 };
+  if (!read_series(r, at, &names) || !add_columns(r, at, w, crawler_parameters)
+      || (is_about_phase(r) && !add_columns(r, at, w, v0)))
+    return false;
+  if (names.count * (with_errors ? 4 : 1) > SCENE_COLUMNS - w->columns - 1)
+    return refuse_at(r, at, "%d series are more columns than a table has: name some of them, of = [ ... ]", names.count);
+  for (int i = 0; i < names.count; i++)
+    if (!about_series(r, at, w, "", names.name[i])
+        || (with_errors
+            && (!about_series(r, at, w, "exact.", names.name[i]) || !about_series(r, at, w, "error.", names.name[i])
+                || !about_series(r, at, w, "relative.", names.name[i]))))
+      return false;
+  return add_columns(r, at, w, status);
+}

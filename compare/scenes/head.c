@@ -1,0 +1,113 @@
+/* The '#' lines of the tables of a scene. */
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/scenes/running.h"
+
+static bool varies(const struct scene *s, const char *parameter)
+{
+  const struct scene_variable *v;
+  for (int i = 0; (v = scene_variable(s, i)); i++)
+    if (v->target != TARGET_LABEL && strcmp(scene_variable_sets(v), parameter) == 0)
+      return true;
+  return false;
+}
+
+/* A measured gait among several brings L, T and alpha of its own. */
+static bool goes_with_gait(const struct scene *s, const char *parameter)
+{
+  const struct scene_variable *v;
+  int place = crawler_place(parameter);
+  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
+  for (int i = 0; own && (v = scene_variable(s, i)); i++)
+    for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
+      measured |= strncmp(v->texts[k], "measured:", 9) == 0;
+  return measured;
+}
+
+/* Has the table a column of that name with something else in it, as "T = alpha*T"? */
+static bool is_renamed(const struct scene *s, const struct scene_want *w, const char *parameter)
+{
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    if (strcmp(c->name, parameter) == 0 && (c->quantity < 0 || strcmp(s->quantities.item[c->quantity].name, parameter) != 0))
+      return true;
+  }
+  return false;
+}
+
+/* What was given on the command line in place of the scene's; false: nothing was. */
+static bool note_given(struct table *t, const struct running *r, const struct scene_want *w)
+{
+  const struct options *o = r->options;
+  char text[1024];
+  size_t used = 0;
+  for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
+    const char *given = i < CRAWLER_NUMBERS ? o->written[i] : o->has_gait ? o->crawler.gait->name : NULL;
+    if (given)
+      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
+                               is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
+  }
+  if (used > 0)
+    table_note(t, "in place of what the scene says of them:%s", text);
+  return used > 0;
+}
+
+static void note_parameters(struct table *t, const struct scene *s, const struct scene_want *w)
+{
+  const char *not_held[CRAWLER_NUMBERS + 2];
+  int count = 0;
+  for (const char *const *name = crawler_parameters; *name; name++)
+    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, w, *name))
+      not_held[count++] = *name;
+  not_held[count] = NULL;
+  table_parameters(t, &s->base, not_held, false);
+}
+
+static bool is_of_start(const struct quantities *all, int place)
+{
+  const struct quantity *q = &all->item[place];
+  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+}
+
+/* Does anything in this table depend on the phase and its start? */
+static bool has_start(const struct scene *s, const struct scene_want *w)
+{
+  bool has = w->kind == WANT_TRAJECTORY;
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
+    for (int k = 0; k < count; k++)
+      has |= is_of_start(&s->quantities, places[k]);
+  }
+  for (int i = 0; i < w->series; i++)
+    has |= is_of_start(&s->quantities, w->of[i]);
+  return has;
+}
+
+static void note_start(struct table *t, const struct scene *s, const struct scene_want *w)
+{
+  char v0[NUMBER_TEXT];
+  if (!has_start(s, w))
+    return;
+  number_text(v0, s->base.v0, 0);
+  const char *start = s->varies_v0 ? "v0" : s->start == START_REST ? "rest" : s->start == START_STEADY ? "steady" : v0;
+  if (w->kind == WANT_TRAJECTORY)
+    table_note(t, "start: %s", start);
+  else
+    table_note(t, "phase: %s, from %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", start);
+}
+
+void head_write(const struct running *r, struct output *o)
+{
+  struct table *t = &o->table;
+  const struct scene *s = r->scene;
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
+  if (s->title)
+    table_note(t, "%s", s->title);
+  bool given = note_given(t, r, o->want);
+  for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
+    table_note(t, "%s", s->note[i]);
+  note_parameters(t, s, o->want);
+  note_start(t, s, o->want);
+}

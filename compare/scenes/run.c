@@ -1,0 +1,311 @@
+#include "compare/scenes/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/command/plot.h"
+#include "compare/scenes/running.h"
+
+/* ---- rows ---- */
+
+static bool is_of_steady(const struct quantities *all, const struct quantity *q)
+{
+  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(all, q));
+}
+
+/* What a row says of its status is of all its columns, wherever it stands: they are found first. */
+static void find_columns(const struct running *r, const struct scene_want *w)
+{
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+    if (!q)
+      state_formula(r->state, &c->formula);
+    else if (!quantity_is_text(q))
+      state_number(r->state, c->quantity);
+    else if (q->kind != QUANTITY_STATUS)
+      state_text(r->state, c->quantity, 1);
+  }
+}
+
+static bool tells_steady(const struct running *r, const struct scene_want *w)
+{
+  const struct quantities *all = &r->scene->quantities;
+  for (int i = 0; i < w->columns; i++) {
+    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
+    for (int k = 0; k < count; k++)
+      if (is_of_steady(all, &all->item[places[k]]))
+        return true;
+  }
+  return false;
+}
+
+static void write_certified(const struct running *r, struct output *o, int quantity)
+{
+  const char *digits = state_text(r->state, quantity, o->options.digits > 0 ? o->options.digits : 17);
+  if (strcmp(digits, "nan") == 0)
+    table_number(&o->table, NAN);
+  else
+    table_digits(&o->table, digits);
+}
+
+static void write_columns(struct running *r, struct output *o)
+{
+  const struct scene_want *w = o->want;
+  if (w->kind == WANT_ROWS)
+    find_columns(r, w);
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+    if (!q)
+      table_number(&o->table, state_formula(r->state, &c->formula));
+    else if (q->kind == QUANTITY_CERTIFIED)
+      write_certified(r, o, c->quantity);
+    else if (quantity_is_text(q))
+      table_text(&o->table, state_text(r->state, c->quantity, 0));
+    else
+      table_number(&o->table, state_number(r->state, c->quantity));
+  }
+  o->rows++;
+  count_add(COUNT_ROWS, 1);
+}
+
+/* ---- trajectories ---- */
+
+struct tracing {
+  struct running *r;
+  struct output *o;
+  double until;
+};
+
+static bool write_sample(void *context, const struct scallop_sample *s)
+{
+  struct tracing *t = context;
+  struct scene_state *state = t->r->state;
+  const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
+  if (s->t > t->until)
+    return false;
+  for (int i = 0; i < t->r->scene->quantities.count; i++) {
+    const struct quantity *q = &t->r->scene->quantities.item[i];
+    if (q->kind != QUANTITY_SAMPLE)
+      continue;
+    state->value[i] = numbers[q->which];
+    state->has[i] = true;
+  }
+  write_columns(t->r, t->o);
+  return !table_failed(&t->o->table);
+}
+
+static void trace(struct running *r, struct output *o)
+{
+  const struct scene_want *w = o->want;
+  double v0 = state_v0(r->state);
+  struct tracing t = { r, o, state_end(r->state, &w->until) };
+  if (r->state->why[0] != '\0' || isnan(v0))
+    return;
+  enum scallop_status status = counted_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  if (status < 0) {
+    state_fail(r->state, scallop_status_text(status));
+    table_note(&o->table, "incomplete: %s", scallop_status_text(status));
+  }
+}
+
+static void begin_columns(struct output *o)
+{
+  const char *names[SCENE_COLUMNS + 1] = { NULL };
+  for (int i = 0; i < o->want->columns; i++)
+    names[i] = o->want->column[i].name;
+  table_columns(&o->table, names);
+  table_begin_rows(&o->table);
+}
+
+/* ---- points ---- */
+
+static void at_want(struct running *r, struct output *o, bool last_of_times)
+{
+  enum exit_code code = EXIT_DONE;
+  switch (o->want->kind) {
+  case WANT_ROWS: write_columns(r, o); break;
+  case WANT_TRAJECTORY: trace(r, o); break;
+  case WANT_ORDERS:
+    orders_collect(r, o);
+    if (last_of_times)
+      orders_finish(r, o);
+    break;
+  case WANT_COMMAND: code = command_at_point(r, o);
+  }
+  r->code = code > r->code ? code : r->code;
+}
+
+static void at_point(struct running *r, bool last_of_times)
+{
+  const char *why = r->state->why;
+  bool unsolved = false;
+  r->points++;
+  for (int i = 0; i < r->scene->wants; i++) {
+    struct output *o = &r->output[i];
+    state_begin_row(r->state, o->tells_steady);
+    at_want(r, o, last_of_times);
+    if (*why != '\0' && r->unsolved == 0 && !unsolved)
+      snprintf(r->why, sizeof r->why, "%s", why);
+    unsolved |= *why != '\0';
+  }
+  r->unsolved += unsolved;
+}
+
+static bool failed(const struct running *r)
+{
+  for (int i = 0; i < r->scene->wants; i++)
+    if (r->output[i].is_open && table_failed(&r->output[i].table))
+      return true;
+  return r->code == EXIT_USAGE || r->code == EXIT_FILE;
+}
+
+static void each_point(struct running *r, const struct scene_product *product)
+{
+  long index[SCENE_GROUPS] = { 0 };
+  int g = 0;
+  while (g >= 0 && !failed(r)) {
+    int last = product->groups - 1;
+    state_move(r->state, product, index);
+    at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
+    for (g = last; g >= 0 && ++index[g] == product->group[g].count; g--)
+      index[g] = 0;
+  }
+}
+
+/* ---- the whole ---- */
+
+static bool open_tables(struct running *r, const struct scene_outputs *outputs)
+{
+  for (int i = 0; i < r->scene->wants; i++) {
+    struct output *o = &r->output[i];
+    o->want = &r->scene->want[i];
+    o->file = outputs->file[i];
+    o->options = *r->options;
+    o->options.crawler = r->scene->base.crawler;
+    o->options.format = o->want->format;
+    o->options.digits = o->want->digits;
+    o->options.output = o->file;
+    o->tells_steady = tells_steady(r, o->want);
+    /* A map that is made once opens its table itself, and goes on where it was interrupted. */
+    if (command_makes_map(o->want) && scene_points(r->scene) == 1)
+      continue;
+    if (!table_open_at(&o->table, &o->options, o->file))
+      return false;
+    o->is_open = true;
+    if (o->want->kind == WANT_COMMAND) {
+      command_leads(r, o);
+      continue;
+    }
+    head_write(r, o);
+    if (o->want->kind != WANT_ORDERS)
+      begin_columns(o);
+    else if (!orders_begin(r, o)) {
+      complain(r->options->command->name, "out of memory");
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Every table is complete on the disk before the first takes its place. */
+static bool flush_tables(struct running *r)
+{
+  bool whole = true;
+  for (int i = 0; i < r->scene->wants; i++)
+    if (r->output[i].is_open)
+      whole &= table_flush(&r->output[i].table);
+  return whole;
+}
+
+/* All or none: where something went wrong the earlier files stay. */
+static enum exit_code close_tables(struct running *r, bool keep)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene->wants; i++) {
+    struct output *o = &r->output[i];
+    if (o->is_open && !keep && !table_failed(&o->table))
+      table_abandon(&o->table);
+    else if (o->is_open && !table_close(&o->table))
+      code = EXIT_FILE;
+    else if (keep && o->file && !r->options->quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->file);
+    free(o->errors);
+  }
+  return code;
+}
+
+static enum exit_code draw_plots(const struct running *r, const struct scene_outputs *outputs)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene->wants; i++) {
+    const struct scene_plot *p = &r->output[i].want->plot;
+    const struct plot plot = { .table = r->output[i].file,
+                               .file = outputs->plot[i],
+                               .script = p->script,
+                               .program = p->program,
+                               .title = r->scene->title,
+                               .x = p->x,
+                               .y = p->y,
+                               .by = p->by,
+                               .log_x = p->log_x,
+                               .log_y = p->log_y };
+    if (!plot.file)
+      continue;
+    if (!plot_draw(&plot, r->options->command->name)) {
+      code = EXIT_FILE;
+      continue;
+    }
+    count_add(COUNT_PLOTS, 1);
+    if (!r->options->quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, plot.file);
+  }
+  return code;
+}
+
+static void tell(const struct running *r)
+{
+  const char *command = r->options->command->name;
+  if (r->unsolved > 0)
+    complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene->name, r->unsolved, r->points,
+             r->why);
+  if (r->failed_checks > 0)
+    complain(command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", r->scene->name,
+             r->failed_checks);
+}
+
+enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
+                         const struct options *options)
+{
+  struct running r = { .scene = scene, .plan = plan, .options = options, .code = EXIT_DONE };
+  r.state = malloc(sizeof *r.state);
+  r.output = calloc((size_t)scene->wants, sizeof *r.output);
+  bool opened = r.state && r.output;
+  if (!opened)
+    complain(options->command->name, "out of memory");
+  else {
+    state_init(r.state, scene, &plan->needs);
+    opened = open_tables(&r, outputs);
+    r.code = opened ? EXIT_DONE : EXIT_FILE;
+    for (int i = 0; opened && i < scene->products; i++)
+      each_point(&r, &scene->product[i]);
+    bool keep = opened && r.code != EXIT_USAGE && r.code != EXIT_FILE && flush_tables(&r);
+    enum exit_code closed = close_tables(&r, keep);
+    r.code = closed == EXIT_DONE ? r.code : closed;
+    if (keep && closed == EXIT_DONE) {
+      tell(&r);
+      enum exit_code drawn = draw_plots(&r, outputs);
+      r.code = drawn != EXIT_DONE                           ? drawn
+               : r.unsolved > 0                             ? EXIT_UNSOLVED
+               : r.failed_checks > 0 && r.code == EXIT_DONE ? EXIT_CHECK_FAILED
+                                                            : r.code;
+    }
+    state_clear(r.state);
+  }
+  free(r.state);
+  free(r.output);
+  return opened || r.code != EXIT_DONE ? r.code : EXIT_UNSOLVED;
+}

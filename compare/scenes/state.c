@@ -1,0 +1,401 @@
+#include "compare/scenes/state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/answers/counts.h"
+#include "compare/answers/gaits.h"
+#include "compare/scenes/flint.h"
+
+void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
+{
+  *s = (struct scene_state){ .scene = scene, .needs = *needs, .at = scene->base };
+}
+
+void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }
+
+double state_fail(struct scene_state *s, const char *why)
+{
+  s->failures++;
+  if (s->why[0] == '\0')
+    snprintf(s->why, sizeof s->why, "%s", why);
+  return NAN;
+}
+
+static double check(struct scene_state *s, enum scallop_status status, double value)
+{
+  return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
+}
+
+/* ---- where the point is ---- */
+
+static void set_number(struct scene_state *s, int place, double value, const char *text, const char *name)
+{
+  number_text(s->written[place], value, 0);
+  const char *wrong = options_set_crawler_number(&s->at, place, text ? text : s->written[place]);
+  if (wrong) {
+    char why[POINT_STATUS];
+    snprintf(why, sizeof why, "%s: %s", name, wrong);
+    state_fail(s, why);
+  }
+}
+
+static double rounded(double x, long digits)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, x, digits);
+  read_number(text, &x);
+  return x;
+}
+
+static double range_value(struct scene_state *s, const struct scene_variable *v, long i)
+{
+  memset(s->has, 0, sizeof s->has); /* parameters may have changed since the last formula */
+  double from = state_end(s, &v->from), to = state_end(s, &v->to);
+  long steps = v->count - 1;
+  if (i == 0)
+    return from;
+  if (i == steps)
+    return to;
+  /* decimal: 0.07 for a reader, and the same on every machine, whose logarithms may differ in the last digit */
+  if (v->is_log)
+    return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
+  double x = from + (double)i * ((to - from) / (double)steps);
+  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
+}
+
+/* What follows from other parameters follows from them as they are now, and the Froude number is last. */
+static void settle(struct scene_state *s)
+{
+  const struct scallop_crawler *c = &s->at.crawler;
+  options_complete(&s->at);
+  if (!isnan(s->F1_over_F2))
+    set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
+  if (!isnan(s->m1_over_m2))
+    set_number(s, crawler_place("m1"), s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
+  if (!isnan(s->froude))
+    set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
+}
+
+static void set_v0(struct scene_state *s, double v0, const char *text)
+{
+  if (!isfinite(v0))
+    state_fail(s, "v0: a finite velocity is wanted");
+  s->at.v0 = v0;
+  number_text(s->written_v0, v0, 0);
+  s->at.written_v0 = text ? text : s->written_v0;
+  s->at.has_v0 = true;
+}
+
+static void set_variable(struct scene_state *s, const struct scene_variable *v, long i)
+{
+  long place = v->count == 1 ? 0 : i;
+  const char *text = v->texts ? v->texts[place] : NULL;
+  double x = v->numbers                                              ? v->numbers[place]
+             : v->target == TARGET_LABEL || v->target == TARGET_GAIT ? 0
+                                                                     : range_value(s, v, place);
+  switch (v->target) {
+  case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
+  case TARGET_GAIT: options_set_parameter(&s->at, "gait", text); break; /* it was made when the scene was read */
+  case TARGET_V0: set_v0(s, x, text); break;
+  case TARGET_LABEL: s->label[v->place] = text; break;
+  case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
+  case TARGET_M1_OVER_M2: s->m1_over_m2 = x; break;
+  case TARGET_FROUDE: s->froude = x; break;
+  }
+}
+
+void state_move(struct scene_state *s, const struct scene_product *product, const long *index)
+{
+  const struct scene *scene = s->scene;
+  s->at = scene->base;
+  s->at.has_v0 = scene->start != START_STEADY;
+  s->why[0] = '\0';
+  s->is_outside = false;
+  s->has_steady = s->has_phase = s->has_turnings = false;
+  memset(s->has, 0, sizeof s->has);
+  memset(s->label, 0, sizeof s->label);
+  memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
+  if (s->flint)
+    scene_flint_forget(s->flint);
+  s->F1_over_F2 = s->m1_over_m2 = s->froude = NAN;
+  for (int g = 0; g < product->groups; g++) {
+    for (int v = 0; v < product->group[g].variables; v++)
+      set_variable(s, &product->group[g].variable[v], index[g]);
+    bool was_outside = s->why[0] != '\0';
+    settle(s);
+    if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
+      s->why[0] = '\0';
+  }
+  memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
+  s->is_outside = s->why[0] != '\0';
+  count_add(COUNT_POINTS, 1);
+}
+
+void state_begin_row(struct scene_state *s, bool tells_steady)
+{
+  s->tells_steady = tells_steady;
+  if (!s->is_outside)
+    s->why[0] = '\0';
+}
+
+/* ---- solutions ---- */
+
+static const struct scallop_steady_result *steady(struct scene_state *s)
+{
+  if (!s->has_steady)
+    s->steady_status = counted_steady(&s->at.crawler, &s->steady);
+  s->has_steady = true;
+  return check(s, s->steady_status, 0) == 0 ? &s->steady : NULL;
+}
+
+double state_v0(struct scene_state *s)
+{
+  if (s->at.has_v0)
+    return s->at.v0;
+  const struct scallop_steady_result *r = steady(s);
+  return !r ? NAN : s->scene->phase == SCALLOP_EXTENSION ? r->period.v_start : r->period.v_mid;
+}
+
+static const struct exact_phase *phase(struct scene_state *s)
+{
+  double v0 = state_v0(s);
+  if (isnan(v0))
+    return NULL;
+  if (!s->has_phase)
+    s->phase_status = exact_phase_start(&s->at.crawler, s->scene->phase, v0, &s->phase);
+  s->has_phase = true;
+  return check(s, s->phase_status, 0) == 0 ? &s->phase : NULL;
+}
+
+static bool slides(struct scene_state *s, double T)
+{
+  struct scallop_crawler c = s->at.crawler;
+  struct scallop_phase_result r;
+  c.T = T;
+  return counted_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
+}
+
+static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
+{
+  return a->m1 == b->m1 && a->m2 == b->m2 && a->F1 == b->F1 && a->F2 == b->F2 && a->L == b->L && a->alpha == b->alpha
+         && a->gait == b->gait;
+}
+
+/* The longest period at which an extension from rest does not stick; no body need ever stick. */
+static double onset_of_sticking(struct scene_state *s)
+{
+  enum { MOST_DOUBLINGS = 400 };
+  if (s->has_onset && same_but_T(&s->onset_of, &s->at.crawler))
+    return s->onset;
+  double sliding = 0, sticking = 1;
+  int doublings = 0;
+  while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
+    sticking *= 2;
+  for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
+    *(slides(s, mid) ? &sliding : &sticking) = mid;
+  s->has_onset = true;
+  s->onset_of = s->at.crawler;
+  s->onset = doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
+  count_add(COUNT_ONSETS, 1);
+  return s->onset;
+}
+
+/* ---- series and errors ---- */
+
+const char no_ends[] =
+    "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
+
+static double published(struct scene_state *s, const struct scallop_formula *f)
+{
+  double value;
+  if (f->setting == SCALLOP_STEADY) {
+    count_add(COUNT_FORMULAS, 1);
+    value = f->steady(&s->at.crawler);
+  } else {
+    double v0 = state_v0(s);
+    struct exact_phase given = {
+      .kind = s->scene->phase, .phase = { .t1 = NAN, .dT = NAN }, .at_first = NAN, .at_last = NAN
+    };
+    if (formula_takes_given(f)) {
+      const struct exact_phase *solved = phase(s);
+      if (!solved)
+        return NAN;
+      if (strstr(f->text, "x_switch") && !s->has_turnings)
+        s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+      given = s->phase;
+    }
+    const struct scallop_phase_point point = scallop_phase_point(&s->at.crawler, s->scene->phase, v0);
+    value = published_value(f, &point, &given);
+  }
+  if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
+    return state_fail(s, no_ends);
+  return isfinite(value) ? value : NAN;
+}
+
+static double steady_number(const struct scallop_steady_result *r, int which)
+{
+  const double all[STEADY_NUMBERS] = { r->period.v_start, r->period.v_mid, r->period.displacement, r->mean_velocity,
+                                       r->period.multiplier };
+  return all[which];
+}
+
+static double phase_number(const struct exact_phase *p, int which)
+{
+  const double all[PHASE_NUMBERS] = { p->phase.t1, p->phase.dT, p->phase.v_end, p->phase.dx1, p->phase.dx2, p->phase.dxC };
+  return all[which];
+}
+
+/* What the series is said to be, by the double solver */
+static double exact_in_double(struct scene_state *s, const struct quantity *series)
+{
+  if (!quantity_is_of_phase(&s->scene->quantities, series)) {
+    const struct scallop_steady_result *r = steady(s);
+    if (!r)
+      return NAN;
+    if (series->kind == QUANTITY_PUBLISHED)
+      return series->formula->quantity == SCALLOP_STEADY_VELOCITY ? r->period.v_start : r->period.displacement;
+    return steady_number(r, series->which);
+  }
+  const struct exact_phase *p = phase(s);
+  if (!p)
+    return NAN;
+  if (series->kind != QUANTITY_PUBLISHED)
+    return phase_number(p, series->which - STEADY_VALUES);
+  enum scallop_quantity what = series->formula->quantity;
+  if ((what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST) && !s->has_turnings)
+    s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+  return exact_quantity(&s->phase, what);
+}
+
+/* A series beside what it should be. */
+static const struct scene_comparison *compared(struct scene_state *s, int place)
+{
+  const struct quantity *series = &s->scene->quantities.item[place];
+  struct scene_comparison *c = &s->comparison[place];
+  long before = s->failures;
+  if (!c->done && s->needs.certified_errors)
+    c->error = scene_flint_error(s, series, &c->value, &c->exact);
+  else if (!c->done) {
+    c->exact = exact_in_double(s, series);
+    c->value = state_number(s, place);
+    c->error = c->value - c->exact;
+    if (fabs(c->error) < s->needs.accuracy * fabs(c->exact))
+      c->error = 0;
+  }
+  c->done = s->failures == before;
+  return c;
+}
+
+static double about_series(struct scene_state *s, const struct quantity *q)
+{
+  const struct scene_comparison *c = compared(s, q->of);
+  return q->kind == QUANTITY_EXACT ? c->exact : q->kind == QUANTITY_ERROR ? c->error : c->error / fabs(c->exact);
+}
+
+/* ---- quantities ---- */
+
+/* What it was set to, or to the bit what the solver says */
+static double froude(struct scene_state *s)
+{
+  struct scallop_scaled scaled;
+  if (!isnan(s->froude))
+    return s->froude;
+  return check(s, scallop_scale(&s->at.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
+}
+
+static double compute(struct scene_state *s, const struct quantity *q)
+{
+  const struct scallop_crawler *c = &s->at.crawler;
+  const struct scallop_steady_result *r;
+  const struct exact_phase *p;
+  double numbers[CRAWLER_NUMBERS];
+  if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
+    return NAN; /* the point has no such thing */
+  if (s->needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
+    return compared(s, quantity_find(&s->scene->quantities, q->name))->value; /* rounded from the one that the error is of */
+  switch (q->kind) {
+  case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
+  case QUANTITY_V0: return state_v0(s);
+  case QUANTITY_FROUDE: return froude(s);
+  case QUANTITY_F1_OVER_F2: return isnan(s->F1_over_F2) ? c->F1 / c->F2 : s->F1_over_F2;
+  case QUANTITY_M1_OVER_M2: return isnan(s->m1_over_m2) ? c->m1 / c->m2 : s->m1_over_m2;
+  case QUANTITY_ONSET: return onset_of_sticking(s);
+  case QUANTITY_STEADY: return (r = steady(s)) ? steady_number(r, q->which) : NAN;
+  case QUANTITY_PHASE: return (p = phase(s)) ? phase_number(p, q->which) : NAN;
+  case QUANTITY_PUBLISHED: return published(s, q->formula);
+  case QUANTITY_DERIVED:
+  case QUANTITY_LIMIT: return scene_flint_sum(s, q);
+  case QUANTITY_EXACT:
+  case QUANTITY_ERROR:
+  case QUANTITY_RELATIVE: return about_series(s, q);
+  default: return NAN; /* texts, and what only a trajectory has */
+  }
+}
+
+double state_number(struct scene_state *s, int quantity)
+{
+  if (!s->has[quantity]) {
+    long before = s->failures;
+    s->value[quantity] = compute(s, &s->scene->quantities.item[quantity]);
+    s->has[quantity] = s->failures == before; /* a failure is told in each row that it is of; solutions are kept */
+  }
+  return s->value[quantity];
+}
+
+static const char *steady_text(struct scene_state *s, int which)
+{
+  const struct scallop_steady_result *r = s->is_outside ? NULL : steady(s);
+  if (!r)
+    return "-";
+  if (which == STEADY_REGIME)
+    return scallop_regime_text(r->period.regime);
+  return period_modes_text(s->text, r->period.modes);
+}
+
+static const char *phase_text(struct scene_state *s, int which)
+{
+  const struct exact_phase *p = s->is_outside ? NULL : phase(s);
+  if (!p)
+    return "-";
+  if (which == PHASE_REGIME)
+    return scallop_regime_text(p->phase.regime);
+  scallop_modes_text(&p->phase.modes, s->text);
+  return s->text;
+}
+
+static const char *status_text(struct scene_state *s)
+{
+  if (s->why[0] != '\0')
+    return s->why;
+  return s->tells_steady && s->has_steady ? steady_status_text(s->text, s->steady_status, s->steady.v_low, s->steady.v_high)
+                                          : "ok";
+}
+
+const char *state_text(struct scene_state *s, int quantity, long digits)
+{
+  const struct quantity *q = &s->scene->quantities.item[quantity];
+  switch (q->kind) {
+  case QUANTITY_GAIT: return s->at.crawler.gait->name;
+  case QUANTITY_LABEL: return s->label[q->which] ? s->label[q->which] : "-";
+  case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
+  case QUANTITY_STEADY: return steady_text(s, q->which);
+  case QUANTITY_PHASE: return phase_text(s, q->which);
+  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
+  default: return status_text(s);
+  }
+}
+
+double state_formula(struct scene_state *s, const struct arithmetic *formula)
+{
+  int places[ARITHMETIC_STEPS], count = arithmetic_places(formula, places);
+  for (int i = 0; i < count; i++)
+    state_number(s, places[i]);
+  return arithmetic_value(formula, s->value);
+}
+
+double state_end(struct scene_state *s, const struct scene_end *end)
+{
+  return end->is_formula ? state_formula(s, &end->formula) : end->number;
+}

@@ -1,0 +1,440 @@
+/* The families of `stress`: where digits are in danger. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_qrng.h>
+#include <gsl/gsl_rng.h>
+
+#include "compare/answers/counts.h"
+#include "compare/stress/stress.h"
+
+/* ---- from [0, 1) to parameters ---- */
+
+static double decades(double x, double lo, double hi) { return pow(10, lo + (hi - lo) * x); }
+static double between(double x, double lo, double hi) { return lo + (hi - lo) * x; }
+
+/* 0 for a tenth of all x; else of either sign, from 1e-15 to 0.1 in size */
+static double small(double x)
+{
+  double sign = x < 0.55 ? -1 : 1, y = x < 0.55 ? (x - 0.1) / 0.45 : (x - 0.55) / 0.45;
+  return x < 0.1 ? 0 : sign * decades(y, -15, -1);
+}
+
+/* T for which T^2 (F1 + F2)/(M L) is eps; the square roots one by one, as products may overflow */
+static double period_for(const struct scallop_crawler *c, double eps)
+{
+  return sqrt(eps) * sqrt(c->m1 + c->m2) * sqrt(c->L) / sqrt(c->F1 + c->F2);
+}
+
+/* Nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
+static void calm(struct scallop_crawler *c, const double *x)
+{
+  c->m1 = decades(x[0], -1, 1);
+  c->m2 = decades(x[1], -1, 1);
+  c->F1 = decades(x[2], -1, 1);
+  c->F2 = decades(x[3], -1, 1);
+  c->L = decades(x[4], -1, 1);
+  c->alpha = between(x[5], 0.02, 0.98);
+  c->T = period_for(c, decades(x[6], -6, 2.5));
+}
+
+static bool ordinary(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  return true;
+}
+
+static void mass_ratio(struct scallop_crawler *c, double x)
+{
+  double half = decades(x, -6, 6);
+  c->m1 *= half;
+  c->m2 /= half;
+}
+
+static void force_ratio(struct scallop_crawler *c, double x)
+{
+  double half = decades(x, -6, 6);
+  c->F1 *= half;
+  c->F2 /= half;
+}
+
+static bool masses(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  mass_ratio(&s->crawler, x[7]);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 6));
+  return true;
+}
+
+static bool forces(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  force_ratio(&s->crawler, x[7]);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 6));
+  return true;
+}
+
+static bool masses_and_forces(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  mass_ratio(&s->crawler, x[7]);
+  force_ratio(&s->crawler, x[8]);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -12, 12));
+  return true;
+}
+
+static bool equal_forces(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
+  return true;
+}
+
+static bool equal_phases(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  s->crawler.alpha = 0.5 + 0.5 * small(x[7]);
+  return true;
+}
+
+static bool equal_both(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
+  s->crawler.alpha = 0.5 + 0.5 * small(x[8]);
+  return true;
+}
+
+static bool short_phase(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  s->crawler.alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 20));
+  return true;
+}
+
+static bool small_period(struct stress_case *s, const double *x)
+{
+  struct scallop_steady_result r;
+  calm(&s->crawler, x);
+  double onset = period_for(&s->crawler, 4 * fmin(s->crawler.alpha, 1 - s->crawler.alpha));
+  s->crawler.T = decades(x[6], -100, log10(onset));
+  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_SLIDING;
+}
+
+static bool deep_stick_slip(struct stress_case *s, const double *x)
+{
+  struct scallop_steady_result r;
+  calm(&s->crawler, x);
+  force_ratio(&s->crawler, x[7]);
+  s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 9));
+  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_STICK_SLIP;
+}
+
+static bool at_rest(struct stress_case *s, const double *x)
+{
+  struct scallop_steady_result r;
+  calm(&s->crawler, x);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 30));
+  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_AT_REST;
+}
+
+/* Units of any size: the same crawler, far from 1. What over- or underflows on the way is refused, and that is right. */
+static bool units(struct stress_case *s, const double *x)
+{
+  struct scallop_crawler *c = &s->crawler;
+  calm(c, x);
+  double m = decades(x[7], -150, 150), F = decades(x[8], -150, 150), L = decades(x[9], -150, 150);
+  c->m1 *= m;
+  c->m2 *= m;
+  c->F1 *= F;
+  c->F2 *= F;
+  c->L *= L;
+  c->T = period_for(c, decades(x[6], -6, 2.5));
+  return c->T > 0 && isfinite(c->T);
+}
+
+/* Any doubles at all: nearly all of these crawlers over- or underflow somewhere, and must be refused or right. */
+static bool range(struct stress_case *s, const double *x)
+{
+  struct scallop_crawler *c = &s->crawler;
+  calm(c, x);
+  double m = decades(x[7], -306, 306), F = decades(x[8], -306, 306), L = decades(x[9], -306, 306);
+  c->m1 *= m;
+  c->m2 *= m;
+  c->F1 *= F;
+  c->F2 *= F;
+  c->L *= L;
+  c->T = x[6] < 0.5 ? period_for(c, decades(2 * x[6], -300, 300)) : period_for(c, decades(2 * x[6] - 1, -6, 2.5));
+  return scallop_crawler_check(c, NULL) == SCALLOP_OK;
+}
+
+static bool wild(struct stress_case *s, const double *x)
+{
+  struct scallop_crawler *c = &s->crawler;
+  c->m1 = decades(x[0], -8, 8);
+  c->m2 = decades(x[1], -8, 8);
+  c->F1 = decades(x[2], -8, 8);
+  c->F2 = decades(x[3], -8, 8);
+  c->L = decades(x[4], -8, 8);
+  c->T = decades(x[6], -12, 12);
+  c->alpha = x[7] < 0.3 ? decades(x[5], -12, -0.3) : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3) : between(x[5], 0.01, 0.99);
+  return true;
+}
+
+/* ---- at the boundaries between sequences of modes ---- */
+
+enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
+
+struct signature {
+  bool forward; /* the crawler as the period starts                                              */
+  enum scallop_regime regime;
+  char modes[2 * SCALLOP_MODES_TEXT];
+};
+
+static bool signature_of(const struct stress_case *s, struct signature *out)
+{
+  struct scallop_steady_result r;
+  struct scallop_phase_result p;
+  *out = (struct signature){ .forward = s->v0 > 0 };
+  if (s->kind == STRESS_PHASE) {
+    bool solved = counted_phase(&s->crawler, s->phase, s->v0, &p) == SCALLOP_OK;
+    if (solved)
+      scallop_modes_text(&p.modes, out->modes);
+    out->regime = solved ? p.regime : SCALLOP_SLIDING;
+    return solved;
+  }
+  if (counted_steady(&s->crawler, &r) != SCALLOP_OK)
+    return false;
+  out->forward = r.period.v_start > 0;
+  out->regime = r.period.regime;
+  scallop_modes_text(&r.period.modes[0], out->modes);
+  scallop_modes_text(&r.period.modes[1], out->modes + SCALLOP_MODES_TEXT);
+  return true;
+}
+
+static bool same(const struct signature *a, const struct signature *b)
+{
+  return a->forward == b->forward && a->regime == b->regime && memcmp(a->modes, b->modes, sizeof a->modes) == 0;
+}
+
+static enum boundary kind_of(const struct signature *a, const struct signature *b)
+{
+  return a->regime != b->regime ? STICKING : a->forward != b->forward ? START_VELOCITY : OTHER_MODES;
+}
+
+/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary that halving the
+ * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or it is of another kind. */
+static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
+{
+  double here = *moved, there = other;
+  struct signature first, second, at;
+  if (!signature_of(s, &first))
+    return false;
+  *moved = there;
+  if (!signature_of(s, &second) || same(&first, &second))
+    return false;
+  for (int i = 0; i < 200; i++) {
+    double middle = here + (there - here) / 2;
+    if (middle == here || middle == there)
+      break;
+    *moved = middle;
+    if (!signature_of(s, &at))
+      return false;
+    if (same(&first, &at))
+      here = middle;
+    else {
+      there = middle;
+      second = at;
+    }
+  }
+  double side = x < 0.5 ? -1 : 1, away = decades(x < 0.5 ? 2 * x : 2 * x - 1, -14, -3);
+  *moved = here * (1 + side * away);
+  return kind_of(&first, &second) == kind;
+}
+
+static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
+{
+  struct scallop_crawler *c = &s->crawler;
+  calm(c, x);
+  c->T = period_for(c, decades(x[6], -1.5, 2.5));
+  switch ((int)(4 * x[7])) {
+  case 0: return approach(s, &c->T, c->T * decades(x[8], -1, 1), kind, x[9]);
+  case 1: return approach(s, &c->F1, c->F1 * decades(x[8], -1, 1), kind, x[9]);
+  case 2: return approach(s, &c->m2, c->m2 * decades(x[8], -1, 1), kind, x[9]);
+  default: return approach(s, &c->alpha, between(x[8], 0.02, 0.98), kind, x[9]) && c->alpha < 1;
+  }
+}
+
+static bool near_start_velocity(struct stress_case *s, const double *x) { return at_boundary(s, x, START_VELOCITY); }
+static bool near_sticking(struct stress_case *s, const double *x) { return at_boundary(s, x, STICKING); }
+static bool near_grazing(struct stress_case *s, const double *x) { return at_boundary(s, x, OTHER_MODES); }
+
+/* ---- phases ---- */
+
+static double phase_velocity(const struct stress_case *s)
+{
+  return s->crawler.L / scallop_phase_duration(&s->crawler, s->phase);
+}
+
+static void choose_phase(struct stress_case *s, double x) { s->phase = x < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION; }
+
+/* From rest, or with velocities up to twice the largest |l'| */
+static bool phase_ordinary(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  choose_phase(s, x[7]);
+  s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
+  return true;
+}
+
+static bool phase_small_period(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  choose_phase(s, x[7]);
+  s->crawler.T = decades(x[6], -100, 0);
+  s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
+  return true;
+}
+
+static bool phase_range(struct stress_case *s, const double *x)
+{
+  if (!range(s, x))
+    return false;
+  choose_phase(s, 2 * fmod(x[7], 0.5));
+  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -300, 300);
+  return true;
+}
+
+static bool phase_velocities(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  choose_phase(s, x[7]);
+  s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
+  return true;
+}
+
+static bool phase_wild(struct stress_case *s, const double *x)
+{
+  wild(s, x);
+  choose_phase(s, 2 * fmod(x[7], 0.5));
+  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -6, 1) * phase_velocity(s);
+  return true;
+}
+
+static bool phase_boundaries(struct stress_case *s, const double *x)
+{
+  calm(&s->crawler, x);
+  choose_phase(s, 2 * fmod(x[7], 0.5));
+  s->v0 = x[7] < 0.25 ? 0 : between(x[8], -2, 2) * phase_velocity(s);
+  enum boundary kind = x[7] < 0.5 ? STICKING : OTHER_MODES;
+  if (s->v0 == 0)
+    return approach(s, &s->crawler.T, s->crawler.T * decades(x[8], -1, 1), kind, x[9]);
+  return approach(s, &s->v0, s->v0 + between(fmod(16 * x[8], 1), -1, 1) * phase_velocity(s), kind, x[9]);
+}
+
+/* ---- trajectories ---- */
+
+/* Sliding, from the steady state as a double or, where l' is made of ramps, from 1 % beside it. */
+static bool trajectory(struct stress_case *s, const double *x)
+{
+  struct scallop_steady_result r;
+  calm(&s->crawler, x);
+  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 0));
+  if (counted_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
+    return false;
+  bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
+  s->v0 = r.period.v_start * (beside ? 1.01 : 1);
+  return true;
+}
+
+const struct stress_family stress_families[] = {
+  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", STRESS_STEADY, ordinary },
+  { "masses", "m1/m2 from 1e-12 to 1e12", STRESS_STEADY, masses },
+  { "forces", "F1/F2 from 1e-12 to 1e12", STRESS_STEADY, forces },
+  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", STRESS_STEADY, masses_and_forces },
+  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", STRESS_STEADY, equal_forces },
+  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", STRESS_STEADY, equal_phases },
+  { "equal-both", "both", STRESS_STEADY, equal_both },
+  { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, short_phase },
+  { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, small_period },
+  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY, near_start_velocity },
+  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY, near_sticking },
+  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY, near_grazing },
+  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, deep_stick_slip },
+  { "at-rest", "one body never moves", STRESS_STEADY, at_rest },
+  { "units", "m, F and L each times 1e-150 to 1e150", STRESS_STEADY, units },
+  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", STRESS_STEADY, range },
+  { "wild", "every parameter anywhere in 16 decades or more", STRESS_STEADY, wild },
+  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, phase_ordinary },
+  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, phase_small_period },
+  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, phase_velocities },
+  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, phase_range },
+  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, phase_wild },
+  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, phase_boundaries },
+  { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
+    trajectory },
+  { NULL, NULL, STRESS_STEADY, NULL },
+};
+
+/* ---- making them ---- */
+
+/* A shift of the whole sequence, another one for each seed, family and gait (Cranley & Patterson 1976) */
+static bool draw_shift(unsigned long seed, const struct stress_family *family, const struct scallop_gait *gait,
+                       double shift[STRESS_DIMENSIONS])
+{
+  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+  unsigned long mixed = seed;
+  if (!random)
+    return false;
+  for (const char *c = family->name; *c; c++)
+    mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
+  for (const char *c = gait->name; *c; c++)
+    mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
+  gsl_rng_set(random, mixed);
+  for (int i = 0; i < STRESS_DIMENSIONS; i++)
+    shift[i] = gsl_rng_uniform(random);
+  gsl_rng_free(random);
+  return true;
+}
+
+int stress_make(const struct stress_family *family, const struct scallop_gait *gait, unsigned long seed, int count,
+                struct stress_case *cases)
+{
+  enum { TRIES = 300 }; /* for each case, on average */
+  double x[STRESS_DIMENSIONS], shift[STRESS_DIMENSIONS];
+  int made = 0;
+  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, STRESS_DIMENSIONS);
+  if (sequence && draw_shift(seed, family, gait, shift))
+    for (long tries = 0; made < count && tries < (long)count * TRIES; tries++) {
+      struct stress_case *c = &cases[made];
+      gsl_qrng_get(sequence, x);
+      for (int i = 0; i < STRESS_DIMENSIONS; i++)
+        x[i] = fmod(x[i] + shift[i], 1);
+      *c = (struct stress_case){ .kind = family->kind };
+      c->crawler.gait = gait;
+      made += family->make(c, x);
+    }
+  gsl_qrng_free(sequence);
+  return made;
+}
+
+void stress_arguments(const struct stress_case *s, char *text)
+{
+  double numbers[CRAWLER_NUMBERS];
+  char number[NUMBER_TEXT];
+  crawler_numbers(&s->crawler, numbers);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++) {
+    number_text(number, numbers[i], 0);
+    text += snprintf(text, 64, "--%s %s ", crawler_parameters[i], number);
+  }
+  text += snprintf(text, GAIT_TEXT, "--gait %s", s->crawler.gait->name);
+  number_text(number, s->v0, 0);
+  if (s->kind == STRESS_TRAJECTORY)
+    snprintf(text, 80, " --start %s --periods %ld", number, s->periods);
+  if (s->kind == STRESS_PHASE)
+    snprintf(text, 80, " --phase %s --v0 %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
+}

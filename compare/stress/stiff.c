@@ -1,0 +1,254 @@
+/* The tables of the stiff way: every run, or with --summary a row for each series of runs. */
+#include "compare/stress/stiff.h"
+#include "compare/command/with_flint.h"
+
+#include <assert.h>
+#include <math.h>
+#include <unistd.h>
+
+enum { MOST_SCENES = 6 };
+
+static const char *const columns[] = { "scene",
+                                       "gait",
+                                       "regime",
+                                       "stepper",
+                                       "delta",
+                                       "tolerance",
+                                       "v_end_error",
+                                       "displacement_error",
+                                       "v_end_own_error",
+                                       "displacement_own_error",
+                                       "steps",
+                                       "evaluations",
+                                       "creep",
+                                       "creep_over_delta",
+                                       "predicted_creep_over_delta",
+                                       "creep_velocity",
+                                       "predicted_creep_velocity",
+                                       "last_velocity",
+                                       "status",
+                                       NULL };
+static const char *const summary_of_series[] = {
+  "scene",        "gait",        "regime",  "stepper", "quantity",    "order",       "order_low",
+  "order_high",   "points",      "verdict", "good_to", "error_there", "steps_there", "evaluations_there",
+  "worst_beyond", "gives_up_at", "status",  NULL
+};
+
+static const double deltas[] = { 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12 };
+enum { DELTAS = sizeof deltas / sizeof *deltas, QUICK_DELTAS = 5 };
+
+struct book {
+  const struct options *options;
+  struct stiff_scene scenes[MOST_SCENES];
+  int scene_count;
+  int deltas; /* the first so many            */
+  long most;  /* steps that a run may take     */
+  struct table table;
+  bool shown; /* progress                      */
+};
+
+/* ---- scenes ---- */
+
+static const struct {
+  const char *name;
+  double F1, T;
+} made[] = {
+  { "sliding", 4, 1 },
+  { "stick-slip", 4, 4 }, /* released by a jump of l'' in the quadratic gait, gradually in the sinusoidal one */
+  { "stiff", 1.01, 100 }, /* eps = 1005                                                                  */
+};
+
+static bool has_parameters(const struct options *o)
+{
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    if (o->written[i])
+      return true;
+  return false;
+}
+
+static bool add_scene(struct book *b, const char *name, const struct scallop_crawler *crawler)
+{
+  assert(b->scene_count < MOST_SCENES);
+  const char *why = stiff_scene_init(&b->scenes[b->scene_count++], name, crawler);
+  if (why)
+    complain(b->options->command->name, "no certified period to compare with for the %s gait, T = %.17g: %s",
+             crawler->gait->name, crawler->T, why);
+  return !why;
+}
+
+/* All are solved before anything is written. */
+static bool make_scenes(struct book *b)
+{
+  const struct options *o = b->options;
+  bool given = has_parameters(o);
+  int count = given ? 1 : (int)(sizeof made / sizeof *made);
+  for (int i = 0; i < count; i++)
+    for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      struct scallop_crawler c = given ? o->crawler : scallop_crawler_default();
+      c.gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+      if (!given) {
+        c.F1 = made[i].F1;
+        c.T = made[i].T;
+      }
+      if (!add_scene(b, given ? "given" : made[i].name, &c))
+        return false;
+    }
+  return true;
+}
+
+/* ---- notes ---- */
+
+static void note_scene(struct table *t, const struct stiff_scene *scene)
+{
+  const struct scallop_crawler *c = &scene->crawler;
+  const struct stiff_held *held = &scene->held;
+  table_note(t, "%s, %s: m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g T=%.17g alpha=%.17g; eps = %.4g; %s", scene->name,
+             c->gait->name, c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, scene->eps, scene->modes);
+  if (held->body != 0)
+    table_note(t, "  body %d is stuck from t = %.4g to %.4g of the %s; half-way, by a force of %.4g of its friction",
+               held->body, held->begin, held->end, held->phase == SCALLOP_EXTENSION ? "extension" : "contraction",
+               held->force);
+}
+
+static void note_meaning(const struct book *b, struct table *t)
+{
+  table_note(t, "friction F tanh(v/v_delta), v_delta = delta L/T; one period from the certified steady start velocity");
+  table_note(t, "errors: answer - certified, of v_end over L/T, of displacement over L; rejected steps count");
+  table_note(t, "tolerance: 1e-9 delta, 1e-15 at least; own error: of the stepper, what ten times the tolerance changes");
+  table_note(t, "a period of more than %ld accepted steps is cut off, and a series ends where the stepper gives up",
+             b->most);
+  table_note(t, "creep: how far a smoothed body goes, over L, while the exact one is stuck; predicted: at v_delta "
+                "artanh(force/friction)");
+  if (b->options->summary) {
+    table_note(
+        t,
+        "good_to: down to which delta the error at least halves with every tenth of delta, and is ten times the own error;");
+    table_note(t, "order in delta: over those; worst_beyond: the largest |error| below, of an answer that the stepper was "
+                  "content with");
+  } else
+    table_note(t, "velocities: of that body over v_delta, in the middle of the time and, the last, at its end");
+}
+
+static bool begin(struct book *b)
+{
+  const struct options *o = b->options;
+  struct table *t = &b->table;
+  if (!table_open(t, o))
+    return false;
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: stress --stiff%s%s", o->quick ? " --quick" : "", o->summary ? " --summary" : "");
+  for (int i = 0; i < b->scene_count; i++)
+    note_scene(t, &b->scenes[i]);
+  note_meaning(b, t);
+  table_columns(t, o->summary ? summary_of_series : columns);
+  table_begin_rows(t);
+  return true;
+}
+
+/* ---- rows ---- */
+
+static void write_names(struct table *t, const struct stiff_scene *scene, int stepper)
+{
+  table_text(t, scene->name);
+  table_text(t, scene->crawler.gait->name);
+  table_text(t, scallop_regime_text(scene->regime));
+  table_text(t, stiff_steppers[stepper]);
+}
+
+static void write_run(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *run)
+{
+  bool held = scene->held.body != 0;
+  write_names(t, scene, stepper);
+  table_rounded(t, run->delta, "%.3g");
+  table_rounded(t, run->tolerance, "%.3g");
+  table_rounded(t, run->error[STIFF_V_END], "%.3g");
+  table_rounded(t, run->error[STIFF_DISPLACEMENT], "%.3g");
+  table_rounded(t, run->own[STIFF_V_END], "%.2g");
+  table_rounded(t, run->own[STIFF_DISPLACEMENT], "%.2g");
+  table_number(t, run->steps);
+  table_number(t, run->evaluations);
+  table_rounded(t, run->error[STIFF_CREEP], "%.4g");
+  table_rounded(t, run->error[STIFF_CREEP] / run->delta, "%.4g");
+  table_rounded(t, held ? scene->held.creep : NAN, "%.4g");
+  table_rounded(t, run->velocity, "%.4g");
+  table_rounded(t, held ? scene->held.velocity : NAN, "%.4g");
+  table_rounded(t, run->last, "%.4g");
+  table_text(t, run->status);
+}
+
+static void write_trend(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *runs,
+                        int count, int quantity)
+{
+  struct stiff_trend trend = stiff_trend(runs, count, quantity);
+  const struct stiff_run *best = trend.good > 0 ? &runs[trend.good - 1] : NULL, *last = &runs[count - 1];
+  write_names(t, scene, stepper);
+  table_text(t, stiff_quantities[quantity]);
+  table_rounded(t, trend.fit.order, "%.4f");
+  table_rounded(t, trend.fit.lo, "%.4f");
+  table_rounded(t, trend.fit.hi, "%.4f");
+  table_number(t, trend.fit.used);
+  table_text(t, order_verdict_text(trend.verdict));
+  table_rounded(t, best ? best->delta : NAN, "%.3g");
+  table_rounded(t, best ? best->error[quantity] : NAN, "%.3g");
+  table_number(t, best ? best->steps : NAN);
+  table_number(t, best ? best->evaluations : NAN);
+  table_rounded(t, trend.worst_beyond, "%.3g");
+  table_rounded(t, last->solved ? NAN : last->delta, "%.3g");
+  table_text(t, last->status);
+}
+
+static void write_series(struct book *b, const struct stiff_scene *scene, int stepper, const struct stiff_run *runs,
+                         int count)
+{
+  if (!b->options->summary)
+    for (int i = 0; i < count; i++)
+      write_run(&b->table, scene, stepper, &runs[i]);
+  else
+    for (int quantity = 0; quantity < STIFF_QUANTITIES; quantity++)
+      if (quantity != STIFF_CREEP || scene->held.body != 0)
+        write_trend(&b->table, scene, stepper, runs, count, quantity);
+}
+
+/* ---- the run ---- */
+
+/* As delta -> 0, until the stepper gives up. Returns how many runs were made. */
+static int solve_series(const struct book *b, const struct stiff_scene *scene, int stepper, struct stiff_run *runs)
+{
+  enum scallop_smoothed_stepper which = (enum scallop_smoothed_stepper)stepper;
+  for (int i = 0; i < b->deltas; i++) {
+    double delta = deltas[i];
+    if (b->shown)
+      fprintf(stderr, "\r%s, %s: %s, delta = %g\033[K", scene->name, scene->crawler.gait->name, stiff_steppers[stepper],
+              delta);
+    stiff_solve(scene, which, delta, stiff_tolerance(delta), b->most, &runs[i]);
+    if (!runs[i].solved)
+      return i + 1;
+  }
+  return b->deltas;
+}
+
+static void solve_all(struct book *b)
+{
+  struct stiff_run runs[STIFF_MOST_RUNS];
+  for (int i = 0; i < b->scene_count; i++)
+    for (int stepper = 0; stepper < STIFF_STEPPERS && !table_failed(&b->table); stepper++) {
+      int count = solve_series(b, &b->scenes[i], stepper, runs);
+      write_series(b, &b->scenes[i], stepper, runs, count);
+    }
+  if (b->shown)
+    fprintf(stderr, "\r\033[K");
+}
+
+enum exit_code stress_stiff(const struct options *options)
+{
+  struct book b = { .options = options,
+                    .deltas = options->quick ? QUICK_DELTAS : DELTAS,
+                    .most = options->quick ? 10000 : 100000 };
+  b.shown = !options->quiet && isatty(STDERR_FILENO);
+  if (!make_scenes(&b))
+    return EXIT_UNSOLVED;
+  if (!begin(&b))
+    return EXIT_FILE;
+  solve_all(&b);
+  return table_close(&b.table) ? EXIT_DONE : EXIT_FILE;
+}

@@ -1,0 +1,323 @@
+/* The scenes of the stiff way, certified; and single runs and series of them, judged. */
+#include "compare/answers/counts_flint.h"
+#include "compare/answers/exact.h"
+#include "compare/stress/stiff.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <gsl/gsl_integration.h>
+
+#include "numerics/certified.h"
+
+/* Digits that the reference is proven to: errors down to the last bit of a double need twice as many */
+enum { REFERENCE_DIGITS = 40 };
+
+/* How many times the tolerance is taken to see what a stepper's own error is */
+static const double LOOSER = 10;
+
+const char *const stiff_quantities[] = { "v_end", "displacement", "creep", NULL };
+const char *const stiff_steppers[] = { "msbdf", "bsimp", "rk4imp", NULL };
+
+/* ---- where a body is held ---- */
+
+struct stretch {
+  struct scallop_scaled scaled;
+  struct stiff_held now, *longest;
+};
+
+/* The friction that holds the body still over the most that there is, at a time in units of the phase, along the body's own axis: it
+ * accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of the body that moves. */
+static double force_over_friction(const struct stretch *s, double time)
+{
+  const struct scallop_scaled *a = &s->scaled;
+  double l2, eps = a->eps * a->fraction[s->now.phase] * a->fraction[s->now.phase];
+  scallop_gait_at(a->gait, s->now.phase, time, NULL, NULL, &l2);
+  double sign = s->now.phase == SCALLOP_EXTENSION ? 1 : -1;
+  return s->now.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
+}
+
+/* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to the limit. */
+static double creep_velocity(double time, void *context)
+{
+  const double most = 1 - DBL_EPSILON / 2;
+  return atanh(fmax(-most, fmin(most, force_over_friction(context, time))));
+}
+
+static double integral(struct stretch *s, double begin, double end)
+{
+  enum { PARTS = 200 };
+  gsl_integration_workspace *space = gsl_integration_workspace_alloc(PARTS);
+  gsl_function velocity = { creep_velocity, s };
+  double value = NAN, error;
+  if (space && gsl_integration_qags(&velocity, begin, end, 0, 1e-9, PARTS, space, &value, &error) != 0)
+    value = NAN;
+  gsl_integration_workspace_free(space);
+  return value;
+}
+
+static double period_share(const struct stretch *s, const struct stiff_held *held)
+{
+  return s->scaled.fraction[held->phase] * (held->end - held->begin);
+}
+
+/* Grows the stretch by an interval of the exact motion, or ends it. Times are in units of the phase, distances in delta L. */
+static void visit(void *context, const struct scallop_interval *interval)
+{
+  struct stretch *s = context;
+  struct stiff_held *now = &s->now;
+  bool from_start = interval->piece->anchor == SCALLOP_FROM_START;
+  double begin = from_start ? interval->u_begin : 1 - interval->u_begin;
+  double end = from_start ? interval->u_end : 1 - interval->u_end;
+  int body = interval->mode.s1 == 0 ? 1 : interval->mode.s2 == 0 ? 2 : 0;
+  if (body != now->body)
+    *now = (struct stiff_held){ .body = body, .phase = now->phase, .v0 = now->v0, .begin = begin };
+  if (body == 0)
+    return;
+  now->end = end;
+  now->creep += s->scaled.fraction[now->phase] * integral(s, begin, end);
+  if (period_share(s, now) > period_share(s, s->longest))
+    *s->longest = *now;
+}
+
+static void find_held(struct stiff_scene *scene, double v_mid)
+{
+  struct stretch s = { .longest = &scene->held };
+  const double v0[2] = { scene->v_start, v_mid };
+  double duration[2] = { 0, 0 };
+  scene->held = (struct stiff_held){ .body = 0 };
+  scallop_scale(&scene->crawler, &s.scaled);
+  for (int phase = SCALLOP_EXTENSION; phase <= SCALLOP_CONTRACTION; phase++) {
+    s.now = (struct stiff_held){ .phase = (enum scallop_phase_kind)phase, .v0 = v0[phase] };
+    scallop_phase_intervals(&scene->crawler, s.now.phase, s.now.v0, visit, &s);
+    duration[phase] = scallop_phase_duration(&scene->crawler, s.now.phase);
+  }
+  if (scene->held.body == 0)
+    return;
+  s.now = scene->held;
+  double middle = (s.now.begin + s.now.end) / 2;
+  scene->held.force = fabs(force_over_friction(&s, middle));
+  scene->held.velocity = creep_velocity(middle, &s);
+  scene->held.begin *= duration[s.now.phase];
+  scene->held.end *= duration[s.now.phase];
+}
+
+/* ---- a scene ---- */
+
+static void certified_value(struct stiff_value *value, const arb_t x)
+{
+  arb_t rest;
+  arb_init(rest);
+  value->high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  arb_set_d(rest, value->high);
+  arb_sub(rest, x, rest, 4 * REFERENCE_DIGITS);
+  value->low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  arb_clear(rest);
+}
+
+/* The middle of a ball; 0 where the ball holds 0. */
+static void middle_of(fmpq_t middle, const arb_t x)
+{
+  if (arb_contains_zero(x))
+    fmpq_zero(middle);
+  else
+    arf_get_fmpq(middle, arb_midref(x));
+}
+
+/* The period from the certified start velocity, rounded: its own certified values, not those of the steady state. */
+static enum scallop_status solve_period(struct stiff_scene *scene, const struct scallop_rational_crawler *exact,
+                                        struct scallop_certified_phase phase[2], fmpq_t v, const char **why)
+{
+  scallop_rational_set_double(v, scene->v_start);
+  enum scallop_status status = counted_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
+  if (status != SCALLOP_OK)
+    return status;
+  middle_of(v, phase[0].v_end);
+  status = counted_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
+  if (status != SCALLOP_OK)
+    return status;
+  certified_value(&scene->v_end, phase[1].v_end);
+  arb_add(phase[1].dxC, phase[0].dxC, phase[1].dxC, 4 * REFERENCE_DIGITS);
+  certified_value(&scene->displacement, phase[1].dxC);
+  const struct scallop_modes modes[2] = { phase[0].modes, phase[1].modes };
+  period_modes_text(scene->modes, modes);
+  return SCALLOP_OK;
+}
+
+static enum scallop_status certify(struct stiff_scene *scene, const char **why)
+{
+  struct scallop_rational_crawler exact;
+  struct scallop_certified_steady steady;
+  struct scallop_certified_phase phase[2];
+  fmpq_t v;
+  fmpq_init(v);
+  scallop_rational_init(&exact);
+  scallop_certified_steady_init(&steady);
+  for (int i = 0; i < 2; i++)
+    scallop_certified_phase_init(&phase[i]);
+  scallop_rational_of(&exact, &scene->crawler);
+  enum scallop_status status = counted_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
+  if (status == SCALLOP_OK) {
+    middle_of(v, steady.v_start);
+    scene->v_start = fmpq_is_zero(v) ? 0 : arf_get_d(arb_midref(steady.v_start), ARF_RND_NEAR);
+    scene->regime = steady.regime;
+    status = solve_period(scene, &exact, phase, v, why);
+  }
+  if (status == SCALLOP_OK)
+    find_held(scene, fmpq_get_d(v));
+  for (int i = 0; i < 2; i++)
+    scallop_certified_phase_clear(&phase[i]);
+  scallop_certified_steady_clear(&steady);
+  scallop_rational_clear(&exact);
+  fmpq_clear(v);
+  return status;
+}
+
+const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
+{
+  struct scallop_scaled scaled;
+  const char *why = NULL;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  *scene = (struct stiff_scene){ .name = name, .crawler = *crawler };
+  if (status == SCALLOP_OK) {
+    scene->eps = scaled.eps;
+    status = certify(scene, &why);
+  }
+  if (status == SCALLOP_OK)
+    return NULL;
+  return why ? why : scallop_status_text(status);
+}
+
+/* ---- one run ---- */
+
+struct ration {
+  long most, taken;
+};
+
+static bool ration_lasts(void *context)
+{
+  struct ration *r = context;
+  return r->taken++ < r->most;
+}
+
+static double difference(double answer, const struct stiff_value *value) { return (answer - value->high) - value->low; }
+
+/* Samples at the beginning, in the middle and at the end of the stretch. */
+static bool keep(void *context, const struct scallop_sample *sample)
+{
+  struct scallop_sample **next = context;
+  *(*next)++ = *sample;
+  return true;
+}
+
+static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
+                                       const struct scallop_patience *patience, struct stiff_run *run)
+{
+  const struct stiff_held *held = &scene->held;
+  const struct scallop_crawler *c = &scene->crawler;
+  const double times[] = { held->begin, (held->begin + held->end) / 2, held->end }, unit = run->delta * c->L / c->T;
+  struct scallop_sample sample[3] = { { 0 } }, *next = sample;
+  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, times, 3, keep, &next);
+  if (status != SCALLOP_OK)
+    return status;
+  bool first = held->body == 1;
+  run->error[STIFF_CREEP] = ((first ? sample[2].x1 : sample[2].x2) - (first ? sample[0].x1 : sample[0].x2)) / c->L;
+  run->velocity = (first ? sample[1].v1 : sample[1].v2) / unit;
+  run->last = (first ? sample[2].v1 : sample[2].v2) / unit;
+  return SCALLOP_OK;
+}
+
+static enum scallop_status solve_period_smoothed(const struct stiff_scene *scene, struct scallop_rival *rival,
+                                                 const struct scallop_patience *patience, struct stiff_run *run)
+{
+  const struct scallop_crawler *c = &scene->crawler;
+  struct scallop_rival_period period;
+  count_add(COUNT_INTEGRATORS, 1);
+  enum scallop_status status = rival->period(rival, c, scene->v_start, patience, &period);
+  if (status != SCALLOP_OK)
+    return status;
+  run->error[STIFF_V_END] = difference(period.v_end, &scene->v_end) * c->T / c->L;
+  run->error[STIFF_DISPLACEMENT] = difference(period.displacement, &scene->displacement) / c->L;
+  run->steps = (double)period.steps;
+  run->evaluations = (double)period.evaluations;
+  return SCALLOP_OK;
+}
+
+static void describe(struct stiff_run *run, enum scallop_status status, const struct ration *ration)
+{
+  run->solved = status == SCALLOP_OK;
+  if (run->solved)
+    snprintf(run->status, sizeof run->status, "ok");
+  else if (status == SCALLOP_ESTOPPED)
+    snprintf(run->status, sizeof run->status, "cut off after %ld accepted steps", ration->most);
+  else
+    snprintf(run->status, sizeof run->status, "%s, after %ld accepted steps", scallop_status_text(status), ration->taken);
+}
+
+double stiff_tolerance(double delta)
+{
+  const double least = 1e-15;
+  return fmax(least, 1e-9 * delta);
+}
+
+static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta,
+                       double tolerance, long most, struct stiff_run *run)
+{
+  *run = (struct stiff_run){ .delta = delta,
+                             .tolerance = tolerance,
+                             .error = { NAN, NAN, NAN },
+                             .own = { NAN, NAN, NAN },
+                             .velocity = NAN,
+                             .last = NAN,
+                             .steps = NAN,
+                             .evaluations = NAN };
+  struct scallop_rival *rival = scallop_smoothed_rival(stepper, delta, tolerance);
+  if (!rival) {
+    snprintf(run->status, sizeof run->status, "out of memory");
+    return;
+  }
+  struct ration ration = { .most = most };
+  const struct scallop_patience patience = { ration_lasts, &ration };
+  enum scallop_status status = solve_period_smoothed(scene, rival, &patience, run);
+  if (status == SCALLOP_OK && scene->held.body != 0) {
+    ration.taken = 0;
+    status = look_inside(scene, rival, &patience, run);
+  }
+  describe(run, status, &ration);
+  scallop_rival_destroy(rival);
+}
+
+void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta, double tolerance,
+                 long most, struct stiff_run *run)
+{
+  struct stiff_run looser;
+  solve_once(scene, stepper, delta, tolerance, most, run);
+  if (!run->solved)
+    return;
+  solve_once(scene, stepper, delta, LOOSER * tolerance, most, &looser);
+  for (int i = 0; i < STIFF_QUANTITIES; i++)
+    run->own[i] = fabs(run->error[i] - looser.error[i]);
+}
+
+/* ---- a series ---- */
+
+static bool is_good(const struct stiff_run *runs, int i, int quantity)
+{
+  double error = fabs(runs[i].error[quantity]);
+  bool outweighs = runs[i].solved && runs[i].own[quantity] <= 0.1 * error;
+  return outweighs && (i == 0 || error <= 0.5 * fabs(runs[i - 1].error[quantity]));
+}
+
+struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity)
+{
+  struct order_point points[STIFF_MOST_RUNS];
+  struct stiff_trend trend = { .worst_beyond = NAN };
+  for (; trend.good < count && is_good(runs, trend.good, quantity); trend.good++)
+    points[trend.good] = (struct order_point){ .h = runs[trend.good].delta, .err = runs[trend.good].error[quantity] };
+  for (int i = trend.good; i < count; i++)
+    if (runs[i].solved)
+      trend.worst_beyond = fmax(trend.worst_beyond, fabs(runs[i].error[quantity]));
+  trend.fit = order_estimate(points, trend.good);
+  trend.verdict = order_judge(&trend.fit, 1, 0.1);
+  return trend;
+}

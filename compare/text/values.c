@@ -1,0 +1,66 @@
+#include "compare/text/values.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/text/digits.h"
+
+static char message[320];
+
+bool read_number(const char *text, double *value)
+{
+  char *end;
+  if (strnlen(text, NUMBER_LENGTH + 1) > NUMBER_LENGTH)
+    return false;
+  if (digits_read(text, value))
+    return true;
+  if (*text == '\0' || isspace((unsigned char)*text))
+    return false;
+  errno = 0;
+  double x = strtod(text, &end);
+  if (*end != '\0' || !isfinite(x) || (errno == ERANGE && x != 0 && !isnormal(x)))
+    return false;
+  if (errno == ERANGE && x == 0)
+    return false;
+  *value = x;
+  return true;
+}
+
+bool read_count(const char *text, long low, long high, long *value)
+{
+  char *end;
+  errno = 0;
+  long x = strtol(text, &end, 10);
+  if (*text == '\0' || isspace((unsigned char)*text) || *end != '\0' || errno != 0 || x < low || x > high)
+    return false;
+  *value = x;
+  return true;
+}
+
+const char *not_allowed(const char *text, const char *allowed)
+{
+  snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);
+  return message;
+}
+
+const char *no_number(const char *text, const char *allowed)
+{
+  char *end, both[160];
+  size_t length = strlen(text);
+  bool blank = length > 0 && (isspace((unsigned char)text[0]) || isspace((unsigned char)text[length - 1]));
+  errno = 0;
+  double x = strtod(text, &end);
+  bool beyond = !blank && *end == '\0' && errno == ERANGE;
+  snprintf(both, sizeof both, "%s%s", allowed,
+           blank                    ? ", without blanks around it"
+           : length > NUMBER_LENGTH ? "; this one has more than 10100 characters"
+           : beyond && fabs(x) < 1  ? "; this one is too small: below 2.2e-308 doubles lose digits"
+           : beyond                 ? "; this one is too large: no double is above 1.8e308"
+                                    : "");
+  return not_allowed(text, both);
+}

@@ -1,0 +1,68 @@
+#include "compare/text/words.h"
+
+#include <ctype.h>
+#include <stddef.h>
+#include <string.h>
+
+/* Levenshtein's, upper and lower case being the same */
+static int distance(const char *a, const char *b)
+{
+  enum { LONGEST = 40 };
+  int row[LONGEST + 1];
+  size_t m = strlen(b);
+  if (m > LONGEST || strlen(a) > LONGEST)
+    return LONGEST;
+  for (size_t j = 0; j <= m; j++)
+    row[j] = (int)j;
+  for (size_t i = 1; a[i - 1] != '\0'; i++) {
+    int diagonal = row[0];
+    row[0] = (int)i;
+    for (size_t j = 1; j <= m; j++) {
+      int substitute = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+      int insert = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+      diagonal = row[j];
+      row[j] = substitute < insert ? substitute : insert;
+    }
+  }
+  return row[m];
+}
+
+bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
+
+const char *nearest(const char *word, const char *const *names)
+{
+  const char *best = NULL;
+  size_t length = strlen(word);
+  int least = length > 0 ? (int)length / 3 + 1 : 0;
+  for (; *names; names++) {
+    int d = length > 2 && strncmp(word, *names, length) == 0 ? 0 : distance(word, *names);
+    if (d <= least && (!best || d < least)) {
+      best = *names;
+      least = d;
+    }
+  }
+  return best;
+}
+
+size_t shown_character(const char *text)
+{
+  static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* without controls and what a shorter one says */
+  const unsigned char *c = (const unsigned char *)text;
+  size_t length = *c < 0x80 ? 1 : *c < 0xc0 ? 0 : *c < 0xe0 ? 2 : *c < 0xf0 ? 3 : *c < 0xf8 ? 4 : 0;
+  unsigned point = length > 1 ? *c & (0x7fU >> length) : *c;
+  for (size_t i = 1; i < length; i++) {
+    if ((c[i] & 0xc0) != 0x80)
+      return 0;
+    point = point << 6 | (c[i] & 0x3fU);
+  }
+  bool is_none = point < least[length] || point == 0x7f || (point >= 0xd800 && point < 0xe000) || (point & 0xfffe) == 0xfffe
+                 || point > 0x10ffff;
+  return is_none ? 0 : length;
+}
+
+bool is_shown(const char *text)
+{
+  for (size_t length; (length = shown_character(text)) > 0;)
+    text += length;
+  return *text == '\0';
+}

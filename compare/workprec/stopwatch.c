@@ -1,0 +1,103 @@
+#include "compare/workprec/stopwatch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { CLOCK_READINGS = 4096, CLOCK_TRIES = 9, MOST_STRIDE = 1000 };
+
+static const double clock_share = 1e-3, shortest_batch = 2e-4, between_readings = 5e-5;
+
+static volatile double sink; /* results go here */
+
+double stopwatch_now(void)
+{
+  struct timespec t;
+  return clock_gettime(CLOCK_MONOTONIC, &t) == 0 ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec : NAN;
+}
+
+struct stopwatch_clock stopwatch_clock(void)
+{
+  double costs[CLOCK_TRIES];
+  struct stopwatch_clock clock = { .step = INFINITY };
+  for (int try = 0; try < CLOCK_TRIES; try++) {
+    double start = stopwatch_now(), last = start;
+    for (int i = 0; i < CLOCK_READINGS; i++) {
+      double now = stopwatch_now();
+      if (now > last)
+        clock.step = fmin(clock.step, now - last);
+      last = now;
+    }
+    costs[try] = (last - start) / CLOCK_READINGS;
+  }
+  clock.cost = stopwatch_spread(costs, CLOCK_TRIES).median;
+  return clock;
+}
+
+double stopwatch_batch(stopwatch_task *task, void *context, long passes)
+{
+  double sum = 0, start = stopwatch_now();
+  for (long i = 0; i < passes; i++)
+    sum += task(context);
+  double end = stopwatch_now();
+  sink = sum;
+  return end - start;
+}
+
+long stopwatch_passes(stopwatch_task *task, void *context, double seconds)
+{
+  long passes = 1;
+  while (stopwatch_batch(task, context, passes) < seconds)
+    passes *= 2;
+  return passes;
+}
+
+double stopwatch_long_enough(const struct stopwatch_clock *clock)
+{
+  return fmax(shortest_batch, fmax(clock->cost, clock->step) / clock_share);
+}
+
+static int ascending(const void *a, const void *b)
+{
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Of sorted samples: below it lies so great a part of them. */
+static double quantile(const double *sorted, int count, double part)
+{
+  double at = part * (count - 1);
+  int below = (int)at, above = below + 1 < count ? below + 1 : below;
+  return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+}
+
+struct stopwatch_spread stopwatch_spread(double *samples, int count)
+{
+  if (count <= 0)
+    return (struct stopwatch_spread){ NAN, NAN, NAN, NAN, 0 };
+  qsort(samples, (size_t)count, sizeof *samples, ascending);
+  return (struct stopwatch_spread){ .median = quantile(samples, count, 0.5),
+                                    .least = samples[0],
+                                    .q1 = quantile(samples, count, 0.25),
+                                    .q3 = quantile(samples, count, 0.75),
+                                    .repetitions = count };
+}
+
+struct stopwatch_limit stopwatch_limit(double seconds)
+{
+  double now = stopwatch_now();
+  return (struct stopwatch_limit){ .end = now + seconds, .last = now, .stride = 1, .ask = 1 };
+}
+
+bool stopwatch_lasts(void *context)
+{
+  struct stopwatch_limit *limit = context;
+  if (--limit->ask > 0)
+    return true;
+  double now = stopwatch_now();
+  long faster = 2 * limit->stride < MOST_STRIDE ? 2 * limit->stride : MOST_STRIDE;
+  limit->stride = now - limit->last < between_readings ? faster : 1;
+  limit->ask = limit->stride;
+  limit->last = now;
+  return now < limit->end;
+}
