@@ -145,12 +145,12 @@ static void need_quantity(struct planning *p, int place)
 static void each_quantity(const struct scene_want *w, void visit(struct planning *, int), struct planning *p)
 {
   for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
+    int places[FORMULA_STEPS], count = scene_column_quantities(&w->column[i], places);
     for (int k = 0; k < count; k++)
       visit(p, places[k]);
   }
   if (w->kind == WANT_TRAJECTORY && w->until.is_formula) {
-    int places[ARITHMETIC_STEPS], count = arithmetic_places(&w->until.formula, places);
+    int places[FORMULA_STEPS], count = formula_places(&w->until.formula, places);
     for (int k = 0; k < count; k++)
       visit(p, places[k]);
   }

@@ -143,11 +143,6 @@ bool read_member_texts(const struct reading *r, const config_setting_t *group, c
   return true;
 }
 
-static int name_of_quantity(void *scene, const char *name)
-{
-  return quantity_named(&((struct scene *)scene)->quantities, name);
-}
-
 bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end)
 {
   const char *text;
@@ -155,7 +150,7 @@ bool read_end(const struct reading *r, const config_setting_t *at, struct scene_
     return isfinite(end->number) || refuse_at(r, at, "%s is a finite number", config_setting_name(at));
   if (!text)
     return refuse_at(r, at, "%s is a number, or a formula in quotes", config_setting_name(at));
-  const char *wrong = arithmetic_compile(&end->formula, text, name_of_quantity, r->scene);
+  const char *wrong = read_formula(r, &end->formula, text);
   if (wrong)
     return refuse_at(r, at, "%s = \"%.100s\": %s", config_setting_name(at), text, wrong);
   end->is_formula = true;
@@ -392,10 +387,10 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .products = 0 };
 }
 
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS])
+int scene_column_quantities(const struct scene_column *column, int places[FORMULA_STEPS])
 {
   if (column->quantity < 0)
-    return arithmetic_places(&column->formula, places);
+    return formula_places(&column->formula, places);
   places[0] = column->quantity;
   return 1;
 }

@@ -118,7 +118,7 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
 
 bool check_end(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset)
 {
-  int places[ARITHMETIC_STEPS], count = end->is_formula ? arithmetic_places(&end->formula, places) : 0;
+  int places[FORMULA_STEPS], count = end->is_formula ? formula_places(&end->formula, places) : 0;
   for (int i = 0; i < count; i++) {
     const struct quantity *q = &r->scene->quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;

@@ -1,6 +1,6 @@
-/* The parser of formulas: identities that hold for whatever it takes, the value of a formula of numbers by another parser, modulo a
+/* Formulas as series: identities that hold for whatever is taken, the value of a formula of numbers by another parser, modulo a
  * prime, and an untouched value where it refuses. */
-#include "asymptotics/expression.h"
+#include "asymptotics/formula_flint.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,28 +11,41 @@ enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions 
 static const struct ring ring = { .length = 6, .precision = 100 };
 
 /* x is the variable, h is 1/2, b a ball */
-static bool look_up(void *context, const char *name, size_t length, struct series *value)
+static const char quantities[] = "xhb";
+enum { QUANTITIES = sizeof quantities - 1 };
+
+static int place_of(void *context, const char *name)
 {
-  arb_t ball;
   (void)context;
-  if (length != 1 || !strchr("xhb", *name))
+  const char *found = strlen(name) == 1 ? strchr(quantities, *name) : NULL;
+  return found ? (int)(found - quantities) : -1;
+}
+
+static bool evaluate_text(struct series *value, const char *text)
+{
+  static const struct formula_names names = { .place = place_of };
+  struct formula formula;
+  char message[FORMULA_MESSAGE];
+  struct series values[QUANTITIES];
+  fmpq_t half;
+  arb_t pi;
+  if (formula_read(&formula, text, &names, message))
     return false;
-  arb_init(ball);
-  arb_const_pi(ball, ring.precision);
-  series_set_si(value, 2);
-  if (*name == 'x')
-    series_set_x(value);
-  else if (*name == 'b')
-    series_set_ball(value, ball);
-  else {
-    struct series one;
-    series_init(&one);
-    series_set_si(&one, 1);
-    series_div(value, &one, value, &ring);
-    series_clear(&one);
-  }
-  arb_clear(ball);
-  return true;
+  for (int i = 0; i < QUANTITIES; i++)
+    series_init(&values[i]);
+  fmpq_init(half);
+  arb_init(pi);
+  fmpq_set_si(half, 1, 2);
+  arb_const_pi(pi, ring.precision);
+  series_set_x(&values[0]);
+  series_set_rational(&values[1], half);
+  series_set_ball(&values[2], pi);
+  bool evaluated = !formula_series(value, &formula, values, &ring, message);
+  for (int i = 0; i < QUANTITIES; i++)
+    series_clear(&values[i]);
+  fmpq_clear(half);
+  arb_clear(pi);
+  return evaluated;
 }
 
 /* Evaluates the formula that consists of these parts, NULL-terminated. */
@@ -41,7 +54,7 @@ static bool evaluate(struct series *value, const char *const *parts)
   char formula[2 * LONGEST + 16] = "";
   for (size_t used = 0; *parts; used = strlen(formula), parts++)
     snprintf(formula + used, sizeof formula - used, "%s", *parts);
-  return expression_evaluate(value, formula, look_up, NULL, &ring);
+  return evaluate_text(value, formula);
 }
 #define EVALUATE(value, ...) evaluate(value, (const char *const[]){ __VA_ARGS__, NULL })
 
@@ -62,8 +75,7 @@ static bool may_vanish(const struct series *s)
   return true;
 }
 
-/* ---- the same formula once more, in whole numbers modulo a prime, operator by operator ---- */
-
+/* The same formula once more, in whole numbers modulo a prime, operator by operator. */
 static const uint64_t PRIME = 2147483647; /* 2^31 - 1: products fit */
 
 struct modulo {
@@ -116,11 +128,10 @@ static uint64_t atom(struct modulo *m)
   if (following(m) != '^')
     return value;
   m->at++;
-  following(m);
-  uint64_t exponent = 0;
-  for (; *m->at >= '0' && *m->at <= '9'; m->at++)
-    exponent = 10 * exponent + (uint64_t)(*m->at - '0');
-  return power(value, exponent);
+  uint64_t exponent = operand(m, 2);
+  bool is_negative = exponent > PRIME / 2;
+  m->undefined |= is_negative && value == 0;
+  return is_negative ? power(power(value, PRIME - 2), PRIME - exponent) : power(value, exponent);
 }
 
 static uint64_t operand(struct modulo *m, int level)
@@ -142,7 +153,7 @@ static void judge_value(const struct series *value, const char *text)
   struct modulo m = { .at = text };
   fmpq_t exact;
   fmpz_t residue, prime;
-  if (strpbrk(text, "xb"))
+  if (text[strspn(text, "0123456789h+-*/^() ")] != '\0')
     return;
   uint64_t wanted = operand(&m, 0);
   fmpq_init(exact);
@@ -156,8 +167,6 @@ static void judge_value(const struct series *value, const char *text)
   fmpz_clear(residue);
   fmpz_clear(prime);
 }
-
-/* ---- identities ---- */
 
 static void judge(const struct series *value, const char *text)
 {

@@ -1,5 +1,5 @@
-/* compare/arithmetic: what formulas are worth, which quantities they need, and what is said of those that are none. */
-#include "compare/text/formula.h"
+/* asymptotics/formula in double: what formulas are worth, which quantities they need, and what is said of those that are none. */
+#include "asymptotics/formula.h"
 #include "tests/check.h"
 
 #include <stdio.h>
@@ -17,22 +17,28 @@ static int place_of(void *context, const char *name)
   return -1;
 }
 
-static const char *compile(struct arithmetic *formula, const char *text)
+/* Only one name has a near one. */
+static const char *near_to(void *context, const char *name)
 {
+  (void)context;
+  return strcmp(name, "serie:dT.15") == 0 ? "series:dT.15" : NULL;
+}
+
+static const char *compile(struct formula *formula, const char *text)
+{
+  static char message[FORMULA_MESSAGE];
   int asked = 0;
-  return arithmetic_compile(formula, text, place_of, &asked);
+  return formula_read(formula, text, &(struct formula_names){ place_of, near_to, &asked }, message);
 }
 
 static double value(const char *text)
 {
-  struct arithmetic formula;
+  struct formula formula;
   const char *wrong = compile(&formula, text);
   if (wrong)
     fail_msg("%s: %s", text, wrong);
-  return arithmetic_value(&formula, values);
+  return formula_double(&formula, values);
 }
-
-/* ---- values ---- */
 
 static void operators_bind_as_in_print(void **state)
 {
@@ -78,6 +84,11 @@ static void functions(void **state)
   CHECK_EQUAL(value("exp(1)"), exp(1));
   CHECK_EQUAL(value("log(T)"), log(0.3));
   CHECK_EQUAL(value("log10 (1000)"), log10(1000));
+  CHECK_EQUAL(value("sin(T)"), sin(0.3));
+  CHECK_EQUAL(value("cos(T)"), cos(0.3));
+  CHECK_EQUAL(value("asin(T)"), asin(0.3));
+  CHECK_EQUAL(value("pi"), 0x1.921fb54442d18p+1);
+  CHECK_EQUAL(value("sin(pi/2) + 2*pi"), 1 + 2 * 0x1.921fb54442d18p+1);
   CHECK_EQUAL(value("min(F1,F2)"), 1.5);
   CHECK_EQUAL(value("max(F1,F2)"), 4.25);
   CHECK_EQUAL(value("min(3,1,2)"), 1);
@@ -104,6 +115,7 @@ static void outside_of_domains(void **state)
   (void)state;
   CHECK_EQUAL(value("sqrt(x)"), NAN);
   CHECK_EQUAL(value("log(x)"), NAN);
+  CHECK_EQUAL(value("asin(x)"), NAN);
   CHECK_EQUAL(value("log10(0)"), -INFINITY);
   CHECK_EQUAL(value("1/0"), INFINITY);
   CHECK_EQUAL(value("-1/0"), -INFINITY);
@@ -130,24 +142,24 @@ static void a_name_alone_gives_its_bits(void **state)
   (void)state;
   static const uint64_t patterns[] = { 0x8000000000000000U, 0x7ff8000000000123U, 0xfff8000000000001U,
                                        0x0000000000000001U, 0x7ff0000000000000U, 0x3fb999999999999aU };
-  struct arithmetic formula;
+  struct formula formula;
   double given[NAMES];
   assert_null(compile(&formula, " F2 "));
   for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
     memcpy(&given[1], &patterns[i], sizeof given[1]);
-    assert_true(bits(arithmetic_value(&formula, given)) == patterns[i]);
+    assert_true(bits(formula_double(&formula, given)) == patterns[i]);
   }
 }
 
 static double power_of(const char *exponent, double x)
 {
   char text[40];
-  struct arithmetic formula;
+  struct formula formula;
   double given[NAMES] = { 0 };
   given[3] = x;
   snprintf(text, sizeof text, "x^%s", exponent);
   assert_null(compile(&formula, text));
-  return arithmetic_value(&formula, given);
+  return formula_double(&formula, given);
 }
 
 /* To 16 by multiplication, each within its half ulps; the next ones are pow's. */
@@ -179,16 +191,14 @@ static void powers(void **state)
 static void the_places_it_uses(void **state)
 {
   (void)state;
-  struct arithmetic formula;
-  int places[ARITHMETIC_STEPS];
+  struct formula formula;
+  int places[FORMULA_STEPS];
   assert_null(compile(&formula, "T + F1*T - min(F1, x, T) + a"));
-  assert_int_equal(arithmetic_places(&formula, places), 4);
+  assert_int_equal(formula_places(&formula, places), 4);
   assert_true(places[0] == 2 && places[1] == 0 && places[2] == 3 && places[3] == 7);
   assert_null(compile(&formula, "1+2"));
-  assert_int_equal(arithmetic_places(&formula, places), 0);
+  assert_int_equal(formula_places(&formula, places), 0);
 }
-
-/* ---- complaints ---- */
 
 static void what_is_wrong_is_said(void **state)
 {
@@ -201,9 +211,12 @@ static void what_is_wrong_is_said(void **state)
     { " \t ", "character 4: there is no formula", "" },
     { "F3", "character 1: 'F3' is no quantity known here", "" },
     { "T*(F1+foo)", "character 7: 'foo' is no quantity known here", "" },
+    { "T+serie:dT.15", "character 3: 'serie:dT.15' is no quantity known here: did you mean 'series:dT.15'?", "" },
+    { "pi2", "character 1: 'pi2' is no quantity known here", "" },
+    { "pi(2)", "character 1: 'pi' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
     { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
-    { "2*sin(x)", "character 3: 'sin' is no function: there are abs sqrt exp log log10 min max", "" },
-    { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 min max", "" },
+    { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
+    { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
     { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
     { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },
     { "*2", "character 1: a number, a name or '(' is missing before '*'", "" },
@@ -240,7 +253,7 @@ static void what_is_wrong_is_said(void **state)
     { "1+max(T)", "character 3: max takes two arguments or more, not 1", "" },
   };
   for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
-    struct arithmetic formula, before;
+    struct formula formula, before;
     memset(&formula, 0x5a, sizeof formula);
     before = formula;
     const char *wrong = compile(&formula, formulas[i].text);
@@ -254,7 +267,7 @@ static void what_is_wrong_is_said(void **state)
 
 static void assert_wrong(const char *text, const char *wanted)
 {
-  struct arithmetic formula;
+  struct formula formula;
   const char *wrong = compile(&formula, text);
   assert_non_null(wrong);
   assert_string_equal(wrong, wanted);
@@ -286,11 +299,11 @@ static void limits(void **state)
   /* what is innermost counts, too */
   static const char *const openings[] = { "(", "-", "2^", "abs(" };
   for (int i = 0; i < 4; i++) {
-    struct arithmetic formula;
-    char closing[ARITHMETIC_NESTED + 1] = "1";
+    struct formula formula;
+    char closing[FORMULA_NESTED + 1] = "1";
     if (strchr(openings[i], '('))
-      memset(closing + 1, ')', ARITHMETIC_NESTED - 1);
-    assert_null(compile(&formula, repeated("", ARITHMETIC_NESTED - 1, openings[i], closing)));
+      memset(closing + 1, ')', FORMULA_NESTED - 1);
+    assert_null(compile(&formula, repeated("", FORMULA_NESTED - 1, openings[i], closing)));
   }
   assert_wrong(repeated("", 64, "(", "1"),
                "character 65: too much within one another: 64 parentheses, minus signs and powers are allowed");
@@ -302,14 +315,17 @@ static void limits(void **state)
   assert_wrong(repeated("", 63, "n", ""),
                "character 1: 'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn' is no quantity known here");
   assert_wrong(repeated("2*", 64, "n", ""), "character 3: a name of 64 characters: it may have 63");
+  CHECK_EQUAL(value(repeated("0.", 1190, "0", "1e1191")), 1);
+  assert_wrong(repeated("2*0.", 1197, "0", "1"), "character 3: a number of 1200 characters: it may have 1199");
 }
 
 static void names_are_asked_once_each_time(void **state)
 {
   (void)state;
-  struct arithmetic formula;
+  struct formula formula;
   int asked = 0;
-  assert_null(arithmetic_compile(&formula, "F1+log(F1)*T", place_of, &asked));
+  char message[FORMULA_MESSAGE];
+  assert_null(formula_read(&formula, "F1+log(F1)*T", &(struct formula_names){ place_of, NULL, &asked }, message));
   assert_int_equal(asked, 3);
 }
 

@@ -1,39 +1,48 @@
-/* What is read from text: formulas into series, numbers into fractions. */
+/* What is read from text: formulas as series and in balls, numbers into fractions. */
 #include "tests/check.h"
 
 #include <stdio.h>
 
-#include "asymptotics/expression.h"
+#include "asymptotics/formula_flint.h"
 #include "tests/random_series.h"
 
-/* ---- formulas ---- */
-
 /* x is the variable, three is 3, half is 1/2, none is 0. */
-static bool look_up(void *context, const char *name, size_t length, struct series *value)
+static const char *const names[] = { "x", "three", "half", "none" };
+enum { NAMES = 4 };
+
+static int place_of(void *context, const char *name)
 {
-  static const char *const names[] = { "x", "three", "half", "none" };
-  fmpq_t half;
-  ++*(int *)context;
-  for (int i = 0; i < 4; i++)
-    if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) {
-      fmpq_init(half);
-      fmpq_set_si(half, 1, 2);
-      series_set_si(value, i == 1 ? 3 : 0);
-      if (i == 0)
-        series_set_x(value);
-      if (i == 2)
-        series_set_rational(value, half);
-      fmpq_clear(half);
-      return true;
-    }
-  return false;
+  (void)context;
+  for (int i = 0; i < NAMES; i++)
+    if (strcmp(names[i], name) == 0)
+      return i;
+  return -1;
 }
 
-static bool evaluate(struct series *value, const char *text)
+static const char *evaluate_or_say(struct series *value, const char *text)
 {
-  int looked_up = 0;
-  return expression_evaluate(value, text, look_up, &looked_up, &ring);
+  static char message[FORMULA_MESSAGE];
+  struct formula formula;
+  const struct formula_names known = { .place = place_of };
+  struct series values[NAMES];
+  const char *wrong = formula_read(&formula, text, &known, message);
+  if (wrong)
+    return wrong;
+  for (int i = 0; i < NAMES; i++)
+    series_init(&values[i]);
+  series_set_x(&values[0]);
+  series_set_si(&values[1], 3);
+  series_set_si(&values[2], 2);
+  series_set_si(&values[3], 1);
+  assert_true(series_div(&values[2], &values[3], &values[2], &ring));
+  series_set_si(&values[3], 0);
+  wrong = formula_series(value, &formula, values, &ring, message);
+  for (int i = 0; i < NAMES; i++)
+    series_clear(&values[i]);
+  return wrong;
 }
+
+static bool evaluate(struct series *value, const char *text) { return !evaluate_or_say(value, text); }
 
 static void check_number(const char *text, slong numerator, ulong denominator)
 {
@@ -100,6 +109,11 @@ static void powers(void **state)
   check_number("(1 + three)^2", 16, 1);
   check_number("half^3", 1, 8);
   check_number("2 ^ 3", 8, 1);
+  check_number("2^-1", 1, 2);
+  check_number("2^(2)", 4, 1);
+  check_number("2^3^2", 512, 1);
+  check_number("2^(4/2)", 4, 1);
+  check_number("half^-3", 8, 1);
   check_number("(x^2 + 3*x)^2/x^2 - x^2 - 6*x", 9, 1);
 }
 
@@ -110,6 +124,17 @@ static void parentheses(void **state)
   check_number("((1 + 2)*(3 + (4 - 2)))/(5)", 3, 1);
   check_number("(2 - (3 - (4 - (5 - 6))))", 4, 1);
   check_number("1/(1 + 1/(1 + 1/(1 + 1/2)))", 5, 8);
+}
+
+/* 0.1 is a tenth, not the double. */
+static void decimals_are_exact(void **state)
+{
+  (void)state;
+  check_number("0.1", 1, 10);
+  check_number("1.5", 3, 2);
+  check_number("25e-2*4", 1, 1);
+  check_number(".5 + 1e3", 2001, 2);
+  check_number("0e-999999", 0, 1);
 }
 
 /* 1/(1 - x)^2 and (1 + x)^3/x, by what everybody knows of them */
@@ -139,49 +164,13 @@ static void series_in_the_variable(void **state)
 static void refusals_change_nothing(void **state)
 {
   (void)state;
-  static const char *const bad[] = { "",
-                                     " ",
-                                     "unknown",
-                                     "1 + unknown",
-                                     "1 +",
-                                     "1 -",
-                                     "1 *",
-                                     "1 /",
-                                     "* 2",
-                                     "/ 2",
-                                     "+ 1",
-                                     "1 + + 2",
-                                     "1 ** 2",
-                                     "(1",
-                                     "1)",
-                                     "()",
-                                     "((1)",
-                                     "(1))",
-                                     "1 2",
-                                     "1 three",
-                                     "three x",
-                                     "2x",
-                                     "2(3)",
-                                     "1/0",
-                                     "1/none",
-                                     "1/(x-x)",
-                                     "1/(3-three)",
-                                     "2^",
-                                     "2^-1",
-                                     "2^x",
-                                     "2^(2)",
-                                     "2^3^2",
-                                     "1.5",
-                                     "1e3",
-                                     "thre",
-                                     "threes",
-                                     "1 + 1 ?",
-                                     "1;",
-                                     "#",
-                                     "1,2",
-                                     "-",
-                                     "x^",
-                                     "half/(half - 1/2)" };
+  static const char *const bad[] = { "",       " ",           "unknown",     "1 + unknown", "1 +",    "1 -",
+                                     "1 *",    "1 /",         "* 2",         "/ 2",         "+ 1",    "1 + + 2",
+                                     "1 ** 2", "(1",          "1)",          "()",          "((1)",   "(1))",
+                                     "1 2",    "1 three",     "three x",     "2x",          "2(3)",   "1/0",
+                                     "1/none", "1/(x-x)",     "1/(3-three)", "2^",          "2^x",    "2^half",
+                                     "2^65",   "2^(x/x + x)", "none^-1",     "thre",        "threes", "1 + 1 ?",
+                                     "1;",     "#",           "1,2",         "-",           "x^",     "half/(half - 1/2)" };
   struct random r = { 20260812 };
   struct series w[WORK];
   work_init(w);
@@ -196,6 +185,84 @@ static void refusals_change_nothing(void **state)
     check_same(&w[0], &w[1], bad[i]);
   }
   work_clear(w);
+}
+
+static void what_a_series_cannot_do(void **state)
+{
+  (void)state;
+  static const char *const refusals[][2] = {
+    { "1 + sqrt(2)", "character 5: sqrt of a series is not known" },
+    { "min(1, x)", "character 1: min of a series is not known" },
+    { "x^half", "character 2: ^ takes a whole number from -64 to 64 as the power of a series" },
+    { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
+    { "three + none^-2", "character 13: ^ divides by what may be 0" },
+  };
+  struct series value;
+  series_init(&value);
+  for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
+    const char *wrong = evaluate_or_say(&value, refusals[i][0]);
+    assert_non_null(wrong);
+    assert_string_equal(wrong, refusals[i][1]);
+  }
+  series_clear(&value);
+}
+
+/* pi is enclosed, to the precision of the ring. */
+static void pi_is_a_ball(void **state)
+{
+  (void)state;
+  struct series value;
+  arb_t got, pi;
+  series_init(&value);
+  arb_init(got);
+  arb_init(pi);
+  assert_true(evaluate(&value, "pi*x/3"));
+  series_coefficient(got, &value, 1, PRECISION);
+  arb_mul_ui(got, got, 3, PRECISION);
+  arb_const_pi(pi, 2 * PRECISION);
+  assert_true(!value.exact && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
+  series_clear(&value);
+  arb_clear(got);
+  arb_clear(pi);
+}
+
+/* In balls: every operation encloses the same one in double, and 0.1 is a tenth. */
+static void in_balls(void **state)
+{
+  (void)state;
+  static const char *const formulas[] = { "three/7 - -none", "half^three", "2^half",       "2^-3",          "abs(-three)",
+                                          "sqrt(three)",     "exp(half)",  "log(three)",   "log10(three)",  "sin(half)",
+                                          "cos(half)",       "asin(half)", "min(3, half)", "max(1,half,3)", "2*pi*0.25" };
+  const struct formula_names known = { .place = place_of };
+  const double values[NAMES] = { 0.75, 3, 0.5, 0 };
+  char message[FORMULA_MESSAGE];
+  struct formula formula;
+  arb_ptr balls = _arb_vec_init(NAMES);
+  arb_t got, tenth;
+  arb_init(got);
+  arb_init(tenth);
+  for (int i = 0; i < NAMES; i++)
+    arb_set_d(balls + i, values[i]);
+  for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
+    assert_null(formula_read(&formula, formulas[i], &known, message));
+    formula_ball(got, &formula, balls, PRECISION);
+    CHECK_RELATIVE(arf_get_d(arb_midref(got), ARF_RND_NEAR), formula_double(&formula, values), 4 * 0x1p-53);
+    assert_true(arb_rel_accuracy_bits(got) > PRECISION - 10);
+  }
+  assert_null(formula_read(&formula, "0.1", &known, message));
+  formula_ball(got, &formula, balls, PRECISION);
+  arb_set_ui(tenth, 1);
+  arb_div_ui(tenth, tenth, 10, 2 * PRECISION);
+  assert_true(arb_contains(got, tenth) && arb_rel_accuracy_bits(got) > PRECISION - 3);
+  static const char *const outside[] = { "1/none", "sqrt(-1)", "log(none)", "asin(3)", "(-1)^half", "none^-1" };
+  for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) {
+    assert_null(formula_read(&formula, outside[i], &known, message));
+    formula_ball(got, &formula, balls, PRECISION);
+    assert_false(arb_is_finite(got));
+  }
+  _arb_vec_clear(balls, NAMES);
+  arb_clear(got);
+  arb_clear(tenth);
 }
 
 /* Random formulas, spelled and evaluated side by side */
@@ -246,8 +313,6 @@ static void random_formulas(void **state)
   fmpq_clear(got);
   series_clear(&value);
 }
-
-/* ---- numbers ---- */
 
 /* text is numerator/denominator, both in decimals, which FLINT reads by itself. */
 static void check_parsed(const char *text, const char *fraction)
@@ -388,12 +453,16 @@ int main(void)
     cmocka_unit_test(unary_minus),
     cmocka_unit_test(powers),
     cmocka_unit_test(parentheses),
+    cmocka_unit_test(decimals_are_exact),
     cmocka_unit_test(series_in_the_variable),
+    cmocka_unit_test(what_a_series_cannot_do),
+    cmocka_unit_test(pi_is_a_ball),
+    cmocka_unit_test(in_balls),
     cmocka_unit_test(refusals_change_nothing),
     cmocka_unit_test(random_formulas),
     cmocka_unit_test(numbers),
     cmocka_unit_test(what_is_no_number),
     cmocka_unit_test(doubles_in_and_out),
   };
-  return cmocka_run_group_tests_name("expression", tests, NULL, NULL);
+  return cmocka_run_group_tests_name("formula_series", tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* Formulas: the first byte chooses the values of the quantities, the rest is the formula. What is compiled is worth what a
  * plain reading of the text gives, which looks for the operation that comes last and then at what is on both sides of it;
  * what is refused is refused with a place in the text, and changes nothing. */
-#include "compare/text/formula.h"
+#include "asymptotics/formula.h"
 
 #include <ctype.h>
 #include <float.h>
@@ -22,8 +22,6 @@ static int place_of(void *context, const char *name)
       return i;
   return -1;
 }
-
-/* ---- the plain reading ---- */
 
 enum kind { NUMBER = '0', NAME = 'a' }; /* or the character itself */
 
@@ -107,6 +105,12 @@ static double of_function(const char *name, const struct token *tokens, int from
     return log10(x);
   if (strncmp(name, "log", 3) == 0)
     return log(x);
+  if (strncmp(name, "sin", 3) == 0)
+    return sin(x);
+  if (strncmp(name, "cos", 3) == 0)
+    return cos(x);
+  if (strncmp(name, "asin", 4) == 0)
+    return asin(x);
   if (comma < 0)
     return x;
   double rest = of_function(name, tokens, from, comma, values);
@@ -147,19 +151,19 @@ static double worth(const struct token *tokens, int from, int to, const double *
   for (int i = 0; i < NAMES; i++)
     if (strlen(names[i]) == first->length && strncmp(names[i], first->text, first->length) == 0)
       return values[i];
+  if (first->length == 2 && strncmp(first->text, "pi", 2) == 0)
+    return 0x1.921fb54442d18p+1;
   fuzz_fail("'%s' was taken for a quantity", first->text);
 }
 
-/* ---- judgement ---- */
-
-static void judge_value(const struct arithmetic *formula, const char *text, const double *values)
+static void judge_value(const struct formula *formula, const char *text, const double *values)
 {
-  int count, places[ARITHMETIC_STEPS], used = arithmetic_places(formula, places);
+  int count, places[FORMULA_STEPS], used = formula_places(formula, places);
   for (int i = 0; i < used; i++)
     if (places[i] < 0 || places[i] >= NAMES)
       fuzz_fail("place %d in %s", places[i], text);
   struct token *tokens = split(text, &count);
-  double got = arithmetic_value(formula, values), wanted = worth(tokens, 0, count, values);
+  double got = formula_double(formula, values), wanted = worth(tokens, 0, count, values);
   if (!same_bits(got, wanted) && !(isnan(got) && isnan(wanted)))
     fuzz_fail("%s = %a, not %a", text, got, wanted);
   free(tokens);
@@ -190,7 +194,7 @@ static bool is_untouched(const void *data, size_t size)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   static const double pool[] = { 4.25, 0.3, -2.385, 0.0, -0.0, 1e-300, -1e300, NAN, INFINITY, 2, 16, 0.5 };
-  struct arithmetic formula;
+  struct formula formula;
   double values[NAMES];
   if (size == 0)
     return 0;
@@ -198,7 +202,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     values[i] = pool[(data[0] + i * (1 + data[0] / 32U)) % (sizeof pool / sizeof *pool)];
   char *text = fuzz_text(data + 1, size - 1);
   memset(&formula, UNTOUCHED, sizeof formula);
-  const char *wrong = arithmetic_compile(&formula, text, place_of, NULL);
+  char message[FORMULA_MESSAGE];
+  const char *wrong = formula_read(&formula, text, &(struct formula_names){ .place = place_of }, message);
   if (!wrong)
     judge_value(&formula, text, values);
   else if (!is_untouched(&formula, sizeof formula))
