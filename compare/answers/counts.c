@@ -66,9 +66,3 @@ enum scallop_status counted_trajectory(const struct scallop_crawler *crawler, do
   count_add(COUNT_SAMPLES, c.count);
   return status;
 }
-
-long counted_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads)
-{
-  count_add(COUNT_STEADY, crawlers->count);
-  return scallop_steady_batch(crawlers, states, threads);
-}

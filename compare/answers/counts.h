@@ -41,6 +41,5 @@ enum scallop_status counted_phase(const struct scallop_crawler *crawler, enum sc
                                   struct scallop_phase_result *result);
 enum scallop_status counted_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);
-long counted_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
 
 #endif
