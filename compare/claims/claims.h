@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "compare/order/order.h"
+#include "compare/text/message.h"
 #include "model/ball.h"
 #include "model/model.h"
 
@@ -49,5 +50,9 @@ bool claims_have_order(const char *list);
 /* The claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
 void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink,
                      void *context);
+
+/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
+struct options;
+enum exit_code claims_check(const struct options *options, const char *ledger);
 
 #endif

@@ -31,7 +31,7 @@ struct tsv {
 
 /* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style);
-/* The same for a text, of which a copy is kept; name is for messages. False: out of memory. */
+/* The same for a text, of which a copy is kept, with all cells until tsv_close; name is for messages. False: out of memory. */
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text);
 void tsv_close(struct tsv *tsv);
 
