@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "asymptotics/derived.h"
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/exact.h"
@@ -129,8 +128,8 @@ static enum scallop_status expand(struct motion *m, const struct report *r, long
   enum { TRIES = 6 };
   enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
-    status = m->steady ? counted_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
-                       : counted_expand_phase(&r->crawler, m->kind, m->v0, order, precision, NULL, &m->phase_expansion, why);
+    status = m->steady ? scallop_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
+                       : scallop_expand_phase(&r->crawler, m->kind, m->v0, order, precision, NULL, &m->phase_expansion, why);
     list_quantities(m);
     if (status == SCALLOP_EDOMAIN || (status == SCALLOP_OK && is_precise(m, order, r->digits)))
       break;
@@ -157,8 +156,8 @@ static bool solve(struct motion *m, const struct report *r, long digits)
 {
   const char *why = NULL;
   enum scallop_status status = m->steady
-                                   ? counted_certified_steady(&r->crawler, digits, &m->steady_exact, &why)
-                                   : counted_certified_phase(&r->crawler, m->kind, m->v0, digits, &m->phase_exact, &why);
+                                   ? scallop_certified_steady(&r->crawler, digits, &m->steady_exact, &why)
+                                   : scallop_certified_phase(&r->crawler, m->kind, m->v0, digits, &m->phase_exact, &why);
   if (status == SCALLOP_OK)
     compare_modes(m);
   else

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "compare/answers/counts_flint.h"
+#include "asymptotics/derived.h"
 #include "compare/answers/exact.h"
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };
@@ -22,8 +22,8 @@ void expansions_init(struct expansions *e, const struct subject *subject, slong 
   scallop_rational_of(&e->crawler, &crawler);
   scallop_rational_set_double(v0, subject->v0);
   e->status = subject->steady
-                  ? counted_expand_steady(&e->crawler, order, precision, &e->steady, &e->why)
-                  : counted_expand_phase(&e->crawler, subject->kind, v0, order, precision, NULL, &e->phase, &e->why);
+                  ? scallop_expand_steady(&e->crawler, order, precision, &e->steady, &e->why)
+                  : scallop_expand_phase(&e->crawler, subject->kind, v0, order, precision, NULL, &e->phase, &e->why);
   enum scallop_phase_kind kind = subject->steady ? SCALLOP_EXTENSION : subject->kind;
   scallop_symbols_set(&e->symbols, &e->crawler, kind, subject->steady ? NULL : v0, NULL, &ring);
   fmpq_clear(v0);

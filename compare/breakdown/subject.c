@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "compare/answers/counts_flint.h"
+#include "numerics/numerics.h"
 #include "compare/answers/exact.h"
 #include "numerics/certified.h"
 
@@ -41,7 +41,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
   forget(e);
   if (s->steady) {
     struct scallop_steady_result r;
-    e->status = counted_steady(&c, &r);
+    e->status = scallop_steady(&c, &r);
     if (e->status < 0)
       return;
     e->value[OF_V_START].high = r.period.v_start;
@@ -54,7 +54,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
     return;
   }
   struct scallop_phase_result r;
-  e->status = counted_phase(&c, s->kind, s->v0, &r);
+  e->status = scallop_phase(&c, s->kind, s->v0, &r);
   if (e->status < 0)
     return;
   const double values[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
@@ -68,7 +68,7 @@ void exact_in_double(const struct subject *s, double T, struct exact *e)
 static void keep_zeros(const struct scallop_crawler *c, struct exact *e)
 {
   struct scallop_steady_result r;
-  if (counted_steady(c, &r) >= 0 && r.period.displacement == 0)
+  if (scallop_steady(c, &r) >= 0 && r.period.displacement == 0)
     e->value[OF_DISPLACEMENT] = e->value[OF_MEAN_VELOCITY] = (struct scallop_wide){ 0, 0 };
 }
 
@@ -106,7 +106,7 @@ static bool certified_steady(const struct scallop_rational_crawler *c, long digi
 {
   struct scallop_certified_steady r;
   scallop_certified_steady_init(&r);
-  bool done = counted_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
+  bool done = scallop_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
   const arb_struct *const all[] = { r.v_start, r.v_mid, r.displacement, r.mean_velocity };
   for (int i = 0; done && i < STEADY_QUANTITIES; i++)
     arb_set(values + i, all[i]);
@@ -121,7 +121,7 @@ static bool certified_phase(const struct scallop_rational_crawler *c, const stru
   fmpq_init(v0);
   scallop_rational_set_double(v0, s->v0);
   scallop_certified_phase_init(&r);
-  bool done = counted_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
+  bool done = scallop_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
   const arb_struct *const all[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
   for (int i = OF_T1; done && i < BREAKDOWN_QUANTITIES; i++)
     if (r.switches || i > OF_DT)

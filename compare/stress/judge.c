@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/numerics.h"
 #include "compare/stress/stress.h"
 #include "numerics/certified.h"
 
@@ -50,8 +50,8 @@ double stress_difference(const struct scallop_wide *a, const struct scallop_wide
 static enum scallop_status solve_double(const struct stress_case *s, struct numbers *out,
                                         struct scallop_steady_result *steady, struct scallop_phase_result *phase)
 {
-  enum scallop_status status = is_phase(s) ? counted_phase(&s->crawler, s->phase, s->v0, phase)
-                                           : counted_steady(&s->crawler, steady);
+  enum scallop_status status = is_phase(s) ? scallop_phase(&s->crawler, s->phase, s->v0, phase)
+                                           : scallop_steady(&s->crawler, steady);
   if (status < 0)
     return status;
   const struct scallop_period_result *p = &steady->period;
@@ -106,7 +106,7 @@ static enum scallop_status certify_steady(const struct scallop_rational_crawler 
 {
   struct scallop_certified_steady c;
   scallop_certified_steady_init(&c);
-  enum scallop_status status = counted_certified_steady(crawler, CERTIFIED_DIGITS, &c, why);
+  enum scallop_status status = scallop_certified_steady(crawler, CERTIFIED_DIGITS, &c, why);
   if (status >= 0)
     *out = (struct numbers){ .n = { middle(c.froude), middle(c.v_start), middle(c.v_mid), middle(c.displacement),
                                     middle(c.mean_velocity), middle(c.multiplier) } };
@@ -123,7 +123,7 @@ static enum scallop_status certify_phase(const struct scallop_rational_crawler *
   fmpq_init(v0);
   scallop_certified_phase_init(&c);
   scallop_rational_set_double(v0, s->v0);
-  enum scallop_status status = counted_certified_phase(crawler, s->phase, v0, CERTIFIED_DIGITS, &c, why);
+  enum scallop_status status = scallop_certified_phase(crawler, s->phase, v0, CERTIFIED_DIGITS, &c, why);
   if (status >= 0)
     *out = (struct numbers){ .n = { c.switches ? middle(c.t1) : none, c.switches ? middle(c.dT) : none, middle(c.v_end),
                                     middle(c.dx1), middle(c.dx2), middle(c.dxC) } };
