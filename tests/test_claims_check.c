@@ -7,7 +7,7 @@
 
 #include "compare/claims/claims.h"
 #include "compare/command/compare.h"
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
 

@@ -6,7 +6,7 @@
 #include "compare/command/compare.h"
 #include "compare/answers/rational.h"
 #include "compare/command/with_flint.h"
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 #include "compare/text/grow.h"
 #include "compare/text/tsv.h"
 
