@@ -17,8 +17,7 @@
 /* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
 static int unknown(const char *what, const char *name, const char *near, const char *listed)
 {
-  fprintf(stderr, "scallop: %s '%s'%s%s%s (see %s)\n", what, name, near ? ": did you mean '" : "", near ? near : "",
-          near ? "'?" : "", listed);
+  fprintf(stderr, "scallop: %s '%s'%s (see %s)\n", what, name, did_you_mean(near), listed);
   return EXIT_USAGE;
 }
 
