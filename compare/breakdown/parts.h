@@ -7,7 +7,6 @@
 #include "compare/breakdown/breakdown.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/mode_change.h"
-#include "compare/answers/quantity.h"
 
 enum { BREAKDOWN_BITS = 256 }; /* of the balls that errors are formed in                            */
 

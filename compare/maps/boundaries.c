@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "numerics/numerics.h"
 #include "compare/maps/map.h"
 #include "compare/answers/mode_change.h"
@@ -30,18 +30,6 @@ struct boundaries {
 };
 
 /* ---- regions ---- */
-
-static bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
-{
-  for (int phase = 0; phase < 2; phase++) {
-    if (a[phase].count != b[phase].count)
-      return false;
-    for (int i = 0; i < a[phase].count && i < SCALLOP_MODES_KEPT; i++)
-      if (a[phase].kept[i].s1 != b[phase].kept[i].s1 || a[phase].kept[i].s2 != b[phase].kept[i].s2)
-        return false;
-  }
-  return true;
-}
 
 static struct scallop_crawler crawler_at(const struct boundaries *b, double u, double v)
 {
@@ -207,12 +195,12 @@ static const char *end_text(enum map_end end)
   return texts[end];
 }
 
-static void modes_of(const struct boundaries *b, int region, char text[PERIOD_MODES_TEXT])
+static void modes_of(const struct boundaries *b, int region, char text[MOTION_MODES_TEXT])
 {
   if (region == MAP_NOWHERE)
     memcpy(text, "-", 2);
   else
-    period_modes_text(text, b->regions[region].modes);
+    motion_modes_text(text, OF_STEADY, b->regions[region].modes);
 }
 
 static const char *what_changes(const struct boundaries *b, const struct map_curve *c, char text[MODE_CHANGE_TEXT])
@@ -234,7 +222,7 @@ static const char *status_text(const struct checked *k)
 static void write_curve(const struct boundaries *b, struct table *t, long number, const struct map_curve *c,
                         const struct checked *checked)
 {
-  char left[PERIOD_MODES_TEXT], right[PERIOD_MODES_TEXT], third[PERIOD_MODES_TEXT], what[MODE_CHANGE_TEXT];
+  char left[MOTION_MODES_TEXT], right[MOTION_MODES_TEXT], third[MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
   modes_of(b, c->left, left);
   modes_of(b, c->right, right);
   what_changes(b, c, what);

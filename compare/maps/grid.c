@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "compare/breakdown/breakdown.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "numerics/numerics.h"
 #include "compare/answers/gaits.h"
 #include "compare/text/journal.h"
@@ -333,10 +333,10 @@ static void write_parameters(const struct map *m, struct table *t, const struct 
 
 static void write_state(struct table *t, enum scallop_status status, const struct scallop_steady_result *r)
 {
-  char modes[PERIOD_MODES_TEXT];
+  char modes[MOTION_MODES_TEXT];
   bool solved = status >= 0;
   if (solved)
-    period_modes_text(modes, r->period.modes);
+    motion_modes_text(modes, OF_STEADY, r->period.modes);
   table_text(t, solved ? modes : "-");
   table_text(t, solved ? scallop_regime_text(r->period.regime) : "-");
   table_number(t, solved ? r->period.v_start : NAN);
