@@ -6,6 +6,7 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
+#include "compare/answers/halfway.h"
 #include "compare/scenes/flint.h"
 
 void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
@@ -196,7 +197,7 @@ static double onset_of_sticking(struct scene_state *s)
   int doublings = 0;
   while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
+  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides(s, mid) ? &sliding : &sticking) = mid;
   s->has_onset = true;
   s->onset_of = s->at.crawler;
