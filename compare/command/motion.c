@@ -34,7 +34,8 @@ static void solve(struct cells *c, const struct options *o)
                            : answer_in_double(&c->answer, &motion);
   c->why = done ? NULL : c->reason;
   if (!done)
-    snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
+    snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "",
+             more ? more : "");
 }
 
 /* Digits with an exponent at most: what every reader takes for a number */
