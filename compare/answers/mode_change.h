@@ -2,13 +2,18 @@
 #ifndef SCALLOP_MODE_CHANGE_H
 #define SCALLOP_MODE_CHANGE_H
 
+#include <stdbool.h>
+
 #include "numerics/numerics.h"
 
-struct mode_state { /* a steady state on one side of the change                                              */
-  const struct scallop_modes *modes; /* of extension and contraction                                     */
+struct mode_state {              /* a steady state on one side of the change                         */
+  struct scallop_modes modes[2]; /* of extension and contraction                                     */
   enum scallop_regime regime;
-  double v_start;
+  double v_start; /* its sign matters                                                               */
 };
+
+/* Of both phases, as far as modes are kept. */
+bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 
 enum { MODE_CHANGE_TEXT = 400 };
 

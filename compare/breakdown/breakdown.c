@@ -53,8 +53,7 @@ static bool is_wanted_quantity(const struct report *r, enum breakdown_quantity q
 
 static bool is_wanted_source(const struct report *r, enum breakdown_source source)
 {
-  static const char *const names[] = { "published", "derived", "limit" };
-  return !r->options->has_source || strcmp(r->options->source, names[source]) == 0;
+  return !r->options->has_source || strcmp(r->options->source, breakdown_source_text(source)) == 0;
 }
 
 /* ---- rows ---- */
@@ -413,15 +412,23 @@ static bool is_one_of(const char *option, const char *given, const char *const *
   return false;
 }
 
+bool breakdown_quantity_read(enum breakdown_quantity *quantity, const char *name, bool steady)
+{
+  const char *names[BREAKDOWN_QUANTITIES + 1] = { NULL };
+  int first = steady ? 0 : STEADY_QUANTITIES, end = steady ? STEADY_QUANTITIES : BREAKDOWN_QUANTITIES;
+  for (int q = first; q < end; q++) {
+    names[q - first] = breakdown_quantity_text((enum breakdown_quantity)q);
+    if (strcmp(name, names[q - first]) == 0)
+      *quantity = (enum breakdown_quantity)q;
+  }
+  return is_one_of("quantity", name, names);
+}
+
 static bool options_are_sound(const struct options *o, bool steady)
 {
   static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
-  const char *names[BREAKDOWN_QUANTITIES + 1] = { NULL };
-  int n = 0;
-  for (int q = 0; q < BREAKDOWN_QUANTITIES; q++)
-    if ((q < STEADY_QUANTITIES) == steady)
-      names[n++] = breakdown_quantity_text((enum breakdown_quantity)q);
-  if (!is_one_of("only", o->only, kinds) || !is_one_of("quantity", o->quantity, names))
+  enum breakdown_quantity quantity;
+  if (!is_one_of("only", o->only, kinds) || (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, steady)))
     return false;
   if (o->has_order && o->has_source && strcmp(o->source, "derived") != 0) {
     complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");

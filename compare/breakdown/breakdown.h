@@ -22,8 +22,11 @@ enum breakdown_quantity {
   BREAKDOWN_QUANTITIES
 };
 const char *breakdown_quantity_text(enum breakdown_quantity quantity);
+/* The one of that name, of the steady state or of one phase. False: there is none, and the message is on stderr. */
+bool breakdown_quantity_read(enum breakdown_quantity *quantity, const char *name, bool steady);
 
 enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
+const char *breakdown_source_text(enum breakdown_source source);
 
 struct breakdown_series {
   enum breakdown_source source;

@@ -99,7 +99,7 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
 
 static bool same(const struct signature *a, const struct signature *b)
 {
-  return subject_same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->part, b->part, sizeof a->part) == 0;
+  return same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->part, b->part, sizeof a->part) == 0;
 }
 
 /* ---- one event ---- */
@@ -119,13 +119,13 @@ static bool settle(double *low, double *high, const struct subject *s, const str
                    const struct signature *after)
 {
   struct scallop_modes modes[2];
-  if (!modes_in_wide(modes, s, *low) || !subject_same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
-      || !subject_same_modes(modes, after->modes))
+  if (!modes_in_wide(modes, s, *low) || !same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
+      || !same_modes(modes, after->modes))
     return false;
   for (double T; (T = *low + (*high - *low) / 2) > *low && T < *high;) {
     if (!modes_in_wide(modes, s, T))
       return false;
-    *(subject_same_modes(modes, before->modes) ? low : high) = T;
+    *(same_modes(modes, before->modes) ? low : high) = T;
   }
   return true;
 }
@@ -165,8 +165,8 @@ static bool certified_modes(struct scallop_modes modes[2], const struct subject 
 static bool is_certified(const struct subject *s, double T, const struct signature *before, const struct signature *after)
 {
   struct scallop_modes modes[2];
-  return certified_modes(modes, s, T * (1 - PROVEN)) && subject_same_modes(modes, before->modes)
-         && certified_modes(modes, s, T * (1 + PROVEN)) && subject_same_modes(modes, after->modes);
+  return certified_modes(modes, s, T * (1 - PROVEN)) && same_modes(modes, before->modes)
+         && certified_modes(modes, s, T * (1 + PROVEN)) && same_modes(modes, after->modes);
 }
 
 /* A body turns in another piece than before: which one, in which phase. */
@@ -186,19 +186,18 @@ static void tell_place(char *text, size_t size, const struct subject *s, const s
 
 static void describe(struct event *e, const struct subject *s, const struct signature *before, const struct signature *after)
 {
-  if (subject_same_modes(before->modes, after->modes) && before->regime == after->regime) {
+  if (same_modes(before->modes, after->modes) && before->regime == after->regime) {
     tell_place(e->what, sizeof e->what, s, before, after);
     return;
   }
-  struct scallop_modes modes[2][2] = { { { .count = 0 } } }; /* of a phase alone: the other one has none */
+  struct mode_state was = { .regime = before->regime, .v_start = before->v_start };
+  struct mode_state is = { .regime = after->regime, .v_start = after->v_start };
   int first = s->steady ? 0 : (int)s->kind;
-  for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) {
-    modes[0][first + phase] = before->modes[phase];
-    modes[1][first + phase] = after->modes[phase];
+  for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) { /* of a phase alone: the other one has no modes */
+    was.modes[first + phase] = before->modes[phase];
+    is.modes[first + phase] = after->modes[phase];
   }
-  const struct mode_state states[2] = { { modes[0], before->regime, before->v_start },
-                                        { modes[1], after->regime, after->v_start } };
-  mode_change_text(e->what, &states[0], &states[1]);
+  mode_change_text(e->what, &was, &is);
 }
 
 /* A switching time that leaves its piece: no mode shows it, so that doubles have to do. */
@@ -242,7 +241,7 @@ static void enter(struct finder *f, double low, double high)
   e->modes[1] = after.modes[1];
   e->regime = after.regime;
   describe(e, s, &before, &after);
-  if (subject_same_modes(before.modes, after.modes)) {
+  if (same_modes(before.modes, after.modes)) {
     e->T = settle_place(f, low, high, &before);
     return;
   }

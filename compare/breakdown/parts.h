@@ -40,7 +40,6 @@ bool exact_certified(const struct subject *subject, double T, long digits, arb_p
 bool subject_has(const struct subject *subject, enum breakdown_quantity quantity);
 /* "++ -+ ++ | ++ +- ++"; text must hold 2 * SCALLOP_MODES_TEXT + 4 bytes. */
 void subject_modes_text(const struct subject *subject, const struct scallop_modes modes[2], char *text);
-bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 /* The duration at which the Froude number is 1, and the Froude number. */
 double subject_natural_time(const struct subject *subject);
 double subject_froude(const struct subject *subject, double T);

@@ -360,7 +360,7 @@ static void go_over(struct search *s, const struct look *there)
     return;
   double T = sqrt(s->here.T) * sqrt(there->T);
   bool close = there->T - s->here.T <= narrow * there->T || !(T > s->here.T && T < there->T);
-  if (close || subject_same_modes(s->here.exact.modes, there->exact.modes)) {
+  if (close || same_modes(s->here.exact.modes, there->exact.modes)) {
     go_on(s, there);
     return;
   }

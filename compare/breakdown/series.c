@@ -8,6 +8,12 @@
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };
 
+const char *breakdown_source_text(enum breakdown_source source)
+{
+  static const char *const text[] = { "published", "derived", "limit" };
+  return text[source];
+}
+
 void expansions_init(struct expansions *e, const struct subject *subject, slong order, slong precision)
 {
   struct scallop_crawler crawler = subject->crawler;

@@ -152,18 +152,6 @@ void subject_modes_text(const struct subject *s, const struct scallop_modes mode
     scallop_modes_text(&modes[0], text);
 }
 
-bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
-{
-  for (int phase = 0; phase < 2; phase++)
-    if (a[phase].count != b[phase].count
-        || memcmp(a[phase].kept, b[phase].kept,
-                  (size_t)(a[phase].count < SCALLOP_MODES_KEPT ? a[phase].count : SCALLOP_MODES_KEPT)
-                      * sizeof *a[phase].kept)
-               != 0)
-      return false;
-  return true;
-}
-
 double subject_froude(const struct subject *s, double T)
 {
   const struct scallop_crawler *c = &s->crawler;
