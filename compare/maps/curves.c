@@ -16,93 +16,21 @@
 #include "compare/text/grow.h"
 #include "numerics/threads.h"
 
-enum { MOST_CHANGES = 32, AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
+enum { AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
 
 static const double pi = 3.14159265358979323846;
 static const double most_turn = 0.2, least_turn = 0.05; /* between two secants, in radians                             */
 static const double corner = 1e-7;                      /* steps so small may turn by any angle                           */
-static const double finest = 1e-16;                     /* of a bisection                                                  */
 static const double same_place = 1e-8; /* two points that should be one, when both have been bisected      */
 
-struct change { /* along a path, from before to after */
-  double at, u, v;
-  int before, after;
-};
-
-struct changes {
-  int count;
-  struct change list[MOST_CHANGES];
-};
-
 struct tracer {
-  map_region *region;
-  void *context;
+  struct square square;
   double step;
   struct map_curves *curves;
   struct change *seeds;
   long seed_count;
   bool out_of_memory;
 };
-
-struct path {
-  bool arc;
-  double u, v, a, b; /* line: (u + s a, v + s b); arc: (u, v) + a (cos s, sin s)                                */
-};
-
-static void place(const struct path *p, double s, double *u, double *v)
-{
-  *u = p->arc ? p->u + p->a * cos(s) : p->u + s * p->a;
-  *v = p->arc ? p->v + p->a * sin(s) : p->v + s * p->b;
-}
-
-static int region_on(const struct tracer *t, const struct path *p, double s)
-{
-  double u, v;
-  place(p, s, &u, &v);
-  return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? t->region(t->context, u, v) : MAP_NOWHERE;
-}
-
-static double length(const struct path *p) { return p->arc ? p->a : hypot(p->a, p->b); }
-
-static void add_change(struct changes *c, const struct path *p, double at, int before, int after)
-{
-  struct change *last = c->count > 0 ? &c->list[c->count - 1] : NULL;
-  if (last && last->after == before && (at - last->at) * length(p) <= MAP_THIN) { /* thin: a part of the curve */
-    last->after = after;
-    c->count -= last->before == after;
-    return;
-  }
-  if (c->count == MOST_CHANGES)
-    return;
-  struct change new = { .at = at, .before = before, .after = after };
-  place(p, at, &new.u, &new.v);
-  c->list[c->count++] = new;
-}
-
-/* Between s0 and s1, where the regions are before and after. */
-static void find_changes(const struct tracer *t, const struct path *p, double s0, int before, double s1, int after,
-                         struct changes *c)
-{
-  if (before == after)
-    return;
-  for (;;) {
-    double middle = s0 + (s1 - s0) / 2;
-    if (middle <= s0 || middle >= s1 || (s1 - s0) * length(p) <= finest) {
-      add_change(c, p, s0, before, after);
-      return;
-    }
-    int here = region_on(t, p, middle);
-    if (here == before)
-      s0 = middle;
-    else if (here == after || (s1 - s0) * length(p) <= MAP_THIN / 2)
-      s1 = middle;
-    else {
-      find_changes(t, p, s0, before, middle, here, c);
-      s0 = middle;
-      before = here;
-    }
-  }
-}
 
 static void add_seed(struct tracer *t, const struct change *c)
 {
@@ -137,12 +65,12 @@ static void seed_lines(struct tracer *t, bool along_u, int along, int across)
     struct changes c = { .count = 0 };
     const struct path p = along_u ? (struct path){ .v = fixed, .a = 1 } : (struct path){ .u = fixed, .b = 1 };
     double s0 = grid_line(0, along);
-    int before = region_on(t, &p, s0);
+    int before = region_on(&t->square, &p, s0);
     for (int i = 1; i <= along; i++) {
       double s1 = grid_line(i, along);
-      int after = region_on(t, &p, s1);
+      int after = region_on(&t->square, &p, s1);
       c.count = 0;
-      find_changes(t, &p, s0, before, s1, after, &c);
+      find_changes(&t->square, &p, s0, before, s1, after, &c);
       add_seeds(t, &c);
       s0 = s1;
       before = after;
@@ -188,13 +116,13 @@ static enum outcome take_step(const struct tracer *t, struct step *s)
   const double ahead = predicted(s);
   for (double width = 1e-6; width < pi; width *= 8) {
     double from = ahead - width, to = ahead + width;
-    int right = region_on(t, &arc, from), left = region_on(t, &arc, to);
+    int right = region_on(&t->square, &arc, from), left = region_on(&t->square, &arc, to);
     bool known = (right == s->left || right == s->right) && (left == s->left || left == s->right);
     if (known && (right != s->right || left != s->left))
       continue;
     s->changes.count = 0;
     if (known || gives_seeds(t, s))
-      find_changes(t, &arc, from, right, to, left, &s->changes);
+      find_changes(&t->square, &arc, from, right, to, left, &s->changes);
     if (known && s->changes.count == 1) {
       s->next = s->changes.list[0];
       return STEP_DONE;
@@ -228,10 +156,10 @@ static void reach_edge(struct tracer *t, struct map_curve *c)
   double edge = (across_u ? last.u : last.v) < 0.5 ? 0 : 1, here = across_u ? last.v : last.u, reach = 100 * MAP_NEAR;
   const struct path p = across_u ? (struct path){ .u = edge, .v = here, .b = 1 }
                                  : (struct path){ .u = here, .v = edge, .a = 1 };
-  int before = region_on(t, &p, -reach), after = region_on(t, &p, reach);
+  int before = region_on(&t->square, &p, -reach), after = region_on(&t->square, &p, reach);
   struct changes found = { .count = 0 };
   if ((before == c->left && after == c->right) || (before == c->right && after == c->left))
-    find_changes(t, &p, -reach, before, reach, after, &found);
+    find_changes(&t->square, &p, -reach, before, reach, after, &found);
   if (found.count == 1) {
     c->points[c->count - 1].u = found.list[0].u;
     c->points[c->count - 1].v = found.list[0].v;
@@ -306,11 +234,11 @@ static bool find_ways(const struct tracer *t, const struct change *seed, double 
   const struct path circle = { .arc = true, .u = seed->u, .v = seed->v, .a = radius };
   struct changes c = { .count = 0 };
   double s0 = 0.1;
-  int first = region_on(t, &circle, s0), before = first;
+  int first = region_on(&t->square, &circle, s0), before = first;
   for (int i = 1; i <= AROUND; i++) {
     double s1 = 0.1 + 2 * pi * i / AROUND;
-    int after = i == AROUND ? first : region_on(t, &circle, s1);
-    find_changes(t, &circle, s0, before, s1, after, &c);
+    int after = i == AROUND ? first : region_on(&t->square, &circle, s1);
+    find_changes(&t->square, &circle, s0, before, s1, after, &c);
     s0 = s1;
     before = after;
   }
@@ -456,7 +384,7 @@ static bool do_round(struct tracer *t)
   long count = take_batch(t, batch);
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, count))
   for (long k = 0; k < count; k++) {
-    own[k] = (struct tracer){ .region = t->region, .context = t->context, .step = t->step };
+    own[k] = (struct tracer){ .square = t->square, .step = t->step };
     traced[k] = trace(&own[k], &batch[k], &curves[k]);
   }
   for (long k = 0; k < count; k++) {
@@ -474,7 +402,7 @@ static bool do_round(struct tracer *t)
 
 bool map_follow(map_region *region, void *context, int columns, int rows, double step, struct map_curves *curves)
 {
-  struct tracer t = { .region = region, .context = context, .step = step, .curves = curves };
+  struct tracer t = { .square = { region, context }, .step = step, .curves = curves };
   *curves = (struct map_curves){ .count = 0 };
   seed_lines(&t, true, columns, rows);
   seed_lines(&t, false, rows, columns);

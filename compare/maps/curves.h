@@ -4,9 +4,7 @@
 
 #include <stdbool.h>
 
-/* The region at (u, v), both within [0, 1]: a number >= 0 that stands for it, or MAP_NOWHERE. Called by several threads at once. */
-enum { MAP_NOWHERE = -1 };
-typedef int map_region(void *context, double u, double v);
+#include "compare/maps/path.h"
 
 enum map_end {
   MAP_GOES_ON,  /* a point in the middle                                                            */
@@ -30,11 +28,6 @@ struct map_curves {
   long count, lost; /* curves; changes from which no curve could be followed                              */
   struct map_curve *curves;
 };
-
-/* How near the last point of a curve lies to a junction; and how near each point lies to the curve: where the regions of that
- * width exist, or of less. In u and v. */
-#define MAP_NEAR 1e-11
-#define MAP_THIN 1e-13
 
 /* Every curve between two regions that the lines of a grid of columns x rows cells cross, or that begins where one of those ends.
  * Points follow each other at distances of at most step. False: out of memory. */
