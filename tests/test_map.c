@@ -246,8 +246,8 @@ static void changes_in_words(void **state)
     { "++ -+ 0+ ++ | ++ +- ++", "++ -+ 0+ -+ 0+ ++ | ++ +- ++", "body 1 sticks more often in the extension" },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct mode_state a = { .regime = regime_of(cases[i].before), .v_start = sign_of(cases[i].before) };
-    struct mode_state b = { .regime = regime_of(cases[i].after), .v_start = sign_of(cases[i].after) };
+    struct answer a = { .regime = regime_of(cases[i].before), .value[Q_V_START] = { sign_of(cases[i].before), 0 } };
+    struct answer b = { .regime = regime_of(cases[i].after), .value[Q_V_START] = { sign_of(cases[i].after), 0 } };
     char text[MODE_CHANGE_TEXT];
     read_modes(cases[i].before, a.modes);
     read_modes(cases[i].after, b.modes);

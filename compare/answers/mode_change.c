@@ -57,7 +57,7 @@ static int start_sign(const struct scallop_modes *m)
 }
 
 /* The body that never moves, or 0 */
-static int resting_body(const struct mode_state *s)
+static int resting_body(const struct answer *s)
 {
   for (int body = 1; body <= 2; body++) {
     bool rests = s->regime == SCALLOP_AT_REST;
@@ -100,7 +100,7 @@ static void tell_turns(struct told *t, const struct scallop_modes *before, const
 
 typedef void teller(struct told *, const struct scallop_modes *, const struct scallop_modes *, int phase, int body);
 
-static void tell_all(teller *tells, struct told *t, const struct mode_state *before, const struct mode_state *after)
+static void tell_all(teller *tells, struct told *t, const struct answer *before, const struct answer *after)
 {
   for (int phase = 0; phase < 2; phase++)
     for (int body = 1; body <= 2; body++)
@@ -117,10 +117,10 @@ static bool mirror_each_other(const struct scallop_modes *a, const struct scallo
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-static void tell_signs(struct told *t, const struct mode_state *before, const struct mode_state *after)
+static void tell_signs(struct told *t, const struct answer *before, const struct answer *after)
 {
-  const int a[2] = { sign(before->v_start), start_sign(&before->modes[1]) };
-  const int b[2] = { sign(after->v_start), start_sign(&after->modes[1]) };
+  const int a[2] = { sign(before->value[Q_V_START].high), start_sign(&before->modes[1]) };
+  const int b[2] = { sign(after->value[Q_V_START].high), start_sign(&after->modes[1]) };
   for (int phase = 0; phase < 2; phase++)
     if (a[phase] * b[phase] < 0)
       tell(t, "%s velocity changes sign", phase == 0 ? "start" : "mid");
@@ -128,16 +128,7 @@ static void tell_signs(struct told *t, const struct mode_state *before, const st
       tell(t, "the %s %s from rest", phase_names[phase], b[phase] == 0 ? "begins" : "no longer begins");
 }
 
-bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
-{
-  for (int phase = 0; phase < 2; phase++)
-    if (a[phase].count != b[phase].count
-        || memcmp(a[phase].kept, b[phase].kept, (size_t)kept(&a[phase]) * sizeof *a->kept) != 0)
-      return false;
-  return true;
-}
-
-const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct mode_state *before, const struct mode_state *after)
+const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *before, const struct answer *after)
 {
   struct told t = { .text = text };
   int was = resting_body(before), is = resting_body(after);

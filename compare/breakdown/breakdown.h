@@ -3,35 +3,19 @@
 #define SCALLOP_BREAKDOWN_H
 
 #include "compare/command/compare.h"
+#include "compare/answers/quantities.h"
 
-/* ---- series beside the exact value ---- */
+/* The quantity of that name that has series, of the steady state or of one phase. False: there is none, and the message is on stderr. */
+bool breakdown_quantity_read(enum quantity_id *quantity, const char *name, bool steady);
 
 /* Of the steady state, and of one phase from a start velocity that does not depend on T. */
-enum breakdown_quantity {
-  OF_V_START,
-  OF_V_MID,
-  OF_DISPLACEMENT,
-  OF_MEAN_VELOCITY,
-  STEADY_QUANTITIES,
-  OF_T1 = STEADY_QUANTITIES,
-  OF_DT,
-  OF_V_END,
-  OF_DX1,
-  OF_DX2,
-  OF_DXC,
-  BREAKDOWN_QUANTITIES
-};
-const char *breakdown_quantity_text(enum breakdown_quantity quantity);
-/* The one of that name, of the steady state or of one phase. False: there is none, and the message is on stderr. */
-bool breakdown_quantity_read(enum breakdown_quantity *quantity, const char *name, bool steady);
-
 enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
 const char *breakdown_source_text(enum breakdown_source source);
 
 struct breakdown_series {
   enum breakdown_source source;
   long order; /* derived: terms below T^order; of no meaning for the others                   */
-  enum breakdown_quantity quantity;
+  enum quantity_id quantity;
 };
 
 /* One series of the steady state of a crawler, for one value of T or for a search: thread-safe. T of the crawler is the period.

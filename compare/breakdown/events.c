@@ -79,14 +79,14 @@ static void collect(void *context, const struct scallop_interval *interval)
 static bool signature_at(struct signature *out, const struct finder *f, double T)
 {
   const struct subject *s = f->subject;
-  struct exact e;
+  struct answer e;
   memset(out, 0, sizeof *out); /* signatures are compared byte by byte */
-  exact_in_double(s, T, &e);
+  subject_in_double(s, T, &e);
   if (e.status < 0)
     return false;
   out->regime = e.regime;
-  out->v_start = s->steady ? e.value[OF_V_START].high : s->v0;
-  out->v_mid = s->steady ? e.value[OF_V_MID].high : s->v0;
+  out->v_start = s->steady ? e.value[Q_V_START].high : s->v0;
+  out->v_mid = s->steady ? e.value[Q_V_MID].high : s->v0;
   struct scallop_crawler c = subject_crawler(s, T);
   for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) {
     enum scallop_phase_kind kind = s->steady ? (enum scallop_phase_kind)phase : s->kind;
@@ -107,8 +107,8 @@ static bool same(const struct signature *a, const struct signature *b)
 /* Modes in binary128. Once kept, at most SCALLOP_MODES_KEPT are compared. */
 static bool modes_in_wide(struct scallop_modes modes[2], const struct subject *s, double T)
 {
-  struct exact e;
-  exact_in_wide(s, T, &e);
+  struct answer e;
+  subject_in_wide(s, T, &e);
   modes[0] = e.modes[0];
   modes[1] = e.modes[1];
   return e.status >= 0;
@@ -190,8 +190,8 @@ static void describe(struct event *e, const struct subject *s, const struct sign
     tell_place(e->what, sizeof e->what, s, before, after);
     return;
   }
-  struct mode_state was = { .regime = before->regime, .v_start = before->v_start };
-  struct mode_state is = { .regime = after->regime, .v_start = after->v_start };
+  struct answer was = { .regime = before->regime, .value[Q_V_START] = { before->v_start, 0 } };
+  struct answer is = { .regime = after->regime, .value[Q_V_START] = { after->v_start, 0 } };
   int first = s->steady ? 0 : (int)s->kind;
   for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) { /* of a phase alone: the other one has no modes */
     was.modes[first + phase] = before->modes[phase];
@@ -274,7 +274,7 @@ static bool begin(struct finder *f, const char *limit_modes, struct signature *l
   for (int i = 0; i < 8; i++) {
     if (!signature_at(low, f, events->from))
       return false;
-    subject_modes_text(f->subject, low->modes, text);
+    motion_modes_text(text, f->subject->steady ? OF_STEADY : OF_PHASE, low->modes);
     if (*limit_modes == '\0' || strcmp(text, limit_modes) == 0)
       break;
     events->from = ldexp(events->from, -OCTAVES_BELOW);

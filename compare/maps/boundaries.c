@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
-#include "compare/answers/exact.h"
 #include "compare/answers/mode_change.h"
 #include "compare/command/with_flint.h"
 #include "compare/maps/axis.h"
@@ -12,7 +10,6 @@
 #include "compare/text/grow.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
-#include "numerics/wide.h"
 
 /* How far from a printed point each of the two regions is looked for: relative on a logarithmic axis, of the larger end on a linear one. */
 static const double promise = 1e-12;
@@ -20,14 +17,16 @@ static const double promise = 1e-12;
 struct boundaries {
   const struct options *options;
   struct axis axes[2];
-  struct mode_state *regions;
+  struct answer *regions; /* their modes, and how one may come there */
   int count;
   bool out_of_memory;
 };
 
-static struct scallop_crawler crawler_at(const struct boundaries *b, double u, double v)
+static struct motion motion_at(const struct boundaries *b, double u, double v)
 {
-  return axes_crawler(b->axes, &b->options->point.crawler, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v));
+  const struct scallop_crawler *base = &b->options->point.crawler;
+  return (struct motion){ .of = OF_STEADY,
+                          .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v)) };
 }
 
 /* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or one is at rest. */
@@ -40,49 +39,34 @@ static int common_sign(const struct scallop_modes *m, bool end)
 }
 
 /* Whether rounding may have chosen the modes: a phase ends with a velocity with which the next one does not begin, or that is tiny. */
-static bool is_uncertain(const struct scallop_crawler *c, const struct scallop_period_result *p)
+static bool is_uncertain(const struct scallop_crawler *c, const struct answer *a)
 {
-  const double tiny = 1e-13 * c->L / c->T, v[2] = { fabs(p->v_start), fabs(p->v_mid) };
+  const double tiny = 1e-13 * c->L / c->T, v[2] = { fabs(a->value[Q_V_START].high), fabs(a->value[Q_V_MID].high) };
   for (int phase = 0; phase < 2; phase++)
-    if (common_sign(&p->modes[1 - phase], true) != common_sign(&p->modes[phase], false) || (v[phase] > 0 && v[phase] < tiny))
+    if (common_sign(&a->modes[1 - phase], true) != common_sign(&a->modes[phase], false) || (v[phase] > 0 && v[phase] < tiny))
       return true;
   return false;
 }
 
-static void set_region(struct mode_state *r, const struct scallop_modes modes[2], enum scallop_regime regime)
-{
-  memcpy(r->modes, modes, sizeof r->modes);
-  r->regime = regime;
-  r->v_start = common_sign(&modes[0], false);
-}
-
-static bool solve_widely(const struct scallop_crawler *c, struct mode_state *r)
-{
-  struct scallop_wide_steady wide;
-  bool solved = scallop_wide_steady(SCALLOP_BINARY128, c, &wide) >= 0;
-  if (solved)
-    set_region(r, wide.period.modes, wide.period.regime);
-  return solved;
-}
-
 /* In double where that decides, else in wider arithmetic where that can. */
-static bool solve(const struct scallop_crawler *c, struct mode_state *r)
+static bool solve(const struct motion *m, struct answer *a)
 {
-  struct scallop_steady_result plain;
-  if (counted_steady(c, &plain) < 0)
+  struct answer wide;
+  if (!answer_in_double(a, m))
     return false;
-  if (!is_uncertain(c, &plain.period) || !solve_widely(c, r))
-    set_region(r, plain.period.modes, plain.period.regime);
+  if (is_uncertain(&m->crawler, a) && answer_in_wide(&wide, m, SCALLOP_BINARY128))
+    *a = wide;
+  a->value[Q_V_START].high = common_sign(&a->modes[0], false);
   return true;
 }
 
 /* By one thread at a time. */
-static int number_of(struct boundaries *b, const struct mode_state *r)
+static int number_of(struct boundaries *b, const struct answer *r)
 {
   for (int i = 0; i < b->count; i++)
     if (same_modes(b->regions[i].modes, r->modes))
       return i;
-  struct mode_state *regions = with_room(b->regions, b->count, sizeof *regions);
+  struct answer *regions = grown(b->regions, b->count, sizeof *regions);
   if (!regions) {
     b->out_of_memory = true;
     return MAP_NOWHERE;
@@ -95,10 +79,10 @@ static int number_of(struct boundaries *b, const struct mode_state *r)
 static int region_at(void *context, double u, double v)
 {
   struct boundaries *b = context;
-  struct mode_state r;
-  const struct scallop_crawler c = crawler_at(b, u, v);
+  struct answer r;
+  const struct motion m = motion_at(b, u, v);
   int found;
-  if (!solve(&c, &r))
+  if (!solve(&m, &r))
     return MAP_NOWHERE;
 #ifdef _OPENMP
 #pragma omp critical
@@ -117,9 +101,9 @@ enum side { ON_LEFT, ON_RIGHT, ON_OTHER, ON_UNKNOWN };
 
 static enum side side_of(const struct boundaries *b, const struct map_curve *c, const struct map_point *p, double distance)
 {
-  struct mode_state r;
-  const struct scallop_crawler crawler = crawler_at(b, p->u + distance * p->nu, p->v + distance * p->nv);
-  if (!solve_widely(&crawler, &r))
+  struct answer r;
+  const struct motion m = motion_at(b, p->u + distance * p->nu, p->v + distance * p->nv);
+  if (!answer_in_wide(&r, &m, SCALLOP_BINARY128))
     return ON_UNKNOWN;
   if (same_modes(b->regions[c->left].modes, r.modes))
     return ON_LEFT;
@@ -193,8 +177,8 @@ static void write_curve(const struct boundaries *b, struct table *t, long number
                         const struct checked *checked)
 {
   static const char *const ends[] = { "-", "open", "closed", "junction", "stops" };
-  const struct mode_state *left = &b->regions[c->left], *right = &b->regions[c->right];
-  char modes[PERIOD_MODES_TEXT], what[MODE_CHANGE_TEXT];
+  const struct answer *left = &b->regions[c->left], *right = &b->regions[c->right];
+  char modes[MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
   long point = 0;
   for (const struct checked *k = checked; k < checked + c->count; k++) {
     if (!k->kept)
@@ -203,11 +187,12 @@ static void write_curve(const struct boundaries *b, struct table *t, long number
     table_number(t, (double)++point);
     table_number(t, axis_value(&b->axes[0], k->point.u));
     table_number(t, axis_value(&b->axes[1], k->point.v));
-    table_text(t, period_modes_text(modes, left->modes));
-    table_text(t, period_modes_text(modes, right->modes));
+    table_text(t, motion_modes_text(modes, OF_STEADY, left->modes));
+    table_text(t, motion_modes_text(modes, OF_STEADY, right->modes));
     table_text(t, mode_change_text(what, left, right));
     table_text(t, ends[k->point.end]);
-    table_text(t, k->point.third == MAP_NOWHERE ? "-" : period_modes_text(modes, b->regions[k->point.third].modes));
+    table_text(t,
+               k->point.third == MAP_NOWHERE ? "-" : motion_modes_text(modes, OF_STEADY, b->regions[k->point.third].modes));
     table_text(t, status_text(k));
   }
 }

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
 #include "compare/breakdown/breakdown.h"
 #include "compare/command/with_flint.h"
@@ -56,7 +55,7 @@ static bool choose_measures(struct grid *g)
   static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
   const struct options *o = g->options;
   struct breakdown_series all[BREAKDOWN_SOURCES];
-  enum breakdown_quantity quantity = OF_DISPLACEMENT;
+  enum quantity_id quantity = Q_DISPLACEMENT;
   int count = 0;
   if (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, true))
     return false;
@@ -207,6 +206,9 @@ static enum exit_code open_journal(struct grid *g)
 /* What the axes set, and what may be wanted beside it; F1/F2 as an axis is not F1. */
 static const char *const parameters[] = { "m1", "m2", "F1", "F2", "T", "alpha", "froude", NULL };
 
+static const enum quantity_id states[] = { Q_V_START, Q_DISPLACEMENT, Q_MEAN_VELOCITY };
+enum { STATES = sizeof states / sizeof *states };
+
 static bool is_axis(const struct grid *g, const char *name)
 {
   return strcmp(name, axis_name(g->axes[0].kind)) == 0 || strcmp(name, axis_name(g->axes[1].kind)) == 0;
@@ -214,16 +216,17 @@ static bool is_axis(const struct grid *g, const char *name)
 
 static void begin_table(const struct grid *g, struct table *t)
 {
-  static const char *const state[] = { "modes", "regime", "v_start", "displacement", "mean_velocity", NULL };
   axes_head(t, g->options, g->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
-      breakdown_quantity_text(g->measures[0].series.quantity));
+      quantity_rows[g->measures[0].series.quantity].name);
   table_columns(t, (const char *const[]){ axis_name(g->axes[0].kind), axis_name(g->axes[1].kind), NULL });
   for (const char *const *p = parameters; *p; p++)
     if (!is_axis(g, *p))
       table_columns(t, (const char *const[]){ *p, NULL });
-  table_columns(t, state);
+  table_columns(t, (const char *const[]){ "modes", "regime", NULL });
+  for (int i = 0; i < STATES; i++)
+    table_columns(t, (const char *const[]){ quantity_rows[states[i]].name, NULL });
   for (int i = 0; i < g->width; i++)
     table_columns(t, (const char *const[]){ g->measures[i].name, NULL });
   table_columns(t, (const char *const[]){ "status", NULL });
@@ -232,25 +235,24 @@ static void begin_table(const struct grid *g, struct table *t)
 
 static void write_row(struct grid *g, struct table *t, long row)
 {
-  const struct scallop_crawler c = crawler_of(g, row);
-  struct scallop_steady_result r;
-  enum scallop_status status = counted_steady(&c, &r);
-  char modes[PERIOD_MODES_TEXT];
-  bool solved = status >= 0;
+  const struct motion m = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
+  const struct scallop_crawler *c = &m.crawler;
+  struct answer a;
+  char modes[MOTION_MODES_TEXT];
+  bool solved = answer_in_double(&a, &m);
   table_number(t, axis_node(&g->axes[0], row % g->axes[0].count));
   table_number(t, axis_node(&g->axes[1], row / g->axes[0].count));
   for (const char *const *p = parameters; *p; p++)
     if (!is_axis(g, *p))
-      table_number(t, strcmp(*p, "froude") == 0 ? (c.m1 + c.m2) * c.L / (c.T * c.T * (c.F1 + c.F2))
-                                                : crawler_parameter(&c, *p));
-  table_text(t, solved ? period_modes_text(modes, r.period.modes) : "-");
-  table_text(t, solved ? scallop_regime_text(r.period.regime) : "-");
-  table_number(t, solved ? r.period.v_start : NAN);
-  table_number(t, solved ? r.period.displacement : NAN);
-  table_number(t, solved ? r.mean_velocity : NAN);
+      table_number(t, strcmp(*p, "froude") == 0 ? (c->m1 + c->m2) * c->L / (c->T * c->T * (c->F1 + c->F2))
+                                                : crawler_parameter(c, *p));
+  table_text(t, solved ? motion_modes_text(modes, OF_STEADY, a.modes) : "-");
+  table_text(t, solved ? scallop_regime_text(a.regime) : "-");
+  for (int i = 0; i < STATES; i++)
+    table_number(t, a.value[states[i]].high);
   for (int i = 0; i < g->width; i++)
     table_number(t, values_of(g, row)[i]);
-  table_text(t, scallop_status_text(status));
+  table_text(t, scallop_status_text(a.status));
   g->unsolved += !solved;
 }
 
