@@ -2,15 +2,11 @@
 #ifndef SCALLOP_BREAKDOWN_H
 #define SCALLOP_BREAKDOWN_H
 
-#include "compare/command/compare.h"
 #include "compare/answers/quantities.h"
-
-/* The quantity of that name that has series, of the steady state or of one phase. False: there is none, and the message is on stderr. */
-bool breakdown_quantity_read(enum quantity_id *quantity, const char *name, bool steady);
+#include "model/model.h"
 
 /* Of the steady state, and of one phase from a start velocity that does not depend on T. */
 enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
-const char *breakdown_source_text(enum breakdown_source source);
 
 struct breakdown_series {
   enum breakdown_source source;

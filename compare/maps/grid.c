@@ -6,7 +6,7 @@
 
 #include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
-#include "compare/breakdown/breakdown.h"
+#include "compare/breakdown/asked.h"
 #include "compare/command/with_flint.h"
 #include "compare/maps/axis.h"
 #include "compare/text/journal.h"
@@ -57,7 +57,7 @@ static bool choose_measures(struct grid *g)
   struct breakdown_series all[BREAKDOWN_SOURCES];
   enum quantity_id quantity = Q_DISPLACEMENT;
   int count = 0;
-  if (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, true))
+  if (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, OF_STEADY))
     return false;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
     if (!o->has_source || strcmp(o->source, breakdown_source_text((enum breakdown_source)s)) == 0)
