@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/command/options.h"
+
 enum { DOUBLE_DIGITS = 17 };
 /* Errors are known to some 1e-32. */
 static const double LEAST_TOLERANCE = 1e-20;

@@ -3,7 +3,6 @@
 #define SCALLOP_BREAKDOWN_ASKED_H
 
 #include "compare/breakdown/breakdown.h"
-#include "compare/command/compare.h"
 
 const char *breakdown_source_text(enum breakdown_source source);
 /* The quantity of that name that has series, of the steady state or of one phase. False: there is none, and the message is on stderr. */

@@ -8,8 +8,9 @@
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
-#include "compare/command/with_flint.h"
 #include "compare/text/progress.h"
+#include "compare/text/table.h"
+#include "model/version.h"
 
 static const char *const columns[] = { "what",   "quantity", "series", "order", "tolerance", "T",
                                        "froude", "error",    "modes",  "note",  "status",    NULL };

@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "compare/answers/mode_change.h"
-#include "compare/command/with_flint.h"
 #include "compare/maps/axis.h"
 #include "compare/maps/curves.h"
+#include "compare/maps/maps.h"
 #include "compare/text/grow.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
