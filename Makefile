@@ -42,7 +42,7 @@ folders  = model asymptotics numerics compare/* tests tests/fuzz bench
 rooms    = $(wildcard $(1)/*.c)
 parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call rooms,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
-core    := $(call objects,$(filter-out compare/command/main compare/command/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
+core    := $(call objects,$(filter-out compare/command/main compare/command/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts shipped_completion)
 alone   := $(core) $(call objects,compare/command/hand_over)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
 full    := $(core) $(call objects,$(flint_parts) $(cvode) shipped_ledger) $(chosen)
@@ -106,10 +106,11 @@ $(B)/single/%.o: %.c Makefile config.mk
 	@echo "  CC $< (one thread)"
 	@$(CC) $(CPPFLAGS) $(without_threads) -MMD -MP -c -o $@ $<
 
-# Scenes, their plot scripts and the ledger, in the program
+# Scenes, their plot scripts, the completion and the ledger, in the program
 plot_scripts := scripts/plot_common.gp $(wildcard scripts/plot_figure*.gp)
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
 $(B)/shipped_scripts.c: $(plot_scripts)
+$(B)/shipped_completion.c: scripts/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/shipped_%.c: scripts/embed.sh
 	@mkdir -p $(@D)
