@@ -14,7 +14,7 @@ static struct options in(const struct options *options, struct table *into)
 {
   struct options o = *options;
   o.into = into;
-  o.crawler = scallop_crawler_default();
+  o.point.crawler = scallop_crawler_default();
   return o;
 }
 
@@ -136,9 +136,9 @@ static void parameters_that_do_not_hold_are_not_said(void **state)
   static const char *const ratio[] = { "m1_over_m2", NULL }, *const some[] = { "F1", "T", NULL };
   struct options o = tsv;
   struct table t;
-  o.crawler = scallop_crawler_default();
-  o.written[0] = "1e0";
-  o.written[6] = "0.750";
+  o.point.crawler = scallop_crawler_default();
+  o.point.written[0] = "1e0";
+  o.point.written[6] = "0.750";
   for (int i = 0; i < 3; i++) {
     assert_true(table_open_at(&t, &o, "table"));
     table_lead(&t, ratio, i == 0);

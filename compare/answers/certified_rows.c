@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/answers/counts_flint.h"
+#include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/exact.h"
 #include "compare/answers/points.h"
@@ -58,9 +59,9 @@ static void parameters(struct table *table, const struct options *point)
   int i = 0;
   for (const char *const *name = crawler_parameters; *name; name++, i++)
     if (strcmp(*name, "gait") == 0)
-      table_text(table, point->crawler.gait->name);
+      table_text(table, point->point.crawler.gait->name);
     else
-      write_parameter(table, point->written[i], crawler_parameter(&point->crawler, *name));
+      write_parameter(table, point->point.written[i], crawler_parameter(&point->point.crawler, *name));
 }
 
 static const char *reason(enum scallop_status status, const char *why)
@@ -92,11 +93,11 @@ const char *certified_phase_row(struct table *table, const struct options *point
   scallop_rational_init(&crawler);
   scallop_certified_phase_init(&p);
   fmpq_init(v0);
-  decimal_options(&crawler, v0, point);
+  rational_point(&crawler, v0, &point->point);
   parameters(table, point);
-  table_text(table, point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  write_parameter(table, point->written_v0, point->v0);
-  enum scallop_status status = counted_certified_phase(&crawler, point->phase, v0, solve, &p, &why);
+  table_text(table, point->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  write_parameter(table, point->point.written_v0, point->point.v0);
+  enum scallop_status status = counted_certified_phase(&crawler, point->point.phase, v0, solve, &p, &why);
   if (status == SCALLOP_OK) {
     const arb_struct *numbers[] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
     for (int i = 0; i < 6; i++)
@@ -125,7 +126,7 @@ const char *certified_steady_row(struct table *table, const struct options *poin
   char modes[PERIOD_MODES_TEXT];
   scallop_rational_init(&crawler);
   scallop_certified_steady_init(&s);
-  decimal_options(&crawler, NULL, point);
+  rational_point(&crawler, NULL, &point->point);
   parameters(table, point);
   enum scallop_status status = counted_certified_steady(&crawler, solve, &s, &why);
   if (status == SCALLOP_OK) {

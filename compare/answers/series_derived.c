@@ -5,6 +5,7 @@
 
 #include "asymptotics/derived.h"
 #include "compare/answers/counts_flint.h"
+#include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/exact.h"
 #include "compare/command/with_flint.h"
@@ -320,7 +321,7 @@ static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool fr
   if (!from_rest) {
     struct scallop_rational_crawler unused;
     scallop_rational_init(&unused);
-    decimal_options(&unused, m.v0, r->options);
+    rational_point(&unused, m.v0, &r->options->point);
     scallop_rational_clear(&unused);
   }
   bool reported = report_motion(r, &m);
@@ -344,7 +345,7 @@ static bool report_all(struct report *r)
   if (strcmp(r->options->source, "derived") == 0)
     for (int kind = 0; kind < 2; kind++) {
       done = report_phase(r, (enum scallop_phase_kind)kind, true) && done;
-      if (r->options->has_v0 && r->options->v0 != 0)
+      if (r->options->point.has_v0 && r->options->point.v0 != 0)
         done = report_phase(r, (enum scallop_phase_kind)kind, false) && done;
     }
   return report_steady(r) && done;
@@ -361,8 +362,8 @@ static bool begin(struct report *r)
   else
     table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order);
   table_parameters(&r->table, o, NULL, true);
-  if (o->has_v0)
-    table_note(&r->table, "v0: %s", o->written_v0);
+  if (o->point.has_v0)
+    table_note(&r->table, "v0: %s", o->point.written_v0);
   if (o->bound)
     table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
   else
@@ -461,7 +462,7 @@ enum exit_code series_derived(const struct options *options)
     return EXIT_USAGE;
   }
   scallop_rational_init(&r.crawler);
-  decimal_options(&r.crawler, NULL, options);
+  rational_point(&r.crawler, NULL, &options->point);
   enum exit_code code = options->bound ? report_bounds(&r) : report_series(&r);
   scallop_rational_clear(&r.crawler);
   return code;

@@ -454,15 +454,17 @@ enum exit_code breakdown_table(const struct options *o)
 {
   static struct report r;
   struct scallop_scaled scaled;
-  bool steady = !o->has_phase && !o->has_v0;
+  bool steady = !o->point.has_phase && !o->point.has_v0;
   if (!options_are_sound(o, steady))
     return EXIT_USAGE;
-  enum scallop_status status = scallop_scale(&o->crawler, &scaled);
+  enum scallop_status status = scallop_scale(&o->point.crawler, &scaled);
   if (status != SCALLOP_OK) {
     complain("breakdown", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  r = (struct report){ .options = o, .subject = { .crawler = o->crawler, .steady = steady, .kind = o->phase, .v0 = o->v0 } };
+  r = (struct report){
+    .options = o, .subject = { .crawler = o->point.crawler, .steady = steady, .kind = o->point.phase, .v0 = o->point.v0 }
+  };
   expansions_init(&r.expansions, &r.subject, o->order, BREAKDOWN_BITS);
   bool only_derived = o->only && (strcmp(o->only, "radius") == 0 || strcmp(o->only, "best") == 0);
   if (r.expansions.status != SCALLOP_OK && only_derived) {

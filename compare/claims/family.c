@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "compare/text/table.h"
 #include "numerics/certified.h"
 
@@ -62,7 +62,7 @@ void member_clear(struct member *m)
 
 static void exact_member(struct scallop_rational_crawler *c, const struct family *f, const fmpq_t x)
 {
-  decimal_crawler(c, &f->crawler);
+  rational_crawler(c, &f->crawler);
   if (f->varied == VARY_PERIOD)
     fmpq_set(c->T, x);
   else if (f->varied == VARY_RATIO)
@@ -82,7 +82,7 @@ void member_solve(struct member *m, const struct family *f, const fmpq_t x)
   scallop_rational_init(&base);
   scallop_certified_steady_init(&s);
   exact_member(&c, f, x);
-  decimal_crawler(&base, &f->crawler);
+  rational_crawler(&base, &f->crawler);
   m->solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
   m->sliding = s.regime == SCALLOP_SLIDING;
   fmpq_div(base.T, base.T, base.L);

@@ -7,7 +7,7 @@
 
 #include "compare/claims/words.h"
 #include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "numerics/certified.h"
 
 enum { MEASURED = 200, REASON = 320, BITS = 160, DIGITS = 30 };
@@ -74,7 +74,7 @@ static double relative_error(const struct scallop_crawler *crawler, int alpha_hu
   fmpq_init(q);
   scallop_rational_init(&c);
   scallop_certified_steady_init(&s);
-  decimal_crawler(&c, crawler);
+  rational_crawler(&c, crawler);
   fmpq_set_si(c.alpha, alpha_hundredths, 100);
   scallop_rational_parse(c.T, "1e-20");
   if (counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK) {
@@ -155,7 +155,7 @@ static bool proven_multiplier(const struct scallop_crawler *crawler, double *mul
   struct scallop_certified_steady s;
   scallop_rational_init(&c);
   scallop_certified_steady_init(&s);
-  decimal_crawler(&c, crawler);
+  rational_crawler(&c, crawler);
   bool solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
   *multiplier = middle(s.multiplier);
   *zero = arb_is_zero(s.multiplier);
@@ -266,7 +266,7 @@ static bool certainly_less(const struct words *w, double F1, double v0, double T
   for (int i = 0; i < 2; i++) {
     scallop_certified_phase_init(&p[i]);
     crawler.T = i ? longer : T;
-    decimal_crawler(&c, &crawler);
+    rational_crawler(&c, &crawler);
     solved = counted_certified_phase(&c, SCALLOP_EXTENSION, v, DIGITS, &p[i], NULL) == SCALLOP_OK && solved;
   }
   bool less = solved && arb_lt(p[1].dxC, p[0].dxC);

@@ -21,7 +21,7 @@ static const double rounded_up = 1.005;
 static void write_errors(struct table *table, const struct options *point, const struct scallop_phase_result *r)
 {
   struct scallop_phase_error e = { NAN, NAN, NAN, NAN, NAN, NAN };
-  scallop_phase_error(&point->crawler, point->phase, point->v0, r, &e);
+  scallop_phase_error(&point->point.crawler, point->point.phase, point->point.v0, r, &e);
   const double errors[] = { e.t1, e.dT, e.v_end, e.dx1, e.dx2, e.dxC };
   for (int i = 0; i < 6; i++)
     table_rounded(table, rounded_up * errors[i], "%.3g");
@@ -33,11 +33,12 @@ static const char *row(struct table *table, const struct options *point, const c
     return certified_phase_row(table, point);
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : counted_phase(&point->crawler, point->phase, point->v0, &r);
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN
+                                       : counted_phase(&point->point.crawler, point->point.phase, point->point.v0, &r);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   point_parameters(table, point, refused);
-  table_text(table, refused ? "-" : point->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  table_number(table, refused ? NAN : point->v0);
+  table_text(table, refused ? "-" : point->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  table_number(table, refused ? NAN : point->point.v0);
   if (why) {
     point_blank(table, point->error ? 12 : 6);
     table_text(table, "-");

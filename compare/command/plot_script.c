@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "compare/scenes/shipped.h"
-#include "compare/text/words.h"
+#include "compare/text/message.h"
 
 static const char style[] = "set border 3\n"
                             "set tics nomirror\n"

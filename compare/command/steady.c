@@ -88,11 +88,11 @@ static void estimate(const struct scallop_crawler *crawler, const struct scallop
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
   if (refused)
-    return write_none(table, &point->crawler, refused, refused);
+    return write_none(table, &point->point.crawler, refused, refused);
   if (point->certified)
     return certified_steady_row(table, point);
   struct scallop_steady_result r;
-  struct state s = { .status = counted_steady(&point->crawler, &r) };
+  struct state s = { .status = counted_steady(&point->point.crawler, &r) };
   if (s.status >= 0)
     s = (struct state){ .status = s.status,
                         .numbers = { r.froude, r.period.v_start, r.period.v_mid, r.period.displacement, r.mean_velocity,
@@ -102,8 +102,8 @@ static const char *row(struct table *table, const struct options *point, const c
                         .regime = r.period.regime,
                         .modes = r.period.modes };
   if (point->error && s.status >= 0)
-    estimate(&point->crawler, &r, &s);
-  return write_row(table, &point->crawler, &s);
+    estimate(&point->point.crawler, &r, &s);
+  return write_row(table, &point->point.crawler, &s);
 }
 
 /* The columns of a block of answers */

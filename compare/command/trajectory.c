@@ -56,11 +56,11 @@ static enum exit_code run(const struct options *options)
   if (strcmp(options->start, "rest") == 0)
     out.v0 = 0;
   if (strcmp(options->start, "steady") == 0) {
-    status = counted_steady(&options->crawler, &steady);
+    status = counted_steady(&options->point.crawler, &steady);
     out.v0 = status < 0 ? 0 : steady.period.v_start;
   }
   if (status >= 0)
-    status = counted_trajectory(&options->crawler, out.v0, options->periods, options->samples, write_sample, &out);
+    status = counted_trajectory(&options->point.crawler, out.v0, options->periods, options->samples, write_sample, &out);
   if (out.failed)
     return EXIT_FILE;
   if (status < 0) {

@@ -45,7 +45,7 @@ static bool same_modes(const struct scallop_modes a[2], const struct scallop_mod
 
 static struct scallop_crawler crawler_at(const struct boundaries *b, double u, double v)
 {
-  return axes_crawler(b->axes, &b->options->crawler, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v));
+  return axes_crawler(b->axes, &b->options->point.crawler, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v));
 }
 
 /* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or one is at rest. */

@@ -104,7 +104,7 @@ static bool sets_period(const struct axis *a) { return a->kind == AXIS_T || a->k
 static struct scallop_crawler crawler_of(const struct map *m, long row)
 {
   long columns = m->axes[0].count;
-  return axes_crawler(m->axes, &m->options->crawler, axis_node(&m->axes[0], row % columns),
+  return axes_crawler(m->axes, &m->options->point.crawler, axis_node(&m->axes[0], row % columns),
                       axis_node(&m->axes[1], row / columns));
 }
 
@@ -224,7 +224,7 @@ static bool take(void *context, long item, int count, const double *values)
 /* All that the values depend on */
 static void make_title(const struct map *m, char title[TITLE])
 {
-  const struct scallop_crawler *c = &m->options->crawler;
+  const struct scallop_crawler *c = &m->options->point.crawler;
   int used = snprintf(title, TITLE, "scallop " SCALLOP_VERSION " journal of breakdown --map:");
   for (int i = 0; i < 2; i++) {
     const struct axis *a = &m->axes[i];

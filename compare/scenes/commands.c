@@ -44,9 +44,9 @@ enum exit_code command_at_point(const struct running *r, struct output *o)
   for (; count < w->argument_count; count++)
     arguments[count] = w->arguments[count];
   for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
-    const char *name = crawler_parameters[i], *text = i < CRAWLER_NUMBERS ? at->written[i]
-                                                      : at->has_gait      ? at->crawler.gait->name
-                                                                          : NULL;
+    const char *name = crawler_parameters[i], *text = i < CRAWLER_NUMBERS  ? at->point.written[i]
+                                                      : at->point.has_gait ? at->point.crawler.gait->name
+                                                                           : NULL;
     bool idle = w->command == &command_breakdown && !command_makes_map(w) && strcmp(name, "T") == 0;
     if (!text || idle || !option_accepted(w->command, name))
       continue;
@@ -54,9 +54,9 @@ enum exit_code command_at_point(const struct running *r, struct output *o)
     arguments[count++] = names[i];
     arguments[count++] = (char *)text;
   }
-  if (at->has_v0 && at->written_v0 && option_accepted(w->command, "v0")) {
+  if (at->point.has_v0 && at->point.written_v0 && option_accepted(w->command, "v0")) {
     arguments[count++] = "--v0";
-    arguments[count++] = (char *)at->written_v0;
+    arguments[count++] = (char *)at->point.written_v0;
   }
   if (r->options->quiet && option_accepted(w->command, "quiet"))
     arguments[count++] = "--quiet";

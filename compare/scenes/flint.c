@@ -6,6 +6,7 @@
 
 #include "asymptotics/evaluate.h"
 #include "compare/answers/counts_flint.h"
+#include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/gaits.h"
 
@@ -94,7 +95,7 @@ static struct scene_flint *at_point(struct scene_state *s)
   if (f->has_point)
     return f;
   f->has_point = true;
-  decimal_options(&f->crawler, NULL, &s->at);
+  rational_point(&f->crawler, NULL, &s->at.point);
   fmpq_zero(f->v0);
   return f;
 }
@@ -105,8 +106,8 @@ static bool set_v0(struct scene_state *s, struct scene_flint *f)
   double v0 = state_v0(s);
   if (isnan(v0))
     return false;
-  if (s->at.has_v0 && s->at.written_v0 && v0 != 0)
-    scallop_rational_parse(f->v0, s->at.written_v0);
+  if (s->at.point.has_v0 && s->at.point.written_v0 && v0 != 0)
+    scallop_rational_parse(f->v0, s->at.point.written_v0);
   else
     scallop_rational_set_double(f->v0, v0);
   return true;
@@ -345,7 +346,7 @@ static bool formula_value(arb_t value, struct scene_state *s, struct scene_flint
     series_set_ball(&symbols.value[SYMBOL_x_switch], f->phase.at_last);
   }
   bool found = scallop_formula_expand(&sum, formula, &symbols, steady ? SCALLOP_EXTENSION : s->scene->phase, &ring);
-  if (!gait_has_ends(s->at.crawler.gait) && (!found || strstr(formula->text, "L_kin"))) {
+  if (!gait_has_ends(s->at.point.crawler.gait) && (!found || strstr(formula->text, "L_kin"))) {
     state_fail(s, no_ends); /* L_kin is 0 there, and nothing is said of it */
     found = false;
   }

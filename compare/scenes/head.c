@@ -18,7 +18,7 @@ static bool goes_with_gait(const struct scene *s, const char *parameter)
 {
   const struct scene_variable *v;
   int place = crawler_place(parameter);
-  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
+  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.point.written[place], measured = false;
   for (int i = 0; own && (v = scene_variable(s, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       measured |= strncmp(v->texts[k], "measured:", 9) == 0;
@@ -43,7 +43,7 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   char text[1024];
   size_t used = 0;
   for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
-    const char *given = i < CRAWLER_NUMBERS ? o->written[i] : o->has_gait ? o->crawler.gait->name : NULL;
+    const char *given = i < CRAWLER_NUMBERS ? o->point.written[i] : o->point.has_gait ? o->point.crawler.gait->name : NULL;
     if (given)
       used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
                                is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
@@ -89,7 +89,7 @@ static void note_start(struct table *t, const struct scene *s, const struct scen
   char v0[NUMBER_TEXT];
   if (!has_start(s, w))
     return;
-  number_text(v0, s->base.v0, 0);
+  number_text(v0, s->base.point.v0, 0);
   const char *start = s->varies_v0 ? "v0" : s->start == START_REST ? "rest" : s->start == START_STEADY ? "steady" : v0;
   if (w->kind == WANT_TRAJECTORY)
     table_note(t, "start: %s", start);

@@ -116,10 +116,10 @@ static struct gaits gaits_of(const struct scene *s)
   const struct scene_variable *variable;
   for (int i = 0; (variable = scene_variable(s, i)); i++)
     for (long k = 0; variable->target == TARGET_GAIT && k < variable->count; k++) {
-      options_set_parameter(&probe, "gait", variable->texts[k]);
-      add_gait(&all, probe.crawler.gait, true);
+      point_set(&probe.point, "gait", variable->texts[k]);
+      add_gait(&all, probe.point.crawler.gait, true);
     }
-  add_gait(&all, s->base.crawler.gait, !every_product_sets(s, TARGET_GAIT));
+  add_gait(&all, s->base.point.crawler.gait, !every_product_sets(s, TARGET_GAIT));
   return all;
 }
 

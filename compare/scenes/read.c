@@ -205,14 +205,14 @@ const char *gait_beside(const struct reading *r, const char *gait)
 static bool set_parameter(const struct reading *r, const config_setting_t *at, struct options *base, const char *name,
                           const char *text)
 {
-  const char *wrong = options_set_parameter(base, name, text);
+  const char *wrong = point_set(&base->point, name, text);
   return !wrong || refuse_at(r, at, "%s: %s", name, wrong);
 }
 
 static bool read_crawler(const struct reading *r, const config_setting_t *crawler)
 {
   struct options *base = &r->scene->base;
-  options_complete(base);
+  point_complete(&base->point);
   if (!crawler)
     return true;
   if (!config_setting_is_group(crawler))
@@ -228,13 +228,13 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
       text = config_setting_get_string(at);
       if (!text)
         return refuse_at(r, at, "gait is a text in quotes, as after --gait");
-      if (!base->has_gait && (!(text = gait_beside(r, text)) || !set_parameter(r, at, base, name, text)))
+      if (!base->point.has_gait && (!(text = gait_beside(r, text)) || !set_parameter(r, at, base, name, text)))
         return false;
       continue;
     }
     if (!is_number(at, &x, &text) && !text)
       return refuse_at(r, at, "%s is a number", name);
-    if (base->written[place]) /* on the command line */
+    if (base->point.written[place]) /* on the command line */
       continue;
     char written[NUMBER_TEXT];
     number_text(written, x, 0);
@@ -243,7 +243,7 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
     if (!set_parameter(r, at, base, name, text))
       return false;
   }
-  options_complete(base);
+  point_complete(&base->point);
   return true;
 }
 
@@ -259,12 +259,12 @@ static bool read_phase_and_start(const struct reading *r, const config_setting_t
   s->phase = phase && *phase == 'c' ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
   if (!start)
     return true;
-  if (is_number(start, &s->base.v0, &text)) {
+  if (is_number(start, &s->base.point.v0, &text)) {
     char written[NUMBER_TEXT];
-    number_text(written, s->base.v0, 0);
-    s->start = s->base.v0 == 0 ? START_REST : START_VELOCITY;
-    s->base.written_v0 = text ? text : keep_text(r, written, 0, written);
-    return isfinite(s->base.v0) || refuse_at(r, start, "start is a finite velocity");
+    number_text(written, s->base.point.v0, 0);
+    s->start = s->base.point.v0 == 0 ? START_REST : START_VELOCITY;
+    s->base.point.written_v0 = text ? text : keep_text(r, written, 0, written);
+    return isfinite(s->base.point.v0) || refuse_at(r, start, "start is a finite velocity");
   }
   if (!text || (strcmp(text, "rest") != 0 && strcmp(text, "steady") != 0))
     return refuse_at(r, start, "start is \"rest\", \"steady\" or a velocity");

@@ -105,7 +105,7 @@ static void trace(struct running *r, struct output *o)
   struct tracing t = { r, o, state_end(r->state, &w->until) };
   if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = counted_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = counted_trajectory(&r->state->at.point.crawler, v0, w->periods, w->samples, write_sample, &t);
   if (status < 0) {
     state_fail(r->state, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
@@ -185,7 +185,7 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     o->want = &r->scene->want[i];
     o->file = outputs->file[i];
     o->options = *r->options;
-    o->options.crawler = r->scene->base.crawler;
+    o->options.point.crawler = r->scene->base.point.crawler;
     o->options.format = o->want->format;
     o->options.digits = o->want->digits;
     o->options.output = o->file;

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/text/words.h"
+#include "compare/text/message.h"
 
 const char *shipped_text(const struct shipped *list, const char *name)
 {

@@ -50,9 +50,9 @@ static unsigned sets(const struct scene_variable *v)
 /* Given on the command line, which then holds throughout */
 static bool is_overridden(const struct reading *r, const struct scene_variable *v)
 {
-  unsigned given = r->options->has_gait ? 1U << CRAWLER_NUMBERS : 0;
+  unsigned given = r->options->point.has_gait ? 1U << CRAWLER_NUMBERS : 0;
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    given |= r->options->written[i] ? 1U << i : 0;
+    given |= r->options->point.written[i] ? 1U << i : 0;
   return (sets(v) & given) != 0;
 }
 
@@ -65,7 +65,7 @@ static const char *check_number(const struct reading *r, const struct scene_vari
   char written[NUMBER_TEXT];
   if (v->target == TARGET_NUMBER) {
     number_text(written, x, 0);
-    return options_set_crawler_number(&probe, v->place, text ? text : written);
+    return point_set_number(&probe.point, v->place, text ? text : written);
   }
   if (!isfinite(x))
     return "a finite number is wanted";
@@ -101,7 +101,7 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
         continue;
       struct options probe = r->scene->base;
       v->texts[i] = gait_beside(r, v->texts[i]);
-      const char *wrong = v->texts[i] ? options_set_parameter(&probe, "gait", v->texts[i]) : "out of memory";
+      const char *wrong = v->texts[i] ? point_set(&probe.point, "gait", v->texts[i]) : "out of memory";
       if (wrong)
         return refuse_at(r, element, "gait: %s", wrong);
       continue;

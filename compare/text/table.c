@@ -28,7 +28,7 @@ static bool leads_to_standard_output(const char *output)
 /* The spline goes through every point of a table, noise and all. */
 static void tell_noise(const struct options *o)
 {
-  const struct scallop_gait *gait = o->crawler.gait;
+  const struct scallop_gait *gait = o->point.crawler.gait;
   int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
   if (reversals > 0 && !o->quiet)
     fprintf(
@@ -186,16 +186,16 @@ void table_parameters(struct table *t, const struct options *o, const char *cons
   if (!takes_notes(t))
     return;
   for (int i = 0; crawler_parameters[i]; i++) {
-    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? o->written[i] : NULL;
+    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? o->point.written[i] : NULL;
     if (table_varies(t, name) || is_among(name, not_held))
       continue;
     put_text(t, begun ? " " : "# parameters: ");
     put_text(t, name);
     put_char(t, '=');
     if (written || i == CRAWLER_NUMBERS)
-      put_text(t, written ? written : o->crawler.gait->name);
+      put_text(t, written ? written : o->point.crawler.gait->name);
     else
-      put_number(t, crawler_parameter(&o->crawler, name), 0);
+      put_number(t, crawler_parameter(&o->point.crawler, name), 0);
     begun = true;
   }
   if (begun)

@@ -70,7 +70,7 @@ static void describe(char text[WAY_TEXT], const struct setting *s)
 }
 
 /* names: of the two ways. Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. */
-static void add(struct ways *ways, const struct point *point, const char *const names[2], const struct setting *s)
+static void add(struct ways *ways, const struct trial *point, const char *const names[2], const struct setting *s)
 {
   char text[WAY_TEXT];
   describe(text, s);
@@ -95,7 +95,7 @@ static struct range tolerance_range(bool quick, bool to_rounding)
   return quick ? (struct range){ 1, 1 } : (struct range){ 0, to_rounding ? 6 : 5 };
 }
 
-static void add_odeiv(struct ways *ways, const struct point *point, bool quick)
+static void add_odeiv(struct ways *ways, const struct trial *point, bool quick)
 {
   static const struct {
     enum scallop_odeiv_stepper stepper;
@@ -114,7 +114,7 @@ static void add_odeiv(struct ways *ways, const struct point *point, bool quick)
   }
 }
 
-static void add_cvode(struct ways *ways, const struct point *point, bool quick)
+static void add_cvode(struct ways *ways, const struct trial *point, bool quick)
 {
   static const char *const names[2] = { "cvode, simulated", "cvode, root" };
   if (!scallop_has_cvode()) {
@@ -129,7 +129,7 @@ static void add_cvode(struct ways *ways, const struct point *point, bool quick)
     add(ways, point, names, &(struct setting){ .family = CVODE, .tolerance = tolerances[i] });
 }
 
-static void add_smoothed(struct ways *ways, const struct point *point, bool quick)
+static void add_smoothed(struct ways *ways, const struct trial *point, bool quick)
 {
   static const struct {
     enum scallop_smoothed_stepper stepper;
@@ -148,7 +148,7 @@ static void add_smoothed(struct ways *ways, const struct point *point, bool quic
                 .family = SMOOTHED, .stepper = steppers[k].stepper, .delta = deltas[d], .tolerance = tight[i] });
 }
 
-static void add_moreau(struct ways *ways, const struct point *point, bool quick)
+static void add_moreau(struct ways *ways, const struct trial *point, bool quick)
 {
   static const char *const names[2] = { "moreau, simulated", "moreau, root" };
   static const long steps[] = { 16, 128, 1024, 8192, 65536 };
@@ -157,7 +157,7 @@ static void add_moreau(struct ways *ways, const struct point *point, bool quick)
     add(ways, point, names, &(struct setting){ .family = MOREAU, .steps = steps[i] });
 }
 
-void ways_add_rivals(struct ways *ways, const struct point *point, bool quick)
+void ways_add_rivals(struct ways *ways, const struct trial *point, bool quick)
 {
   add_odeiv(ways, point, quick);
   add_cvode(ways, point, quick);
