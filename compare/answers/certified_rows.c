@@ -7,14 +7,9 @@
 #include "compare/text/decimal.h"
 #include "compare/answers/exact.h"
 #include "compare/answers/points.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
+#include "compare/answers/proven.h"
 #include "numerics/certified.h"
-
-bool has_flint(const struct options *options, const char *what)
-{
-  (void)options, (void)what;
-  return true;
-}
 
 static void write_ball(struct table *table, const arb_t x, long digits)
 {

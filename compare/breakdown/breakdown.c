@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "compare/breakdown/parts.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 
 static const char *const columns[] = { "what",   "quantity", "series", "order", "tolerance", "T",
                                        "froude", "error",    "modes",  "note",  "status",    NULL };

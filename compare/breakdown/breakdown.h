@@ -38,4 +38,7 @@ double breakdown_error(const struct scallop_crawler *crawler, const struct break
  * permanent rest, nan where there is no such series. T of the crawler is not used. */
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
 
+/* `scallop breakdown` */
+enum exit_code breakdown_table(const struct options *options);
+
 #endif

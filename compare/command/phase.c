@@ -2,6 +2,7 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/points.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 #include "numerics/wide.h"
 
@@ -30,7 +31,7 @@ static void write_errors(struct table *table, const struct options *point, const
 static const char *row(struct table *table, const struct options *point, const char *refused)
 {
   if (point->certified && !refused)
-    return certified_phase_row(table, point);
+    return with_flint.phase_row(table, point);
   struct scallop_phase_result r;
   char modes[SCALLOP_MODES_TEXT];
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN

@@ -5,6 +5,7 @@
 #include "compare/answers/counts.h"
 #include "compare/answers/exact.h"
 #include "compare/answers/points.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 #include "numerics/wide.h"
 
@@ -90,7 +91,7 @@ static const char *row(struct table *table, const struct options *point, const c
   if (refused)
     return write_none(table, &point->point.crawler, refused, refused);
   if (point->certified)
-    return certified_steady_row(table, point);
+    return with_flint.steady_row(table, point);
   struct scallop_steady_result r;
   struct state s = { .status = counted_steady(&point->point.crawler, &r) };
   if (s.status >= 0)

@@ -8,7 +8,6 @@
 #include "compare/answers/counts.h"
 #include "compare/maps/map.h"
 #include "compare/answers/mode_change.h"
-#include "compare/command/with_flint.h"
 #include "numerics/threads.h"
 #include "numerics/wide.h"
 

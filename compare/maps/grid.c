@@ -13,7 +13,7 @@
 #include "compare/answers/gaits.h"
 #include "compare/text/journal.h"
 #include "compare/maps/map.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 

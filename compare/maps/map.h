@@ -47,4 +47,8 @@ struct map_curves {
 bool map_follow(map_region *region, void *context, int columns, int rows, double step, struct map_curves *curves);
 void map_curves_clear(struct map_curves *curves);
 
+/* `scallop breakdown --map`; with --boundaries */
+enum exit_code breakdown_map(const struct options *options);
+enum exit_code breakdown_boundaries(const struct options *options);
+
 #endif

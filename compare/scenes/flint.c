@@ -65,10 +65,8 @@ static void clear_series(struct kept_series *k)
   k->used = false;
 }
 
-void scene_flint_free(struct scene_flint *f)
+static void scene_flint_free(struct scene_flint *f)
 {
-  if (!f)
-    return;
   for (int i = 0; i < KEPT; i++)
     clear_series(&f->kept[i]);
   scallop_rational_clear(&f->crawler);
@@ -80,7 +78,7 @@ void scene_flint_free(struct scene_flint *f)
   free(f);
 }
 
-void scene_flint_forget(struct scene_flint *f) { f->has_point = f->has_steady = f->has_phase = false; }
+static void scene_flint_forget(struct scene_flint *f) { f->has_point = f->has_steady = f->has_phase = false; }
 
 /* The point's parameters as they are written; a start velocity that is a steady one is the double that it is. NULL: no memory. */
 static struct scene_flint *at_point(struct scene_state *s)
@@ -218,7 +216,7 @@ static bool derived_value(arb_t value, struct scene_state *s, struct scene_flint
   return true;
 }
 
-double scene_flint_sum(struct scene_state *s, const struct quantity *q)
+static double scene_flint_sum(struct scene_state *s, const struct quantity *q)
 {
   struct scene_flint *f = at_point(s);
   double sum = NAN;
@@ -280,7 +278,7 @@ static const arb_struct *certified_value(struct scene_state *s, struct scene_fli
   return solve_phase(s, f) && (f->phase.switches || place > PHASE_DT) ? all[place] : NULL;
 }
 
-const char *scene_flint_certified(struct scene_state *s, const struct quantity *q, long digits)
+static const char *scene_flint_certified(struct scene_state *s, const struct quantity *q, long digits)
 {
   struct scene_flint *f = at_point(s);
   const arb_struct *value = f ? certified_value(s, f, q->which) : NULL;
@@ -381,7 +379,7 @@ static void subtract(arb_t x, const fmpq_t q, slong precision)
   arb_clear(ball);
 }
 
-double scene_flint_error(struct scene_state *s, const struct quantity *series, double *rounded, double *exact)
+static double scene_flint_error(struct scene_state *s, const struct quantity *series, double *rounded, double *exact)
 {
   struct scene_flint *f = at_point(s);
   double error = *rounded = *exact = NAN;
@@ -411,3 +409,6 @@ double scene_flint_error(struct scene_state *s, const struct quantity *series, d
   arb_clear(difference);
   return error;
 }
+
+const struct scene_flint_functions scene_flint = { scene_flint_free, scene_flint_forget, scene_flint_sum, scene_flint_error,
+                                                   scene_flint_certified };

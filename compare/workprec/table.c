@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "compare/command/compare.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 #include "compare/workprec/workprec.h"
 
 enum { MOST_POINTS = 40 };

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 
+#include "compare/text/message.h"
 #include "compare/workprec/stopwatch.h"
 #include "numerics/certified.h"
 #include "numerics/rival.h"
@@ -109,5 +110,8 @@ struct options;
 void summary_write(struct table *table, const struct ways *ways);
 /* workprec --from: the summary of options->from. Returns an exit code. */
 int summary_from_file(const struct options *options);
+
+/* `scallop workprec` */
+enum exit_code workprec_table(const struct options *options);
 
 #endif
