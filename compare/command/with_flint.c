@@ -3,7 +3,7 @@
 
 #include <flint/flint.h>
 
-#include "compare/answers/proven.h"
+#include "compare/answers/answer.h"
 #include "compare/breakdown/breakdown.h"
 #include "compare/claims/claims.h"
 #include "compare/maps/map.h"
@@ -11,8 +11,8 @@
 #include "compare/stress/stress.h"
 #include "compare/workprec/workprec.h"
 
-const struct with_flint with_flint = { .phase_row = certified_phase_row,
-                                       .steady_row = certified_steady_row,
+const struct with_flint with_flint = { .answer_in_decimals = answer_in_decimals,
+                                       .decimals_free = decimals_free,
                                        .series = series_derived,
                                        .claims = claims_table,
                                        .workprec = workprec_table,

@@ -103,7 +103,7 @@ static bool begin(struct run *r)
 static void write_way(struct table *t, const struct way *way, int quantity)
 {
   const struct stopwatch_spread *time = &way->time;
-  const struct answer *a = &way->answer;
+  const struct way_answer *a = &way->answer;
   table_text(t, way->method);
   table_text(t, way->setting);
   table_text(t, way->point->crawler.gait->name);

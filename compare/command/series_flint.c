@@ -8,8 +8,7 @@
 #include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/exact.h"
-#include "compare/answers/proven.h"
-#include "compare/command/compare.h"
+#include "compare/command/with_flint.h"
 #include "numerics/certified.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
