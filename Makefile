@@ -114,7 +114,7 @@ $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/shipped_%.c: scripts/embed.sh
 	@mkdir -p $(@D)
 	@sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
-$(B)/shipped_%.o: $(B)/shipped_%.c compare/scenes/shipped.h
+$(B)/shipped_%.o: $(B)/shipped_%.c compare/text/shipped.h
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -c -o $@ $<
 
 # Who judges rounds the same way whatever CFLAGS allow the judged

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "compare/answers/counts_flint.h"
 #include "numerics/certified.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */
@@ -144,7 +143,7 @@ static bool certified_modes(struct scallop_modes modes[2], const struct subject 
   if (s->steady) {
     struct scallop_certified_steady r;
     scallop_certified_steady_init(&r);
-    done = counted_certified_steady(&exact, DIGITS, &r, NULL) == SCALLOP_OK;
+    done = scallop_certified_steady(&exact, DIGITS, &r, NULL) == SCALLOP_OK;
     modes[0] = r.modes[0];
     modes[1] = r.modes[1];
     scallop_certified_steady_clear(&r);
@@ -152,7 +151,7 @@ static bool certified_modes(struct scallop_modes modes[2], const struct subject 
     struct scallop_certified_phase r;
     scallop_rational_set_double(v0, s->v0);
     scallop_certified_phase_init(&r);
-    done = counted_certified_phase(&exact, s->kind, v0, DIGITS, &r, NULL) == SCALLOP_OK;
+    done = scallop_certified_phase(&exact, s->kind, v0, DIGITS, &r, NULL) == SCALLOP_OK;
     modes[0] = r.modes;
     scallop_certified_phase_clear(&r);
   }

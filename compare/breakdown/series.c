@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/exact.h"
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };

@@ -11,7 +11,7 @@
 #include "compare/command/commands.h"
 #include "compare/command/compare.h"
 #include "compare/command/help.h"
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 
 /* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
 static int unknown(const char *what, const char *name, const char *near, const char *listed)

@@ -23,7 +23,7 @@ extern const struct with_flint {
                              long digits, const char **why);
   void (*decimals_free)(char *texts[QUANTITIES]);
   table_of *series, *claims, *workprec, *stress, *stress_point, *stress_stiff, *breakdown, *map, *boundaries;
-} with_flint __attribute__((weak));
+} with_flint __attribute__((weak, visibility("hidden")));
 
 /* series --source derived|limit and series --bound */
 enum exit_code series_derived(const struct options *options);

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "compare/answers/exact.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/maps/map.h"
 #include "compare/answers/mode_change.h"
 #include "numerics/threads.h"
@@ -71,7 +71,7 @@ static bool solve(const struct scallop_crawler *c, struct region *r)
 {
   struct scallop_steady_result plain;
   struct scallop_wide_steady wide;
-  if (counted_steady(c, &plain) < 0)
+  if (scallop_steady(c, &plain) < 0)
     return false;
   bool widely = is_uncertain(c, &plain.period) && scallop_wide_steady(SCALLOP_BINARY128, c, &wide) >= 0;
   memcpy(r->modes, widely ? wide.period.modes : plain.period.modes, sizeof r->modes);

@@ -9,7 +9,7 @@
 
 #include "compare/breakdown/breakdown.h"
 #include "compare/answers/exact.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/answers/gaits.h"
 #include "compare/text/journal.h"
 #include "compare/maps/map.h"
@@ -149,7 +149,7 @@ static void compute(const struct map *m, long item, double *values)
   struct scallop_steady_result r;
   bool is_reach = item < m->reaches;
   struct scallop_crawler c = crawler_of(m, is_reach ? row_of_reach(m, item) : item - m->reaches);
-  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : counted_steady(&c, &r) >= 0;
+  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : scallop_steady(&c, &r) >= 0;
   for (int i = 0; i < item_width(m, item); i++) {
     const struct breakdown_series *series = &m->series[is_reach ? i / m->tolerance_count : i];
     values[i] = !exists    ? NAN
@@ -348,7 +348,7 @@ static void write_row(struct map *m, struct table *t, long row)
 {
   struct scallop_steady_result r;
   struct scallop_crawler c = crawler_of(m, row);
-  enum scallop_status status = counted_steady(&c, &r);
+  enum scallop_status status = scallop_steady(&c, &r);
   const double *errors = item_values(m, m->reaches + row), *reaches = item_values(m, reach_of_row(m, row));
   write_parameters(m, t, &c, row);
   write_state(t, status, &r);

@@ -15,6 +15,6 @@ extern const struct scene_flint_functions {
   double (*error)(struct scene_state *state, const struct quantity *series, double *value, double *exact);
   /* A certified value with so many digits; it lives until the next call. */
   const char *(*certified)(struct scene_state *state, const struct quantity *q, long digits);
-} scene_flint __attribute__((weak));
+} scene_flint __attribute__((weak, visibility("hidden")));
 
 #endif
