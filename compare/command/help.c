@@ -15,8 +15,9 @@ static const char program_text[] =
     "  1  a check failed\n"
     "  2  bad usage or input\n"
     "  3  a computation could not be done\n"
-    "  4  a file or standard output could not be read or written; a closed pipe is such a case: scallop ... | head -n 1\n"
-    "A run that a signal ends returns the signal's. Whatever ends it, -o FILE leaves the earlier file or the new one.\n";
+    "  4  a file or standard output could not be read or written; a closed pipe is such a case: scallop ... | head\n"
+    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the new table is "
+    "complete.\n";
 
 /* An option, what it takes, and what for. */
 static void option_line(FILE *to, const char *name, const char *placeholder, const char *help)

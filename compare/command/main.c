@@ -13,11 +13,11 @@
 #include "compare/command/help.h"
 #include "compare/text/shipped.h"
 
-/* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
-static int unknown(const char *what, const char *name, const char *near, const char *listed)
+static int unknown_command(const char *name)
 {
-  fprintf(stderr, "scallop: %s '%s'%s%s%s (see %s)\n", what, name, near ? ": did you mean '" : "", near ? near : "",
-          near ? "'?" : "", listed);
+  const char *near = nearest_command(name);
+  fprintf(stderr, "scallop: unknown command '%s'%s%s%s (see scallop --help)\n", name, near ? ": did you mean '" : "",
+          near ? near : "", near ? "'?" : "");
   return EXIT_USAGE;
 }
 
@@ -54,7 +54,7 @@ static int give_help(const char *name)
 {
   const struct command *command = name ? command_named(name) : NULL;
   if (name && !command && !is_help(name))
-    return unknown("unknown command", name, nearest_command(name), "scallop --help");
+    return unknown_command(name);
   if (command)
     help_command(stdout, command);
   else
@@ -101,7 +101,7 @@ static int answer(const char *first, const char *value)
   if (is_request(first, "--completion", &value))
     return give_completion(value);
   if (first[0] != '-')
-    return unknown("unknown command", first, nearest_command(first), "scallop --help");
+    return unknown_command(first);
   fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
           first, first);
   return EXIT_USAGE;
