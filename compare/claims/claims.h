@@ -9,6 +9,8 @@
 #include "model/ball.h"
 #include "model/model.h"
 
+struct options;
+
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
 
@@ -51,8 +53,9 @@ bool claims_have_order(const char *list);
 void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink,
                      void *context);
 
+/* `scallop claims` */
+enum exit_code claims_table(const struct options *options);
 /* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
-struct options;
 enum exit_code claims_check(const struct options *options, const char *ledger);
 
 #endif
