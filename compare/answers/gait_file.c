@@ -11,7 +11,7 @@
 #include "compare/text/checksum.h"
 #include "compare/text/grow.h"
 #include "compare/text/tsv.h"
-#include "compare/command/options.h"
+#include "compare/text/values.h"
 
 enum { MOST_ROWS = 100000, LEAST_ROWS = 4 };
 static const double closes = 1e-9; /* of the range: how far the last l may be from the first */

@@ -8,6 +8,7 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/grow.h"
+#include "compare/text/halfway.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */
 enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24 };
@@ -116,7 +117,7 @@ static bool settle(double *low, double *high, const struct motion *m, const stru
 {
   if (!is_in_wide(m, *low, before) || !is_in_wide(m, *high, after))
     return false;
-  for (double T; (T = *low + (*high - *low) / 2) > *low && T < *high;)
+  for (double T; halfway(&T, *low, *high);)
     *(is_in_wide(m, T, before) ? low : high) = T;
   return true;
 }
@@ -163,7 +164,7 @@ static void describe(struct event *e, const struct motion *m, const struct signa
 static double settle_place(const struct finder *f, double low, double high, const struct signature *before)
 {
   struct signature middle;
-  for (double T; (T = low + (high - low) / 2) > low && T < high && signature_at(&middle, f, T);)
+  for (double T; halfway(&T, low, high) && signature_at(&middle, f, T);)
     *(same(&middle, before) ? &low : &high) = T;
   return low;
 }

@@ -3,6 +3,7 @@
 
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
+#include "compare/text/halfway.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE): between two of these an error is taken to have one maximum at most. */
 enum { PER_OCTAVE = 16, OCTAVES = 128, PLACES = 2 * OCTAVES * PER_OCTAVE + 1, MIDDLE = OCTAVES * PER_OCTAVE };
@@ -253,7 +254,7 @@ static double zero_between(const struct comparison *c, double low, double high)
   const double *value = &e.value[c->item.which.quantity].high;
   motion_in_wide(c->motion, low, &e);
   bool positive = *value > 0;
-  for (double T; (T = low + (high - low) / 2) > low && T < high;) {
+  for (double T; halfway(&T, low, high);) {
     motion_in_wide(c->motion, T, &e);
     *(*value != 0 && (*value > 0) == positive ? &low : &high) = T;
   }

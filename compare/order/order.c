@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "compare/answers/halfway.h"
+#include "compare/text/halfway.h"
 
 /* An error this many times above its noise is wrong by under 1 %, its logarithm by under 0.01. */
 static const double ABOVE_NOISE = 100;

@@ -6,7 +6,7 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
-#include "compare/answers/halfway.h"
+#include "compare/text/halfway.h"
 #include "compare/scenes/flint.h"
 
 void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
