@@ -17,6 +17,7 @@ enum { WAY_SAMPLES = 31, WAY_TEXT = 64, WAY_STATUS = 120, WAY_TERMS = 32 /* of t
 
 /* Where the ways meet. The doubles are the parameters of all of them, and `exact` is the very same numbers: a double method must not
  * be charged with the distance from 0.7 to the nearest double. */
+struct options;
 struct trial {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;

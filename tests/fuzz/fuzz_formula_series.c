@@ -188,10 +188,13 @@ static void judge(const struct series *value, const char *text)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-  int powers = 0;
-  for (size_t i = 0; i < size; i++)
+  int powers = 0, nested = 0;
+  for (size_t i = 0; i < size; i++) {
     powers += data[i] == '^';
-  if (size > LONGEST || powers > MOST_POWERS || memchr(data, '\0', size))
+    nested += data[i] == '^' || data[i] == '-' || data[i] == '(';
+  }
+  if (size > LONGEST || powers > MOST_POWERS || nested > FORMULA_NESTED - 4 /* the identities add some */
+      || memchr(data, '\0', size))
     return 0;
   char *text = fuzz_text(data, size);
   struct series value, untouched;
