@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
 
@@ -61,7 +61,7 @@ struct solved {
 static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 {
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? counted_steady(&m->crawler, &s->steady) : counted_phase(&m->crawler, m->phase, m->v0, &s->phase));
+  forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
   if (steady)

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
+#include "asymptotics/derived.h"
 #include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 
@@ -51,8 +52,8 @@ bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawle
 {
   memset(a->value, 0, sizeof a->value);
   a->why = NULL;
-  a->status = of == OF_STEADY ? counted_certified_steady(c, digits, &a->steady, &a->why)
-                              : counted_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
+  a->status = of == OF_STEADY ? scallop_certified_steady(c, digits, &a->steady, &a->why)
+                              : scallop_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
   if (a->status != SCALLOP_OK)
     return false;
   if (of == OF_STEADY)
@@ -145,8 +146,8 @@ bool answer_in_series(struct series_answer *a, const struct scallop_rational_cra
                       enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision)
 {
   a->why = NULL;
-  a->status = of == OF_STEADY ? counted_expand_steady(c, order, precision, &a->steady, &a->why)
-                              : counted_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
+  a->status = of == OF_STEADY ? scallop_expand_steady(c, order, precision, &a->steady, &a->why)
+                              : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
   take_expansions(a, of);
   return a->status == SCALLOP_OK;
 }

@@ -374,11 +374,8 @@ static bool begin(struct report *r)
   }
   if (r->expansions.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", why_none(r));
-  if (r->options->into && r->options->into->leads > 0)
-    table_note(t, "modes may change and change back unseen within a 256th of an octave of T");
-  else
-    table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
-               r->events.from, r->events.until);
+  table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
+             r->events.from, r->events.until);
   table_columns(t, columns);
   table_begin_rows(t);
   return true;

@@ -1,6 +1,6 @@
 #include "compare/claims/proven.h"
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/answers/rational.h"
 
 bool proven_steady(struct scallop_certified_steady *s, const struct scallop_crawler *c)
@@ -8,7 +8,7 @@ bool proven_steady(struct scallop_certified_steady *s, const struct scallop_craw
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   rational_crawler(&exact, c);
-  bool solved = counted_certified_steady(&exact, PROVEN_DIGITS, s, NULL) == SCALLOP_OK;
+  bool solved = scallop_certified_steady(&exact, PROVEN_DIGITS, s, NULL) == SCALLOP_OK;
   scallop_rational_clear(&exact);
   return solved;
 }
@@ -19,7 +19,7 @@ static bool phase_from(struct scallop_certified_phase *p, const struct scallop_c
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   rational_crawler(&exact, c);
-  bool solved = counted_certified_phase(&exact, kind, v0, PROVEN_DIGITS, p, NULL) == SCALLOP_OK;
+  bool solved = scallop_certified_phase(&exact, kind, v0, PROVEN_DIGITS, p, NULL) == SCALLOP_OK;
   scallop_rational_clear(&exact);
   return solved;
 }

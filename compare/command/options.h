@@ -30,7 +30,6 @@ struct options {
   int operand_count;
   const char *output; /* NULL: standard output                                           */
   const char *folder; /* run: where files without a folder go, or NULL                      */
-  struct table *into; /* the table to continue in place of output, or NULL               */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;

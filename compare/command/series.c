@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/answers/exact.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
@@ -28,13 +28,12 @@ static enum scallop_status each_value(const struct options *o, value_sink *sink,
 {
   const struct scallop_crawler *c = &o->point.crawler;
   struct scallop_steady_result steady;
-  enum scallop_status status = counted_steady(c, &steady);
+  enum scallop_status status = scallop_steady(c, &steady);
   if (status < 0)
     return status;
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     struct value v = { .formula = f, .phase = "period", .quantity = formula_quantity_text(f, SCALLOP_EXTENSION) };
     if (f->setting == SCALLOP_STEADY) {
-      count_add(COUNT_FORMULAS, 1);
       v.published = f->steady(c);
       v.exact = f->quantity == SCALLOP_STEADY_VELOCITY ? steady.period.v_start : steady.period.displacement;
       sink(context, &v);

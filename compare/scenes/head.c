@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/running.h"
+#include "compare/scenes/parts.h"
 
 static bool varies(const struct scene *s, const char *parameter)
 {
@@ -18,7 +18,7 @@ static bool goes_with_gait(const struct scene *s, const char *parameter)
 {
   const struct scene_variable *v;
   int place = crawler_place(parameter);
-  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.point.written[place], measured = false;
+  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
   for (int i = 0; own && (v = scene_variable(s, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       measured |= strncmp(v->texts[k], "measured:", 9) == 0;
@@ -53,15 +53,15 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
-static void note_parameters(struct table *t, const struct scene *s, const struct scene_want *w)
+static void note_parameters(struct output *o, const struct scene *s)
 {
   const char *not_held[CRAWLER_NUMBERS + 2];
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, w, *name))
+    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
   not_held[count] = NULL;
-  table_parameters(t, &s->base, not_held, false);
+  table_parameters(&o->table, &o->options, not_held, false);
 }
 
 static bool is_of_start(const struct quantities *all, int place)
@@ -89,7 +89,7 @@ static void note_start(struct table *t, const struct scene *s, const struct scen
   char v0[NUMBER_TEXT];
   if (!has_start(s, w))
     return;
-  number_text(v0, s->base.point.v0, 0);
+  number_text(v0, s->base.v0, 0);
   const char *start = s->varies_v0 ? "v0" : s->start == START_REST ? "rest" : s->start == START_STEADY ? "steady" : v0;
   if (w->kind == WANT_TRAJECTORY)
     table_note(t, "start: %s", start);
@@ -108,6 +108,6 @@ void head_write(const struct running *r, struct output *o)
   bool given = note_given(t, r, o->want);
   for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
-  note_parameters(t, s, o->want);
+  note_parameters(o, s);
   note_start(t, s, o->want);
 }

@@ -69,7 +69,7 @@ void places_reads(struct scene_places *all, const struct scene *scene)
   for (int i = 0; i < scene->included; i++)
     if (scene->include[i])
       reads(all, scene->include[i]);
-  reads_gait(all, scene->base.point.crawler.gait->name);
+  reads_gait(all, scene->base.crawler.gait->name);
   for (int i = 0; (v = scene_variable(scene, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       reads_gait(all, v->texts[k]);

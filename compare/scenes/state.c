@@ -28,12 +28,10 @@ static double check(struct scene_state *s, enum scallop_status status, double va
   return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
 }
 
-/* ---- where the point is ---- */
-
 static void set_number(struct scene_state *s, int place, double value, const char *text, const char *name)
 {
   number_text(s->written[place], value, 0);
-  const char *wrong = point_set_number(&s->at.point, place, text ? text : s->written[place]);
+  const char *wrong = point_set_number(&s->at, place, text ? text : s->written[place]);
   if (wrong) {
     char why[POINT_STATUS];
     snprintf(why, sizeof why, "%s: %s", name, wrong);
@@ -68,8 +66,8 @@ static double range_value(struct scene_state *s, const struct scene_variable *v,
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
 static void settle(struct scene_state *s)
 {
-  const struct scallop_crawler *c = &s->at.point.crawler;
-  point_complete(&s->at.point);
+  const struct scallop_crawler *c = &s->at.crawler;
+  point_complete(&s->at);
   if (!isnan(s->F1_over_F2))
     set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
   if (!isnan(s->m1_over_m2))
@@ -82,10 +80,10 @@ static void set_v0(struct scene_state *s, double v0, const char *text)
 {
   if (!isfinite(v0))
     state_fail(s, "v0: a finite velocity is wanted");
-  s->at.point.v0 = v0;
+  s->at.v0 = v0;
   number_text(s->written_v0, v0, 0);
-  s->at.point.written_v0 = text ? text : s->written_v0;
-  s->at.point.has_v0 = true;
+  s->at.written_v0 = text ? text : s->written_v0;
+  s->at.has_v0 = true;
 }
 
 static void set_variable(struct scene_state *s, const struct scene_variable *v, long i)
@@ -97,7 +95,7 @@ static void set_variable(struct scene_state *s, const struct scene_variable *v, 
                                                                      : range_value(s, v, place);
   switch (v->target) {
   case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
-  case TARGET_GAIT: point_set(&s->at.point, "gait", text); break; /* it was made when the scene was read */
+  case TARGET_GAIT: point_set(&s->at, "gait", text); break; /* it was made when the scene was read */
   case TARGET_V0: set_v0(s, x, text); break;
   case TARGET_LABEL: s->label[v->place] = text; break;
   case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
@@ -110,7 +108,7 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
 {
   const struct scene *scene = s->scene;
   s->at = scene->base;
-  s->at.point.has_v0 = scene->start != START_STEADY;
+  s->at.has_v0 = scene->start != START_STEADY;
   s->why[0] = '\0';
   s->is_outside = false;
   s->has_steady = s->has_phase = s->has_turnings = false;
@@ -140,20 +138,22 @@ void state_begin_row(struct scene_state *s, bool tells_steady)
     s->why[0] = '\0';
 }
 
-/* ---- solutions ---- */
-
 static const struct scallop_steady_result *steady(struct scene_state *s)
 {
-  if (!s->has_steady)
-    s->steady_status = counted_steady(&s->at.point.crawler, &s->steady);
-  s->has_steady = true;
+  if (!s->has_steady) {
+    s->steady_status = scallop_steady(&s->at.crawler, &s->steady);
+    s->has_steady = true;
+    count_add(COUNT_STEADY, 1);
+    if (s->steady_status >= 0)
+      count_work(&s->steady.work);
+  }
   return check(s, s->steady_status, 0) == 0 ? &s->steady : NULL;
 }
 
 double state_v0(struct scene_state *s)
 {
-  if (s->at.point.has_v0)
-    return s->at.point.v0;
+  if (s->at.has_v0)
+    return s->at.v0;
   const struct scallop_steady_result *r = steady(s);
   return !r ? NAN : s->scene->phase == SCALLOP_EXTENSION ? r->period.v_start : r->period.v_mid;
 }
@@ -163,18 +163,31 @@ static const struct exact_phase *phase(struct scene_state *s)
   double v0 = state_v0(s);
   if (isnan(v0))
     return NULL;
-  if (!s->has_phase)
-    s->phase_status = exact_phase_start(&s->at.point.crawler, s->scene->phase, v0, &s->phase);
-  s->has_phase = true;
+  if (!s->has_phase) {
+    s->phase_status = exact_phase_start(&s->at.crawler, s->scene->phase, v0, &s->phase);
+    s->has_phase = true;
+    count_add(COUNT_PHASES, 1);
+    if (s->phase_status >= 0)
+      count_work(&s->phase.phase.work);
+  }
   return check(s, s->phase_status, 0) == 0 ? &s->phase : NULL;
+}
+
+/* Where the rear body turns takes a second walk through the phase. */
+static void find_turnings(struct scene_state *s)
+{
+  if (s->has_turnings)
+    return;
+  s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+  count_add(COUNT_PHASES, 1);
 }
 
 static bool slides(struct scene_state *s, double T)
 {
-  struct scallop_crawler c = s->at.point.crawler;
+  struct scallop_crawler c = s->at.crawler;
   struct scallop_phase_result r;
   c.T = T;
-  return counted_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
+  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
 }
 
 static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
@@ -187,7 +200,7 @@ static bool same_but_T(const struct scallop_crawler *a, const struct scallop_cra
 static double onset_of_sticking(struct scene_state *s)
 {
   enum { MOST_DOUBLINGS = 400 };
-  if (s->has_onset && same_but_T(&s->onset_of, &s->at.point.crawler))
+  if (s->has_onset && same_but_T(&s->onset_of, &s->at.crawler))
     return s->onset;
   double sliding = 0, sticking = 1;
   int doublings = 0;
@@ -196,13 +209,11 @@ static double onset_of_sticking(struct scene_state *s)
   for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
     *(slides(s, mid) ? &sliding : &sticking) = mid;
   s->has_onset = true;
-  s->onset_of = s->at.point.crawler;
+  s->onset_of = s->at.crawler;
   s->onset = doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
   count_add(COUNT_ONSETS, 1);
   return s->onset;
 }
-
-/* ---- series and errors ---- */
 
 const char no_ends[] =
     "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
@@ -212,7 +223,7 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
   double value;
   if (f->setting == SCALLOP_STEADY) {
     count_add(COUNT_FORMULAS, 1);
-    value = f->steady(&s->at.point.crawler);
+    value = f->steady(&s->at.crawler);
   } else {
     double v0 = state_v0(s);
     struct exact_phase given = {
@@ -222,14 +233,15 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
       const struct exact_phase *solved = phase(s);
       if (!solved)
         return NAN;
-      if (strstr(f->text, "x_switch") && !s->has_turnings)
-        s->has_turnings = exact_phase_turnings(&s->at.point.crawler, &s->phase) >= 0;
+      if (strstr(f->text, "x_switch"))
+        find_turnings(s);
       given = s->phase;
     }
-    const struct scallop_phase_point point = scallop_phase_point(&s->at.point.crawler, s->scene->phase, v0);
+    const struct scallop_phase_point point = scallop_phase_point(&s->at.crawler, s->scene->phase, v0);
+    count_add(COUNT_FORMULAS, 1);
     value = published_value(f, &point, &given);
   }
-  if (!isfinite(value) && !gait_has_ends(s->at.point.crawler.gait))
+  if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
     return state_fail(s, no_ends);
   return isfinite(value) ? value : NAN;
 }
@@ -264,8 +276,8 @@ static double exact_in_double(struct scene_state *s, const struct quantity *seri
   if (series->kind != QUANTITY_PUBLISHED)
     return phase_number(p, series->which - STEADY_VALUES);
   enum scallop_quantity what = series->formula->quantity;
-  if ((what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST) && !s->has_turnings)
-    s->has_turnings = exact_phase_turnings(&s->at.point.crawler, &s->phase) >= 0;
+  if (what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST)
+    find_turnings(s);
   return exact_quantity(&s->phase, what);
 }
 
@@ -294,20 +306,18 @@ static double about_series(struct scene_state *s, const struct quantity *q)
   return q->kind == QUANTITY_EXACT ? c->exact : q->kind == QUANTITY_ERROR ? c->error : c->error / fabs(c->exact);
 }
 
-/* ---- quantities ---- */
-
 /* What it was set to, or to the bit what the solver says */
 static double froude(struct scene_state *s)
 {
   struct scallop_scaled scaled;
   if (!isnan(s->froude))
     return s->froude;
-  return check(s, scallop_scale(&s->at.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
+  return check(s, scallop_scale(&s->at.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
 static double compute(struct scene_state *s, const struct quantity *q)
 {
-  const struct scallop_crawler *c = &s->at.point.crawler;
+  const struct scallop_crawler *c = &s->at.crawler;
   const struct scallop_steady_result *r;
   const struct exact_phase *p;
   double numbers[CRAWLER_NUMBERS];
@@ -377,7 +387,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
 {
   const struct quantity *q = &s->scene->quantities.item[quantity];
   switch (q->kind) {
-  case QUANTITY_GAIT: return s->at.point.crawler.gait->name;
+  case QUANTITY_GAIT: return s->at.crawler.gait->name;
   case QUANTITY_LABEL: return s->label[q->which] ? s->label[q->which] : "-";
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_STEADY: return steady_text(s, q->which);

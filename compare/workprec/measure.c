@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
@@ -37,7 +37,7 @@ const char *point_init(struct trial *point, const struct scallop_crawler *crawle
     point->eps = scaled.eps;
     point->digits = digits_for(scaled.eps);
     scallop_rational_of(&point->exact, crawler);
-    status = counted_certified_steady(&point->exact, point->digits, &point->steady, &why);
+    status = scallop_certified_steady(&point->exact, point->digits, &point->steady, &why);
   }
   if (status != SCALLOP_OK)
     return why ? why : scallop_status_text(status);

@@ -5,7 +5,7 @@
 
 #include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 static int place(const struct scallop_formula *formula)
@@ -76,7 +76,7 @@ static const char *no_turn(const struct trial *point)
   const char *ending = NULL;
   scallop_steady_expansion_init(&expansion);
   if (scallop_gait_is_rational(point->exact.gait)
-      && counted_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
+      && scallop_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
     const char *bar = strchr(expansion.modes, '|');
     ending = strcmp(bar, "| ++") == 0 ? "_no_turn" : strncmp(expansion.modes, "++ |", 4) == 0 ? "_no_turn_extension" : NULL;
   }
@@ -146,7 +146,7 @@ static enum scallop_status solve_derived(struct way *way, const struct scallop_p
   const struct scallop_rational_crawler *crawler = &way->point->exact;
   slong precision = bits(way->point, way->number);
   (void)patience;
-  enum scallop_status status = counted_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
+  enum scallop_status status = scallop_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
   if (status != SCALLOP_OK)
     return status;
   arb_set_fmpq(d->T, crawler->T, precision);
@@ -195,7 +195,7 @@ static struct known *known_make(const struct trial *point, long order)
   if (!known)
     return NULL;
   scallop_steady_expansion_init(&expansion);
-  known->status = counted_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
+  known->status = scallop_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
   if (known->status == SCALLOP_OK) {
     learn(known, WAY_VELOCITY, &expansion.v_start, -1, order);
     learn(known, WAY_DISPLACEMENT, &expansion.displacement, 0, order);
@@ -330,7 +330,7 @@ static enum scallop_status solve_certified(struct way *way, const struct scallop
 {
   struct scallop_certified_steady *steady = way->memory;
   (void)patience;
-  enum scallop_status status = counted_certified_steady(&way->point->exact, way->number, steady, NULL);
+  enum scallop_status status = scallop_certified_steady(&way->point->exact, way->number, steady, NULL);
   if (status != SCALLOP_OK)
     return status;
   *answer = answer_none;

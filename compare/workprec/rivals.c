@@ -1,6 +1,5 @@
 /* The rivals of numerics/rival.h, each as two ways: simulating from rest until the periods repeat, and as the root of its period map.
  * The memory of a rival is made beforehand, as its user would. */
-#include "compare/answers/counts.h"
 #include "compare/workprec/workprec.h"
 #include "numerics/cvode.h"
 #include "numerics/moreau.h"
@@ -19,7 +18,6 @@ static void take(struct answer *answer, const struct scallop_rival_steady *stead
 static enum scallop_status simulate(struct way *way, const struct scallop_patience *patience, struct answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_simulate(way->memory, &way->point->crawler, 0, way->tolerance, patience,
                                                       &steady);
   if (status >= 0)
@@ -30,7 +28,6 @@ static enum scallop_status simulate(struct way *way, const struct scallop_patien
 static enum scallop_status find_root(struct way *way, const struct scallop_patience *patience, struct answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_root(way->memory, &way->point->crawler, way->tolerance, patience, &steady);
   if (status >= 0)
     take(answer, &steady);

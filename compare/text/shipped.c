@@ -1,4 +1,4 @@
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 
 #include <stddef.h>
 #include <string.h>
