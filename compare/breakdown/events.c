@@ -84,7 +84,7 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
 {
   const struct motion m = motion_at(f->motion, T);
   struct answer *a = &out->answer;
-  memset(out->part, 0, sizeof out->part);
+  *out = (struct signature){ .part = { 0 } };
   if (!answer_in_double(a, &m))
     return false;
   const double v[2] = { m.of == OF_STEADY ? a->value[Q_V_START].high : m.v0, a->value[Q_V_MID].high };
