@@ -362,7 +362,7 @@ static enum exit_code run(struct map *m)
   struct table t;
   if (!table_open(&t, m->options))
     return EXIT_FILE;
-  enum exit_code code = t.is_aside ? open_journal(m) : EXIT_DONE;
+  enum exit_code code = t.out.target ? open_journal(m) : EXIT_DONE;
   if (code == EXIT_DONE)
     compute_all(m);
   if (m->failed) {

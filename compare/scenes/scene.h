@@ -6,6 +6,7 @@
 #define SCALLOP_SCENE_H
 
 #include "compare/text/formula.h"
+#include "compare/text/plot.h"
 #include "compare/command/options.h"
 #include "compare/answers/quantity.h"
 
@@ -74,13 +75,6 @@ struct scene_column {
   struct arithmetic formula;
 };
 
-struct scene_plot {
-  const char *file, *script, *x, *by;
-  const char *program; /* in place of a script: the text of one that comes with the tool             */
-  const char *y[8 + 1];
-  bool log_x, log_y;
-};
-
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written                                                              */
@@ -101,7 +95,7 @@ struct scene_want {
   char **arguments;              /* ... with these, NULL-terminated, and the parameters of the point             */
   int argument_count;
   bool has_plot;
-  struct scene_plot plot;
+  struct plot plot; /* but for table, title and common                                          */
 };
 
 /* ---- a scene ---- */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/plot.h"
+#include "compare/text/plot.h"
 #include "compare/scenes/parts.h"
 #include "compare/scenes/shipped.h"
 
@@ -174,23 +174,8 @@ static bool has_column(const struct scene_want *w, const char *name)
   return w->columns == 0; /* a command's own, or those of orders: it will show */
 }
 
-/* One column, or several. */
-static bool read_by(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
-{
-  const char *names[PLOT_BY];
-  int count = 0;
-  if (!read_member_texts(r, at, "by", names, PLOT_BY, &count))
-    return false;
-  p->by = count > 0 ? names[0] : NULL;
-  for (int i = 1; i < count && p->by; i++) {
-    p->by = keep_text(r, p->by, (int)strlen(p->by), ", ");
-    p->by = p->by ? keep_text(r, p->by, (int)strlen(p->by), names[i]) : NULL;
-  }
-  return count == 0 || p->by;
-}
-
 /* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
-static bool find_script(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
+static bool find_script(const struct reading *r, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(r, p->script);
@@ -207,18 +192,32 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
   return true;
 }
 
+static bool check_curves(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
+{
+  const struct plot *p = &w->plot;
+  if (!p->x || !p->y[0])
+    return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
+  if (!has_column(w, p->x))
+    return refuse_at(r, at, "the table has no column %s", p->x);
+  for (int i = 0; p->y[i]; i++)
+    if (!has_column(w, p->y[i]))
+      return refuse_at(r, at, "the table has no column %s", p->y[i]);
+  return true;
+}
+
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const keys[] = { "file", "script", "x", "y", "by", "log_x", "log_y", NULL };
-  struct scene_plot *p = &w->plot;
-  int count = 0;
+  struct plot *p = &w->plot;
+  int ys = 0, bys = 0;
   w->has_plot = true;
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
   if (!keys_known(r, at, keys, "a plot") || !read_member_text(r, at, "file", &p->file)
-      || !read_member_text(r, at, "script", &p->script) || !read_member_text(r, at, "x", &p->x) || !read_by(r, at, p)
-      || !read_member_texts(r, at, "y", p->y, (int)(sizeof p->y / sizeof *p->y) - 1, &count)
-      || !read_member_flag(r, at, "log_x", &p->log_x) || !read_member_flag(r, at, "log_y", &p->log_y))
+      || !read_member_text(r, at, "script", &p->script) || !read_member_text(r, at, "x", &p->x)
+      || !read_member_texts(r, at, "y", p->y, PLOT_COLUMNS, &ys)
+      || !read_member_texts(r, at, "by", p->by, PLOT_COLUMNS, &bys) || !read_member_flag(r, at, "log_x", &p->log_x)
+      || !read_member_flag(r, at, "log_y", &p->log_y))
     return false;
   if (!p->file)
     return refuse_at(r, at, "a plot needs a file: one that ends in .svg, .png or .pdf");
@@ -228,16 +227,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     w->has_plot = false;
   else if (!w->file || w->format != FORMAT_TSV)
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
-  if (p->script)
-    return find_script(r, at, p);
-  if (!p->x || count == 0)
-    return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
-  if (!has_column(w, p->x))
-    return refuse_at(r, at, "the table has no column %s", p->x);
-  for (int i = 0; i < count; i++)
-    if (!has_column(w, p->y[i]))
-      return refuse_at(r, at, "the table has no column %s", p->y[i]);
-  return true;
+  p->program = shipped_text(shipped_scripts, "curves");
+  return p->script ? find_script(r, at, p) : check_curves(r, at, w);
 }
 
 /* ---- all of them ---- */

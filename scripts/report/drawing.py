@@ -160,7 +160,7 @@ def inline(path, prefix, panels, layout=""):
         root = tree.parse(path).getroot()
     except (OSError, tree.ParseError) as error:
         raise Unreadable(
-            f"{path}: {getattr(error, 'strerror', None) or error}; scripts/plots.sh draws the plots"
+            f"{path}: {getattr(error, 'strerror', None) or error}; scripts/plots/draw.sh draws the plots"
         ) from error
     ground = root.find(f".//{SVG}rect")  # the first is the background of all
     if ground is not None and ground.get("width") == root.get("width"):

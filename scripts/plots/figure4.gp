@@ -1,3 +1,4 @@
+eval picture(900, 380, 13)
 set multiplot layout 1,2
 set xlabel "duration T of the extension"
 pick(ratio, column) = $1 == ratio ? column : NaN
