@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 
@@ -33,7 +33,7 @@ static int fill(void **state)
   struct scallop_crawler crawler = { 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic };
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, &crawler);
+  rational_crawler(&exact, &crawler);
   contradiction = claims_of_order(&exact, NULL, NULL, keep, NULL);
   scallop_rational_clear(&exact);
   claims_in_words(&crawler, NULL, keep, NULL);
@@ -526,7 +526,7 @@ static void units_do_not_matter(void **state)
   struct scallop_crawler crawler = { 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic };
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, &crawler);
+  rational_crawler(&exact, &crawler);
   assert_null(claims_of_order(&exact, NULL, NULL, keep_other, NULL));
   scallop_rational_clear(&exact);
   claims_in_words(&crawler, NULL, keep_other, NULL);

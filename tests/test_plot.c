@@ -1,6 +1,5 @@
 /* compare/text/plot: what gnuplot is told, what becomes of the picture, and what is said where there is none. A program of the test's
  * own takes the place of gnuplot and keeps what it is told as the picture; the last tests are of gnuplot itself, if it is installed. */
-#include "compare/scenes/shipped.h"
 #include "compare/text/plot.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
@@ -55,8 +54,6 @@ static struct plot completed(struct plot p)
   p.file = p.file ? p.file : "plot.svg";
   p.x = p.x ? p.x : "x";
   p.y[0] = p.y[0] ? p.y[0] : "y";
-  p.common = shipped_text(shipped_scripts, "common");
-  p.program = shipped_text(shipped_scripts, "curves");
   return p;
 }
 

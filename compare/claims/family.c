@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "numerics/numerics.h"
+#include "compare/answers/rational.h"
 #include "compare/text/table.h"
 #include "numerics/certified.h"
 
@@ -42,7 +42,7 @@ double family_speed(const struct family *f, double x)
 {
   struct scallop_crawler c = family_member(f, x);
   struct scallop_steady_result r;
-  return counted_steady(&c, &r) < 0 ? NAN : speed_of(f, &r);
+  return scallop_steady(&c, &r) < 0 ? NAN : speed_of(f, &r);
 }
 
 /* ---- proven ---- */
@@ -62,7 +62,7 @@ void member_clear(struct member *m)
 
 static void exact_member(struct scallop_rational_crawler *c, const struct family *f, const fmpq_t x)
 {
-  decimal_crawler(c, &f->crawler);
+  rational_crawler(c, &f->crawler);
   if (f->varied == VARY_PERIOD)
     fmpq_set(c->T, x);
   else if (f->varied == VARY_RATIO)
@@ -82,8 +82,8 @@ void member_solve(struct member *m, const struct family *f, const fmpq_t x)
   scallop_rational_init(&base);
   scallop_certified_steady_init(&s);
   exact_member(&c, f, x);
-  decimal_crawler(&base, &f->crawler);
-  m->solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
+  rational_crawler(&base, &f->crawler);
+  m->solved = scallop_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
   m->sliding = s.regime == SCALLOP_SLIDING;
   fmpq_div(base.T, base.T, base.L);
   arb_set(m->v_start, s.v_start);
@@ -136,7 +136,7 @@ void family_scan(struct scan *scan, const struct family *f, bool coarse)
   for (int i = 0; i < scan->count; i++, x *= factor) {
     struct scallop_crawler member = family_member(f, x);
     struct scallop_steady_result r;
-    bool solved = counted_steady(&member, &r) >= 0;
+    bool solved = scallop_steady(&member, &r) >= 0;
     scan->x[i] = x;
     scan->speed[i] = solved ? speed_of(f, &r) : NAN;
     scan->v_start[i] = solved ? r.period.v_start : NAN;
@@ -150,7 +150,7 @@ static double start_velocity(const struct family *f, double x)
 {
   struct scallop_crawler c = family_member(f, x);
   struct scallop_steady_result r;
-  return counted_steady(&c, &r) < 0 ? NAN : r.period.v_start;
+  return scallop_steady(&c, &r) < 0 ? NAN : r.period.v_start;
 }
 
 double rough_boundary(const struct family *f, const struct scan *scan)

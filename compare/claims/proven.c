@@ -1,14 +1,14 @@
 #include "compare/claims/proven.h"
 
-#include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "numerics/certified.h"
+#include "compare/answers/rational.h"
 
 bool proven_steady(struct scallop_certified_steady *s, const struct scallop_crawler *c)
 {
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, c);
-  bool solved = counted_certified_steady(&exact, PROVEN_DIGITS, s, NULL) == SCALLOP_OK;
+  rational_crawler(&exact, c);
+  bool solved = scallop_certified_steady(&exact, PROVEN_DIGITS, s, NULL) == SCALLOP_OK;
   scallop_rational_clear(&exact);
   return solved;
 }
@@ -18,8 +18,8 @@ static bool phase_from(struct scallop_certified_phase *p, const struct scallop_c
 {
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, c);
-  bool solved = counted_certified_phase(&exact, kind, v0, PROVEN_DIGITS, p, NULL) == SCALLOP_OK;
+  rational_crawler(&exact, c);
+  bool solved = scallop_certified_phase(&exact, kind, v0, PROVEN_DIGITS, p, NULL) == SCALLOP_OK;
   scallop_rational_clear(&exact);
   return solved;
 }

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/claims/words.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 
 enum { RANDOM_CRAWLERS = 400 };
 
@@ -116,7 +116,7 @@ static struct scallop_crawler stronger_first(const struct scallop_crawler *c)
 static struct scallop_phase_result extension(const struct scallop_crawler *c, double v0)
 {
   struct scallop_phase_result r;
-  if (counted_phase(c, SCALLOP_EXTENSION, v0 * c->L / (c->alpha * c->T), &r) < 0)
+  if (scallop_phase(c, SCALLOP_EXTENSION, v0 * c->L / (c->alpha * c->T), &r) < 0)
     return (struct scallop_phase_result){ .dT = NAN, .v_end = NAN, .dxC = NAN, .regime = SCALLOP_SLIDING };
   return r;
 }

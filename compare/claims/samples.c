@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "asymptotics/derived.h"
 
 enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, IDENTITY_TRIES = 400 };
 
@@ -25,8 +25,8 @@ static void motion_clear(struct ledger_motion *m)
 static enum scallop_status expand(struct ledger_motion *m, const struct ledger_case *c, slong terms)
 {
   m->terms = terms;
-  return c->setting == SCALLOP_STEADY ? counted_expand_steady(&m->crawler, terms, PRECISION, &m->steady, NULL)
-                                      : counted_expand_phase(&m->crawler, c->kind, m->v0, terms, PRECISION,
+  return c->setting == SCALLOP_STEADY ? scallop_expand_steady(&m->crawler, terms, PRECISION, &m->steady, NULL)
+                                      : scallop_expand_phase(&m->crawler, c->kind, m->v0, terms, PRECISION,
                                                              m->has_pi_squared ? m->pi_squared : NULL, &m->phase, NULL);
 }
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/exact.h"
 #include "compare/claims/samples.h"
 #include "numerics/certified.h"
@@ -39,11 +38,11 @@ static void take_sample(struct ledger_sample *s, const struct ledger_case *c)
   scallop_rational_copy(&crawler, &c->crawler);
   fmpq_set(crawler.T, s->T);
   if (c->setting == SCALLOP_STEADY)
-    s->solved = counted_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
+    s->solved = scallop_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
   else {
     scallop_rational_fraction(fraction, &crawler, c->kind);
     fmpq_div(crawler.T, s->T, fraction);
-    s->solved = counted_certified_phase(&crawler, c->kind, c->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
+    s->solved = scallop_certified_phase(&crawler, c->kind, c->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
   }
   s->solved = s->solved && same_modes(s, c);
   scallop_rational_clear(&crawler);

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "compare/claims/words.h"
-#include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "numerics/numerics.h"
+#include "compare/answers/rational.h"
 #include "numerics/certified.h"
 
 enum { MEASURED = 200, REASON = 320, BITS = 160, DIGITS = 30 };
@@ -74,10 +74,10 @@ static double relative_error(const struct scallop_crawler *crawler, int alpha_hu
   fmpq_init(q);
   scallop_rational_init(&c);
   scallop_certified_steady_init(&s);
-  decimal_crawler(&c, crawler);
+  rational_crawler(&c, crawler);
   fmpq_set_si(c.alpha, alpha_hundredths, 100);
   scallop_rational_parse(c.T, "1e-20");
-  if (counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK) {
+  if (scallop_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK) {
     published_velocity(q, &c, mirrored);
     arb_set_fmpq(u, q, BITS);
     if (crawler->gait != &scallop_gait_quadratic) { /* L_kin = pi^2 L/8 */
@@ -155,8 +155,8 @@ static bool proven_multiplier(const struct scallop_crawler *crawler, double *mul
   struct scallop_certified_steady s;
   scallop_rational_init(&c);
   scallop_certified_steady_init(&s);
-  decimal_crawler(&c, crawler);
-  bool solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
+  rational_crawler(&c, crawler);
+  bool solved = scallop_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
   *multiplier = middle(s.multiplier);
   *zero = arb_is_zero(s.multiplier);
   solved = solved && (*zero || arb_is_positive(s.multiplier));
@@ -201,7 +201,7 @@ static void unique_row(const struct words *w, const struct words_claim *claim)
   for (int i = 0; q && i < CRAWLERS; i++) {
     struct scallop_crawler c = words_random(q, w->crawler.gait);
     struct scallop_steady_result r;
-    single += counted_steady(&c, &r) == SCALLOP_OK && r.v_low == r.v_high;
+    single += scallop_steady(&c, &r) == SCALLOP_OK && r.v_low == r.v_high;
   }
   if (q)
     gsl_qrng_free(q);
@@ -231,7 +231,7 @@ static void jumps_row(const struct words *w, const struct words_claim *claim)
   of.crawler = scallop_crawler_default();
   of.crawler.alpha = 0.5;
   of.crawler.gait = &sawtooth;
-  bool many = counted_steady(&of.crawler, &r) == SCALLOP_INTERVAL;
+  bool many = scallop_steady(&of.crawler, &r) == SCALLOP_INTERVAL;
   double unit = of.crawler.L / of.crawler.T;
   snprintf(measured, sizeof measured, "every v_start T/L from %.6f to %.6f is steady", r.v_low / unit, r.v_high / unit);
   snprintf(reason, sizeof reason,
@@ -249,7 +249,7 @@ static double moved(const struct words *w, double F1, double v0, double T)
   struct scallop_phase_result r;
   c.F1 = F1;
   c.T = T;
-  return counted_phase(&c, SCALLOP_EXTENSION, v0, &r) < 0 ? NAN : r.dxC / c.L;
+  return scallop_phase(&c, SCALLOP_EXTENSION, v0, &r) < 0 ? NAN : r.dxC / c.L;
 }
 
 static bool certainly_less(const struct words *w, double F1, double v0, double T, double longer)
@@ -266,8 +266,8 @@ static bool certainly_less(const struct words *w, double F1, double v0, double T
   for (int i = 0; i < 2; i++) {
     scallop_certified_phase_init(&p[i]);
     crawler.T = i ? longer : T;
-    decimal_crawler(&c, &crawler);
-    solved = counted_certified_phase(&c, SCALLOP_EXTENSION, v, DIGITS, &p[i], NULL) == SCALLOP_OK && solved;
+    rational_crawler(&c, &crawler);
+    solved = scallop_certified_phase(&c, SCALLOP_EXTENSION, v, DIGITS, &p[i], NULL) == SCALLOP_OK && solved;
   }
   bool less = solved && arb_lt(p[1].dxC, p[0].dxC);
   for (int i = 0; i < 2; i++)

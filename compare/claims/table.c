@@ -4,7 +4,7 @@
 #include "compare/claims/claims.h"
 #include "compare/claims/read.h"
 #include "compare/command/compare.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "compare/command/with_flint.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
@@ -89,14 +89,14 @@ static void summarise(const struct ledger *ledger)
 /* NULL, or what contradicts itself */
 static const char *each_row(const struct options *o, claim_sink *sink, void *context)
 {
-  const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : NULL;
+  const struct scallop_gait *gait = o->point.has_gait ? o->point.crawler.gait : NULL;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_options(&exact, NULL, o);
+  rational_point(&exact, NULL, &o->point);
   const char *wrong = claims_of_order(&exact, gait ? exact.gait : NULL, o->errors, sink, context);
   scallop_rational_clear(&exact);
   if (!o->errors)
-    claims_in_words(&o->crawler, gait, sink, context);
+    claims_in_words(&o->point.crawler, gait, sink, context);
   return wrong;
 }
 
@@ -109,8 +109,8 @@ static bool begin(struct table *table, const struct options *o, const char *cons
   table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->check ? " --check" : "");
   table_parameters(table, o, varied, false);
-  if (o->has_gait)
-    table_note(table, "gait: %s", o->crawler.gait->name);
+  if (o->point.has_gait)
+    table_note(table, "gait: %s", o->point.crawler.gait->name);
   table_columns(table, names);
   table_begin_rows(table);
   return true;
@@ -193,7 +193,7 @@ static enum exit_code check_ledger(const struct options *o)
   if (code == EXIT_DONE) {
     wrong = each_row(o, check_row, &check);
     for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
-      if (!row->met && (!o->has_gait || strcmp(row->key[3], o->crawler.gait->name) == 0))
+      if (!row->met && (!o->point.has_gait || strcmp(row->key[3], o->point.crawler.gait->name) == 0))
         write_difference(&check, row->key, "-", "-", row->verdict, row->order);
     code = end(&check.table, wrong);
   }

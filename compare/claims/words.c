@@ -8,7 +8,7 @@
 
 #include "compare/breakdown/parts.h"
 #include "compare/claims/words.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 
 const char *words_whose(const struct words *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
 
@@ -46,7 +46,7 @@ void words_enter(const struct words *w, const struct words_claim *claim, const c
 struct scallop_steady_result words_steady(const struct scallop_crawler *c)
 {
   struct scallop_steady_result r;
-  if (counted_steady(c, &r) < 0)
+  if (scallop_steady(c, &r) < 0)
     return (struct scallop_steady_result){ .mean_velocity = NAN,
                                            .period = { .v_start = NAN, .displacement = NAN, .multiplier = NAN } };
   return r;
@@ -90,7 +90,7 @@ static struct scallop_phase_result extension(const struct scallop_crawler *crawl
   c.F1 = ratio * c.F2;
   c.alpha = 0.5;
   c.T = 2 * T;
-  if (counted_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
+  if (scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
     return (struct scallop_phase_result){ .dxC = NAN, .v_end = NAN, .regime = SCALLOP_AT_REST };
   return r;
 }

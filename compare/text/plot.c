@@ -8,8 +8,9 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "compare/command/compare.h"
 #include "compare/text/file.h"
+#include "compare/text/message.h"
+#include "compare/text/shipped.h"
 
 extern char **environ;
 
@@ -68,11 +69,11 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
   put_text(to, "x_column", p->x);
   put_columns(to, "y", p->y);
   put_columns(to, "by", p->by);
-  fprintf(to, "log_x = %d\nlog_y = %d\n%s", p->log_x, p->log_y, p->common);
+  fprintf(to, "log_x = %d\nlog_y = %d\n%s", p->log_x, p->log_y, shipped_text(shipped_scripts, "common"));
   if (p->script)
     put_path(to, "load ", p->script);
   else
-    fputs(p->program, to);
+    fputs(p->program ? p->program : shipped_text(shipped_scripts, "curves"), to);
   fputs("unset output\n", to);
 }
 

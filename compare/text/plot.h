@@ -13,7 +13,7 @@ enum { PLOT_COLUMNS = 8 };
 struct plot {
   const char *table;                /* a file, in TSV                                                       */
   const char *file;                 /* the picture: its name ends in .svg, .png or .pdf                     */
-  const char *common, *program;     /* texts of scripts that come with the tool                             */
+  const char *program;              /* the text of a script that comes with the tool; NULL: curves.gp       */
   const char *script;               /* in place of program: the path of a script, or NULL                   */
   const char *title, *x;            /* or NULL                                                              */
   const char *y[PLOT_COLUMNS + 1];  /* columns, NULL-terminated                                             */
