@@ -11,18 +11,20 @@
 #include <sys/wait.h>
 
 static int sync_fails, rename_fails, signal_in_rename;
-static char calls[1000];
+static char calls[40];
+
+static void called(const char *call) { strncat(calls, call, sizeof calls - strlen(calls) - 1); }
 
 int fsync(int fd)
 {
-  strcat(calls, "sync ");
+  called("sync ");
   errno = sync_fails;
   return sync_fails != 0 ? -1 : fdatasync(fd);
 }
 
 int rename(const char *from, const char *to)
 {
-  strcat(calls, "rename ");
+  called("rename ");
   raise(signal_in_rename);
   errno = rename_fails;
   return rename_fails != 0 ? -1 : renameat(AT_FDCWD, from, AT_FDCWD, to);
@@ -54,7 +56,7 @@ static void keeps_or_drops(void **state)
       fresh(replaces ? "earlier" : NULL);
       int before = lowest_free();
       struct file f = open_and_write("table");
-      assert_int_equal(strncmp(f.temporary, "table.scallop-", 14) * !replaces, 0);
+      assert_non_null(strstr(f.temporary, "table.scallop-"));
       assert_int_equal(access(f.temporary, F_OK), 0);
       assert_int_equal(entries(false), replaces + 1);
       assert_int_equal(file_close(&f, keep), 0);

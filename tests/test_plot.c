@@ -217,8 +217,8 @@ static void curves_are_of_their_rows(void **state)
   (void)state;
   if (!has_gnuplot())
     skip();
-  write_text("table", "# note\nx\tF\tg\ty\tz\n1\t2\ta\t1\tnan\n1\t40\ta\t1\tnan\n2\t2\ta\t2\t-\n2\t40\ta\tinf\t-\n"
-                      "3\t2\ta\t3\tinf\n3\t40\ta\t3\t0\n4\t2\ta\t4\t5\n4\t40\ta\tnan\t0\n5\t2\ta\t5\t5\n# end\n");
+  write_text("table", "# note\nx\tF\tg\ty\tz\n1\t2\ta\t1\tnan\n1\t40\ta\t1\tnan\n2\t2\ta\t2\t-\n2\t40\ta\tnan\t-\n"
+                      "3\t2\ta\t3\tinf\n3\t40\ta\t3\t0\n4\t2\ta\t4\t5\n4\t40\ta\tinf\t0\n5\t2\ta\t5\t5\n# end\n");
   const char *picture = draws((struct plot){ .by = { "F", "g" } });
   assert_in(picture, ">F, g = 2, a</");
   assert_in(picture, ">F, g = 40, a</");
@@ -245,11 +245,12 @@ static void axes_of_any_width(void **state)
     write_text("table", table);
     draws((struct plot){ .log_x = i % 2 == 1, .log_y = i % 2 == 1 });
   }
-  write_text("table", "x\ty\n0.2\t3\n0\t5\n0.5\t300\n");
+  write_text("table", "x\ty\n0.2\t3\n0\t5\n0.3\tinf\n0.5\t300\n");
   const char *picture = draws((struct plot){ .log_x = true, .log_y = true });
   static const char *const tics[] = { "> 0.25<", "> 0.45<", "> 5<", "> 10<", "> 200<" };
   for (size_t i = 0; i < sizeof tics / sizeof *tics; i++)
     assert_in(picture, tics[i]);
+  assert_null(strstr(picture, "> 0.55<"));
 }
 
 static void gnuplot_runs_nothing_from_names(void **state)
