@@ -10,7 +10,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>
 
-#include "compare/text/journal.h"
+#include "compare/text/grow.h"
 #include "compare/text/lines.h"
 #include "compare/command/options.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/text/journal.h"
+#include "compare/text/grow.h"
 #include "compare/answers/counts.h"
 #include "compare/answers/gait_file.h"
 #include "compare/command/options.h"

@@ -9,7 +9,7 @@
 #include "compare/breakdown/asked.h"
 #include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
-#include "compare/text/journal.h"
+#include "compare/maps/journal.h"
 #include "compare/text/progress.h"
 #include "compare/answers/defaults.h"
 #include "model/flint.h"

@@ -1,4 +1,4 @@
-#include "compare/text/journal.h"
+#include "compare/maps/journal.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -6,15 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { NUMBER = 32, LINE = (JOURNAL_VALUES + 2) * NUMBER };
+#include "compare/text/grow.h"
 
-uint32_t checksum_after(uint32_t before, const void *memory, size_t size)
-{
-  const unsigned char *byte = memory;
-  for (size_t i = 0; i < size; i++)
-    before = (before ^ byte[i]) * UINT32_C(16777619);
-  return before;
-}
+enum { NUMBER = 32, LINE = (JOURNAL_VALUES + 2) * NUMBER };
 
 static bool take_line(char *line, journal_taker *take, void *context)
 {

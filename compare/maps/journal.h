@@ -7,7 +7,6 @@
 #define SCALLOP_JOURNAL_H
 
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 
 enum journal_outcome {
@@ -34,9 +33,5 @@ enum journal_outcome journal_open(struct journal *journal, const char *path, con
 bool journal_add(struct journal *journal, long number, int count, const double *values);
 /* Closes the journal; done: and removes it. */
 void journal_close(struct journal *journal, bool done);
-
-/* FNV-1a (Fowler, Noll & Vo), 32 bits, of memory after what `before` is the checksum of. */
-#define CHECKSUM_OF_NOTHING UINT32_C(2166136261)
-uint32_t checksum_after(uint32_t before, const void *memory, size_t size);
 
 #endif
