@@ -106,7 +106,7 @@ $(B)/single/%.o: %.c Makefile config.mk
 	@$(CC) $(CPPFLAGS) $(without_threads) -MMD -MP -c -o $@ $<
 
 # Scenes, their plot scripts, the completion and the ledger, in the program
-plot_scripts := scripts/plot_common.gp $(wildcard scripts/plot_figure*.gp)
+plot_scripts := $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
 $(B)/shipped_scripts.c: $(plot_scripts)
 $(B)/shipped_completion.c: scripts/completion.bash

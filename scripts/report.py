@@ -76,7 +76,7 @@ def read_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--tables", type=Path, required=True, metavar="FOLDER", help="the tables, NAME.tsv")
     parser.add_argument(
-        "--plots", type=Path, required=True, metavar="FOLDER", help="the plots that scripts/plots.sh drew, NAME.svg"
+        "--plots", type=Path, required=True, metavar="FOLDER", help="the plots that scripts/plots/draw.sh drew, NAME.svg"
     )
     parser.add_argument("--scenes", type=Path, required=True, metavar="FOLDER", help="the scenes, NAME.cfg")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE", help="the page")

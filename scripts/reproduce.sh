@@ -5,7 +5,7 @@ build=$1
 scallop=$build/scallop
 sh scripts/tables.sh "$scallop" data
 sh scripts/maps.sh "$scallop" data "$build/maps"
-sh scripts/plots.sh data "$build/plots" "$build/maps"
+sh scripts/plots/draw.sh data "$build/plots" "$build/maps"
 /usr/bin/python3 scripts/report.py --tables data --plots "$build/plots" --scenes data/scenes \
   --output "$build/report/index.html"
 

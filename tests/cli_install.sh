@@ -108,7 +108,7 @@ if command -v gnuplot >/dev/null 2>&1; then
   grep -q '</svg>' figure4.svg || note "no picture: $(cat err)"
   run 0 run elsewhere/usr/share/scallop/scenes/figure3.cfg
   grep -q '</svg>' figure3.svg || note "no picture of an installed scene: $(cat err)"
-  sed 's|"plot_figure2"|"elsewhere/usr/share/scallop/plots/plot_figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
+  sed 's|"figure2"|"elsewhere/usr/share/scallop/plots/figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
   run 0 run mine.cfg
   grep -q '</svg>' figure2.svg || note "no picture by an installed script: $(cat err)"
   finish "figures are drawn there"

@@ -92,8 +92,8 @@ E2
 refused "1: the exact solver works in doubles" <<'E2'
 want = ( { what = "error"; accuracy = 1e-20; reference = "exact"; file = "kept.tsv"; } );
 E2
-refused "1: no plot script 'plot_figure1' comes with the tool: did you mean 'plot_figure" <<'E2'
-want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "plot_figure1"; }; } );
+refused "1: no plot script 'figure1' comes with the tool: did you mean 'figure" <<'E2'
+want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "figure1"; }; } );
 E2
 refused "1: no plot script 'mine' comes with the tool.*'mine.gp'" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "mine"; }; } );
@@ -441,8 +441,12 @@ E2
   finish "plots"
   # by its name from another folder, where scripts for it lie that are not the tool's
   mkdir -p planted/scripts planted/a/b
-  for script in common figure2 figure3 figure4 figure5; do
-    for folder in planted/scripts planted/a/b; do echo 'system "touch ../../executed"' >$folder/plot_$script.gp; done
+  mkdir planted/scripts/plots planted/a/b/plots
+  for script in common curves figure2 figure3 figure4 figure5; do
+    for folder in planted/scripts planted/scripts/plots planted/a/b planted/a/b/plots; do
+      echo "system 'touch $scratch/planted/executed'" >$folder/$script.gp
+    done
+    cp planted/a/b/$script.gp planted/a/b/$script
   done
   for n in 2 3 4 5; do
     (cd planted/a/b && "$tool" run figure$n </dev/null >out 2>err) || note "run figure$n: exit code $?"

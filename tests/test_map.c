@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "compare/maps/axis.h"
-#include "compare/text/journal.h"
+#include "compare/maps/journal.h"
 #include "compare/answers/mode_change.h"
 #include "tests/check.h"
 

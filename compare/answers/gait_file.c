@@ -8,8 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>
 
-#include "compare/text/checksum.h"
-#include "compare/text/grow.h"
+#include "compare/text/memory.h"
 #include "compare/text/tsv.h"
 #include "compare/text/values.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/text/checksum.h"
+#include "compare/text/memory.h"
 #include "compare/answers/counts.h"
 #include "compare/answers/gait_file.h"
 #include "compare/command/options.h"

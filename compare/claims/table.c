@@ -6,7 +6,7 @@
 #include "compare/command/compare.h"
 #include "compare/answers/rational.h"
 #include "compare/text/shipped.h"
-#include "compare/text/grow.h"
+#include "compare/text/memory.h"
 #include "compare/text/tsv.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",

@@ -6,7 +6,7 @@
 
 #include "compare/command/compare.h"
 #include "compare/answers/gaits.h"
-#include "compare/command/plot.h"
+#include "compare/text/plot.h"
 #include "compare/text/values.h"
 
 enum { MOST_ORDER = 1000, MOST_CASES = 1000000, MOST_COUNT = 1000000000 };

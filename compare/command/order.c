@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compare/command/compare.h"
-#include "compare/text/grow.h"
+#include "compare/text/memory.h"
 #include "compare/text/tsv.h"
 #include "compare/order/order.h"
 

@@ -7,7 +7,7 @@
 #include "compare/maps/axis.h"
 #include "compare/maps/curves.h"
 #include "compare/maps/maps.h"
-#include "compare/text/grow.h"
+#include "compare/text/memory.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "compare/maps/curves.h"
-#include "compare/text/grow.h"
+#include "compare/text/memory.h"
 #include "numerics/threads.h"
 
 enum { AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };

@@ -9,7 +9,7 @@
 #include "compare/breakdown/asked.h"
 #include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
-#include "compare/text/journal.h"
+#include "compare/maps/journal.h"
 #include "compare/text/progress.h"
 #include "compare/answers/defaults.h"
 #include "model/flint.h"
@@ -275,7 +275,7 @@ static enum exit_code run(struct grid *g)
   struct table t;
   if (!table_open(&t, g->options))
     return EXIT_FILE;
-  enum exit_code code = t.is_aside ? open_journal(g) : EXIT_DONE;
+  enum exit_code code = t.out.target ? open_journal(g) : EXIT_DONE;
   if (code == EXIT_DONE)
     compute_all(g);
   if (g->failed) {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/plot.h"
 #include "compare/scenes/parts.h"
+#include "compare/text/plot.h"
 
 static bool is_of_steady(const struct quantities *all, const struct quantity *q)
 {
@@ -242,17 +242,10 @@ static enum exit_code draw_plots(const struct running *r, const struct scene_out
 {
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants; i++) {
-    const struct scene_plot *p = &r->output[i].want->plot;
-    const struct plot plot = { .table = r->output[i].file,
-                               .file = outputs->plot[i],
-                               .script = p->script,
-                               .program = p->program,
-                               .title = r->scene->title,
-                               .x = p->x,
-                               .y = p->y,
-                               .by = p->by,
-                               .log_x = p->log_x,
-                               .log_y = p->log_y };
+    struct plot plot = r->output[i].want->plot;
+    plot.table = r->output[i].file;
+    plot.file = outputs->plot[i];
+    plot.title = r->scene->title;
     if (!plot.file)
       continue;
     if (!plot_draw(&plot, r->options->command->name)) {

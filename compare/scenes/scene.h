@@ -13,6 +13,7 @@
 #include "compare/answers/quantity.h"
 #include "compare/command/compare.h"
 #include "asymptotics/formula.h"
+#include "compare/text/plot.h"
 
 enum {
   SCENE_GROUPS = 8,
@@ -73,13 +74,6 @@ struct scene_column {
   struct formula formula;
 };
 
-struct scene_plot {
-  const char *file, *script, *x, *by;
-  const char *program; /* in place of a script: the text of one that comes with the tool */
-  const char *y[8 + 1];
-  bool log_x, log_y;
-};
-
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written */
@@ -99,7 +93,7 @@ struct scene_want {
   char **arguments; /* of a command: its long options */
   int argument_count;
   bool has_plot;
-  struct scene_plot plot;
+  struct plot plot; /* but for table and title */
 };
 
 enum scene_start { START_REST, START_STEADY, START_VELOCITY };

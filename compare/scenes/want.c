@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/plot.h"
+#include "compare/text/plot.h"
 #include "compare/scenes/parts.h"
 #include "compare/text/shipped.h"
 
@@ -136,19 +136,8 @@ static bool has_column(const struct reading *r, const config_setting_t *at, cons
   return has || refuse_at(r, at, "the table has no column %s", name);
 }
 
-/* "F1, series": one column, or several. */
-static bool join(const struct reading *r, const char *const *names, int count, const char **joined)
-{
-  *joined = count > 0 ? names[0] : NULL;
-  for (int i = 1; i < count && *joined; i++) {
-    *joined = keep_text(r, *joined, (int)strlen(*joined), ", ");
-    *joined = *joined ? keep_text(r, *joined, (int)strlen(*joined), names[i]) : NULL;
-  }
-  return count == 0 || *joined;
-}
-
 /* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
-static bool find_script(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
+static bool find_script(const struct reading *r, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(r, p->script);
@@ -166,21 +155,20 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
 
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
-  struct scene_plot *p = &w->plot;
-  const char *by[PLOT_BY];
-  int count = 0, by_count = 0;
+  struct plot *p = &w->plot;
+  int ys = 0, bys = 0;
   const struct member members[] = { A_TEXT("file", &p->file),
                                     A_TEXT("script", &p->script),
                                     A_TEXT("x", &p->x),
-                                    TEXTS("y", p->y, sizeof p->y / sizeof *p->y - 1, &count),
-                                    TEXTS("by", by, PLOT_BY, &by_count),
+                                    TEXTS("y", p->y, PLOT_COLUMNS, &ys),
+                                    TEXTS("by", p->by, PLOT_COLUMNS, &bys),
                                     A_FLAG("log_x", &p->log_x),
                                     A_FLAG("log_y", &p->log_y),
                                     NO_MORE };
   w->has_plot = true;
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(r, at, members, "a plot") || !join(r, by, by_count, &p->by))
+  if (!read_members(r, at, members, "a plot"))
     return false;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r, at, "a plot needs a file that ends in .svg, .png or .pdf");
@@ -190,10 +178,10 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
-  if (!p->x || count == 0)
+  if (!p->x || ys == 0)
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
   bool good = has_column(r, at, w, p->x);
-  for (int i = 0; i < count && good; i++)
+  for (int i = 0; i < ys && good; i++)
     good = has_column(r, at, w, p->y[i]);
   return good;
 }

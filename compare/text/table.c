@@ -6,21 +6,12 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "compare/command/compare.h"
 #include "compare/answers/gaits.h"
 
 static const char *where(const struct table *t) { return t->output ? t->output : "standard output"; }
-
-/* A link to the file that standard output goes to, as /dev/stdout is: a new file in its place would take what it held before. */
-static bool leads_to_standard_output(const char *output)
-{
-  struct stat link, there, standard;
-  return lstat(output, &link) == 0 && S_ISLNK(link.st_mode) && stat(output, &there) == 0
-         && fstat(STDOUT_FILENO, &standard) == 0 && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
-}
 
 /* The spline goes through every point of a table, noise and all. */
 static void tell_noise(const struct options *o)
@@ -37,19 +28,13 @@ static void tell_noise(const struct options *o)
 
 bool table_open_at(struct table *t, const struct options *options, const char *output)
 {
-  struct stat there;
-  *t = (struct table){ .file = stdout, .options = options, .output = output };
-  if (output && !leads_to_standard_output(output)) {
-    t->is_aside = stat(output, &there) != 0 || S_ISREG(there.st_mode);
-    if (!t->is_aside) /* a pipe or a device: nothing to put in its place */
-      t->file = fopen(output, "w");
-    else
-      t->file = aside_open(&t->aside, output) ? t->aside.file : NULL;
-  }
-  if (!t->file) {
-    complain(options->command->name, "cannot write %s: %s", output, strerror(errno));
+  *t = (struct table){ .options = options, .output = output };
+  int error = file_open(&t->out, output);
+  if (error != 0) {
+    complain(options->command->name, "cannot write %s: %s", output, strerror(error));
     return false;
   }
+  t->file = t->out.stream;
   t->watched = isatty(fileno(t->file));
   return true;
 }
@@ -275,33 +260,22 @@ void table_text(struct table *t, const char *text)
 
 bool table_failed(const struct table *t) { return t->error != 0; }
 
-/* Of some file systems only this tells that the quota is full; another descriptor's does it too, and standard output stays open. */
-static bool closes(int descriptor)
-{
-  int other = dup(descriptor);
-  return other < 0 || close(other) == 0;
-}
-
 bool table_flush(struct table *t)
 {
   flush_text(t);
-  note_error(t, fflush(t->file) != 0 || (t->is_aside && fsync(fileno(t->file)) != 0 && errno != EINVAL));
+  int error = file_flush(&t->out);
+  t->error = t->error != 0 ? t->error : error;
   return !table_failed(t);
 }
 
 bool table_close(struct table *t)
 {
   flush_text(t);
-  note_error(t, fflush(t->file) != 0);
-  bool lost = t->is_aside && gait_is_from(t->output); /* of a gait that a column of points names */
+  bool lost = t->out.target && gait_is_from(t->output); /* of a gait that a column of points names */
   if (lost)
     complain(t->options->command->name, "%s is the file of a gait and is not replaced: name another file", t->output);
-  if (t->is_aside && (lost || t->error != 0))
-    aside_drop(&t->aside);
-  else if (t->is_aside)
-    note_error(t, !aside_keep(&t->aside));
-  else
-    note_error(t, (t->file == stdout ? !closes(STDOUT_FILENO) : fclose(t->file) != 0));
+  int error = file_close(&t->out, t->error == 0 && !lost);
+  t->error = t->error != 0 ? t->error : error;
   if (t->error != 0)
     complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(t->error));
   return t->error == 0 && !lost;
@@ -309,11 +283,7 @@ bool table_close(struct table *t)
 
 void table_abandon(struct table *t)
 {
-  if (t->is_aside)
-    aside_drop(&t->aside);
-  else {
+  if (!t->out.target)
     flush_text(t);
-    if (t->file != stdout)
-      fclose(t->file);
-  }
+  file_close(&t->out, false);
 }

@@ -1,13 +1,13 @@
 /* Tables: TSV with '#' lines on top, or JSON with one object a line, to standard output, to a file that appears when it is complete
- * (compare/text/aside.h), or to a pipe or a device. */
+ * (compare/text/file.h), or to a pipe or a device. */
 #ifndef SCALLOP_TABLE_H
 #define SCALLOP_TABLE_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "compare/text/aside.h"
 #include "compare/text/digits.h"
+#include "compare/text/file.h"
 #include "compare/command/options.h"
 
 enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
@@ -19,8 +19,7 @@ struct table {
   FILE *file;
   const struct options *options;
   const char *output; /* its name, NULL: standard output                          */
-  struct aside aside;
-  bool is_aside; /* or the file is standard output, a pipe or a device     */
+  struct file out;
   const char *columns[TABLE_COLUMNS];
   int count, at; /* columns; the next one in this row                     */
   bool watched;  /* on a terminal: a line appears when it is complete     */

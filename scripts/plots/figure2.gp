@@ -1,3 +1,4 @@
+eval picture(900, 380, 13)
 set multiplot layout 1,2
 set xlabel "t / T"
 set ylabel "x / L"

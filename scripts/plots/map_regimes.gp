@@ -1,9 +1,6 @@
 # Regions of the same modes over (froude, alpha) and (F1/F2, froude): the regime by colour from a grid, the boundaries from the curves
-# that were followed, a number in each region and what it stands for below. tables: of grids and numbers, made by plots.sh.
-if (kind eq "svg") set terminal svg size 1250,820 font "DejaVu Sans,12" background rgb "white"
-if (kind eq "png") set terminal pngcairo size 1875,1230 font "DejaVu Sans,15" background rgb "white"
-set output output_file
-set datafile separator "\t"
+# that were followed, a number in each region and what it stands for below. tables: of grids and numbers, which maps.sh writes.
+eval picture(1250, 820, 15)
 set datafile columnheaders
 set border 15
 set xtics out nomirror

@@ -1,11 +1,7 @@
 # Mean velocity over F1/F2 from 1 to 10^4, past the paper's range, with the boundaries between sequences of modes: alpha = 3/4, T = 1.
-if (kind eq "svg") set terminal svg size 900,800 font "DejaVu Sans,12" background rgb "white"
-if (kind eq "png") set terminal pngcairo size 1350,1200 font "DejaVu Sans,15" background rgb "white"
-set output output_file
-set datafile separator "\t"
+eval picture(900, 800, 15)
 set datafile columnheaders
 set logscale x
-set border 3
 set xtics out nomirror
 set ytics out nomirror 0,1,4
 set xrange [1:1e4]

@@ -1,8 +1,8 @@
-/* What a long computation has found so far, in a file: the same command goes on from there if something ends it.
+/* What a long computation has found so far, in a file: the same command resumes from there.
  *
- * A line each: the number of an item, its values as hexadecimal doubles, and a checksum, so that a line of which only a part was
- * written, or something else in its place, is seen. The first line says of which computation it is, with all that its values
- * depend on; the journal of another computation is neither used nor touched. */
+ * The first line is a title, with all that the values depend on; the journal of another computation is neither used nor touched. Each
+ * further line has the number of an item, its values as hexadecimal doubles, and a checksum, so that a damaged or half-written line is
+ * noticed: the journal ends before it. */
 #ifndef SCALLOP_JOURNAL_H
 #define SCALLOP_JOURNAL_H
 
@@ -16,6 +16,7 @@ enum journal_outcome {
   JOURNAL_BUSY,  /* another process is at work on it                                              */
   JOURNAL_ERROR  /* errno says why                                                                */
 };
+enum { JOURNAL_VALUES = 64 }; /* of an item, at most                                                */
 
 struct journal {
   char *path;
@@ -23,17 +24,14 @@ struct journal {
   int error; /* errno of the first write that failed, or 0                                     */
 };
 
-/* One item that was found: number in [0, items), count values. False: no such item; the journal ends before it. */
+/* Takes an item of a journal. False: there is no such item; the journal ends before it. */
 typedef bool journal_taker(void *context, long number, int count, const double *values);
 
-/* Opens the journal at path, or begins one. title: one line that says which computation it is. Values are nan, infinite or finite; at
- * most JOURNAL_VALUES an item. */
-enum { JOURNAL_VALUES = 64 };
 enum journal_outcome journal_open(struct journal *journal, const char *path, const char *title, journal_taker *take,
                                   void *context);
-/* Adds an item, in one write. Not for two threads at once. False: it failed, now or before; error says why. */
+/* Adds an item, in one write; not for two threads at once. False: this or an earlier write failed. */
 bool journal_add(struct journal *journal, long number, int count, const double *values);
-/* Closes it; done: and removes it. */
+/* Closes the journal; done: and removes it. */
 void journal_close(struct journal *journal, bool done);
 
 #endif

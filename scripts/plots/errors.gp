@@ -1,4 +1,5 @@
 # The certified error of published formulas against T, where the paper's conditions hold: no floor, however small T is.
+eval picture(900, 380, 13)
 set multiplot layout 1,2
 set logscale xy
 set format y "10^{%T}"

@@ -1,8 +1,6 @@
 # Error against run time, from data/workprec.tsv: rows are gaits, columns T. Methods differ by symbol, and in how they get to the steady
 # state by the line: as a root filled and solid, by simulation open and dashed. The broad grey stairs are the Pareto front.
-if (kind eq "svg") set terminal svg size 1200,900 font "DejaVu Sans,12" background rgb "white"
-if (kind eq "png") set terminal pngcairo size 1800,1350 font "DejaVu Sans,14" background rgb "white"
-set output output_file
+eval picture(1200, 900, 14)
 set datafile missing NaN
 set logscale xy
 least = 1e-20 # what is below is drawn here

@@ -1,9 +1,6 @@
 # How far the published displacement (28) can be trusted, and the derived terms below T^8: the largest T up to which the relative error
 # stays below 1 % and 1e-6, over (F1/F2, alpha). Grey: as T -> 0 the error tends to a limit above that.
-if (kind eq "svg") set terminal svg size 1100,900 font "DejaVu Sans,12" background rgb "white"
-if (kind eq "png") set terminal pngcairo size 1650,1350 font "DejaVu Sans,15" background rgb "white"
-set output output_file
-set datafile separator "\t"
+eval picture(1100, 900, 15)
 set datafile columnheaders
 set logscale x
 set logscale cb
@@ -18,7 +15,6 @@ set format x "%g"
 set palette defined (0 "#3b1f6b", 1 "#2f5d9b", 2 "#2a9d8f", 3 "#9fcf6f", 4 "#fff3a0")
 set cblabel "T*: the error is smaller up to this period; grey: its limit for T = 0 is larger (quadratic, m_1 = m_2 = 1, F_2 = 1, L = 10)"
 unset key
-table = tables."/map_reach.tsv"
 series = "published derived_8"
 tolerances = "1e-2 1e-6"
 titles = "'published (28), 1 %' 'published (28), 1e-6' 'derived, terms below T^8, 1 %' 'derived, terms below T^8, 1e-6'"
