@@ -25,7 +25,7 @@ flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asympt
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,text/decimal answers/written_gait answers/certified_rows answers/counts_flint answers/series_derived scenes/flint command/flint_end) \
                $(filter-out compare/workprec/stopwatch,$(patsubst %.c,%,$(foreach r,claims breakdown maps stress workprec,$(wildcard compare/$(r)/*.c))))
-flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map_curves singularity
+flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_figures claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp

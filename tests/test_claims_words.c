@@ -1,55 +1,35 @@
 /* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from another route, the
  * double solver, a closed form of the quadratic gait, or pencil and paper. */
-#include "tests/check.h"
-
-#include <stdio.h>
-#include <string.h>
-
-#include "compare/claims/words.h"
+#include "tests/full_ledger.h"
 #include "tests/random_crawler.h"
 
-enum { MOST = 160 };
+static struct ledger ledger;
 
-static struct kept {
-  struct claim_row row;
-  char conditions[160];
-} rows[MOST];
-static int count;
-
-static void keep(void *context, const struct claim_row *row)
+static int fill(void **state)
 {
-  (void)context;
-  assert_true(count < MOST);
-  rows[count].row = *row;
-  snprintf(rows[count].conditions, sizeof rows[count].conditions, "%s", row->conditions);
-  count++;
+  const struct scallop_crawler crawler = scallop_crawler_default();
+  (void)state;
+  fill_ledger(&ledger, &crawler, false);
+  return 0;
+}
+
+static int empty(void **state)
+{
+  (void)state;
+  ledger_free(&ledger);
+  return 0;
 }
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
 
-static int fill(void **state)
-{
-  const struct words_claim *const tables[] = { words_at_random, words_of_phases, words_of_regimes, words_of_appendices };
-  (void)state;
-  for (int g = 0; g < 2; g++) {
-    struct words w = { .crawler = scallop_crawler_default(), .sink = keep };
-    w.crawler.gait = gaits[g];
-    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-      for (const struct words_claim *claim = tables[t]; claim->claim; claim++)
-        claim->decide(&w, claim);
-  }
-  return 0;
-}
-
 /* The row whose conditions hold the text */
 static const struct claim_row *find(const char *claim, int g, const char *conditions)
 {
-  for (int i = 0; i < count; i++)
-    if (strcmp(rows[i].row.claim, claim) == 0 && rows[i].row.gait == gaits[g]->name
-        && strstr(rows[i].conditions, conditions))
-      return &rows[i].row;
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, gaits[g]->name) == 0 && strstr(row->conditions, conditions))
+      return row;
   fail_msg("no row %s, %s, %s", claim, gaits[g]->name, conditions);
-  return &rows[0].row;
+  return ledger.rows;
 }
 
 /* The first numbers after a text in what was measured */
@@ -384,5 +364,5 @@ int main(void)
     cmocka_unit_test(formulas_without_remainder),
     cmocka_unit_test(statements_about_every_crawler),
   };
-  return cmocka_run_group_tests_name("claims in words", tests, fill, NULL);
+  return cmocka_run_group_tests_name("claims in words", tests, fill, empty);
 }

@@ -15,16 +15,8 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
 static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
                                              "inside", "h",        "err",      "pairwise", "use",           NULL };
 
-struct ledger {
-  struct table table;
-  int verdicts[2][4]; /* of the paper's claims, outside and inside of its conditions           */
-  int ours[4];
-};
-
-static void write_errors(void *context, const struct claim_row *row)
+static void write_errors(struct table *t, const struct claim_row *row)
 {
-  struct ledger *ledger = context;
-  struct table *t = &ledger->table;
   for (int i = 0; i < row->count; i++) {
     const struct order_point *p = &row->points[i];
     table_text(t, row->claim);
@@ -49,10 +41,8 @@ static const char *derived_text(const struct claim_row *row)
   return !row->proven ? "-" : row->exact ? "none" : text;
 }
 
-static void write_row(void *context, const struct claim_row *row)
+static void write_row(struct table *t, const struct claim_row *row)
 {
-  struct ledger *ledger = context;
-  struct table *t = &ledger->table;
   table_text(t, row->claim);
   table_text(t, row->equation);
   table_text(t, row->quantity);
@@ -71,33 +61,32 @@ static void write_row(void *context, const struct claim_row *row)
   table_text(t, row->ours ? "corrected" : "paper");
   table_text(t, *row->measured ? row->measured : "-");
   table_text(t, *row->reason ? row->reason : "-");
-  (row->ours ? ledger->ours : ledger->verdicts[row->inside])[row->verdict]++;
 }
 
 static void summarise(const struct ledger *ledger)
 {
+  int verdicts[2][4] = { { 0 } }, ours[4] = { 0 }; /* of the paper's claims, outside and inside of its conditions */
+  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++)
+    (row->ours ? ours : verdicts[row->inside])[row->verdict]++;
   for (int inside = 1; inside >= 0; inside--) {
-    const int *v = ledger->verdicts[inside];
+    const int *v = verdicts[inside];
     fprintf(stderr, "%s the paper's conditions: %d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
             inside ? "inside " : "outside", v[CLAIM_HOLDS], v[CLAIM_SHARPER], v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
   }
   fprintf(stderr, "formulas that take the place of refuted ones: %d hold, %d are sharper than claimed, %d do not hold\n",
-          ledger->ours[CLAIM_HOLDS], ledger->ours[CLAIM_SHARPER],
-          ledger->ours[CLAIM_REFUTED] + ledger->ours[CLAIM_UNDECIDED]);
+          ours[CLAIM_HOLDS], ours[CLAIM_SHARPER], ours[CLAIM_REFUTED] + ours[CLAIM_UNDECIDED]);
 }
 
-/* NULL, or what contradicts itself */
-static const char *each_row(const struct options *o, claim_sink *sink, void *context)
+/* All rows, or those about the requested errors */
+static void fill(struct ledger *ledger, const struct options *o)
 {
-  const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : NULL;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   decimal_options(&exact, NULL, o);
-  const char *wrong = claims_of_order(&exact, gait ? exact.gait : NULL, o->errors, sink, context);
+  ledger_add_orders(ledger, &exact, o->has_gait ? exact.gait : NULL, o->errors);
   scallop_rational_clear(&exact);
   if (!o->errors)
-    claims_in_words(&o->crawler, gait, sink, context);
-  return wrong;
+    ledger_add_words(ledger, &o->crawler, o->has_gait ? o->crawler.gait : NULL);
 }
 
 static bool begin(struct table *table, const struct options *o, const char *const *names)
@@ -116,99 +105,107 @@ static bool begin(struct table *table, const struct options *o, const char *cons
   return true;
 }
 
-static enum exit_code end(struct table *table, const char *wrong)
+/* Writes the rows of the ledger. */
+static enum exit_code write_ledger(struct table *table, const struct ledger *ledger, const struct options *o)
 {
+  if (!begin(table, o, o->errors ? error_columns : columns))
+    return EXIT_FILE;
+  for (int i = 0; i < ledger->count; i++)
+    (o->errors ? write_errors : write_row)(table, &ledger->rows[i]);
   if (!table_close(table))
     return EXIT_FILE;
-  if (wrong)
-    complain("claims", "the ledger contradicts itself: %s", wrong);
-  return wrong ? EXIT_UNSOLVED : EXIT_DONE;
+  if (!o->quiet && !o->errors && !*ledger->contradiction)
+    summarise(ledger);
+  return EXIT_DONE;
 }
 
-static enum exit_code write_ledger(const struct options *options)
-{
-  struct ledger ledger = { .verdicts = { { 0 } } };
-  if (!begin(&ledger.table, options, options->errors ? error_columns : columns))
-    return EXIT_FILE;
-  const char *wrong = each_row(options, options->errors ? write_errors : write_row, &ledger);
-  enum exit_code code = end(&ledger.table, wrong);
-  if (code == EXIT_DONE && !options->quiet && !options->errors)
-    summarise(&ledger);
-  return code;
-}
-
-/* ---- --check: the verdicts against those of a ledger that was written before ---- */
+/* --check: the verdicts against those of a ledger that was written before */
 
 static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
                                              "conditions",      "verdict",  "derived_order", "committed",
                                              "committed_order", NULL };
 
-struct check {
-  struct table table;
-  struct committed_ledger ledger;
-  int verdicts, differ;
-};
-
-static void write_difference(struct check *check, const char *const *key, const char *now, const char *order,
+static void write_difference(struct table *t, const char *const key[COMMITTED_KEYS], const char *now, const char *order,
                              const char *then, const char *order_then)
 {
-  struct table *t = &check->table;
   for (int i = 0; i < COMMITTED_KEYS; i++)
     table_text(t, key[i]);
   table_text(t, now);
   table_text(t, order);
   table_text(t, then);
   table_text(t, order_then);
-  check->differ++;
 }
 
-static void check_row(void *context, const struct claim_row *row)
+/* The committed row that the key names and no row was before; NULL: there is none */
+static struct committed *find_committed(const struct committed_ledger *committed, const char *const key[COMMITTED_KEYS])
 {
-  struct check *check = context;
-  const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
-  const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
-  check->verdicts++;
-  for (int i = 0; i < check->ledger.count; i++) {
-    struct committed *c = &check->ledger.rows[i];
-    bool same = true;
+  for (struct committed *c = committed->rows; c < committed->rows + committed->count; c++) {
+    bool same = !c->met;
     for (int k = 0; k < COMMITTED_KEYS; k++)
       same = same && strcmp(key[k], c->key[k]) == 0;
-    if (!same || c->met)
+    if (same)
+      return c;
+  }
+  return NULL;
+}
+
+/* Returns how many differ. */
+static int write_differences(struct table *t, const struct ledger *ledger, const struct committed_ledger *committed,
+                             const struct options *o)
+{
+  int differ = 0;
+  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
+    const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+    const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
+    struct committed *c = find_committed(committed, key);
+    if (c)
+      c->met = true;
+    if (c && strcmp(verdict, c->verdict) == 0 && strcmp(order, c->order) == 0)
       continue;
-    c->met = true;
-    if (strcmp(verdict, c->verdict) != 0 || strcmp(order, c->order) != 0)
-      write_difference(check, key, verdict, order, c->verdict, c->order);
-    return;
+    write_difference(t, key, verdict, order, c ? c->verdict : "-", c ? c->order : "-");
+    differ++;
   }
-  write_difference(check, key, verdict, order, "-", "-");
+  for (const struct committed *c = committed->rows; c < committed->rows + committed->count; c++)
+    if (!c->met && (!o->has_gait || strcmp(c->key[3], o->crawler.gait->name) == 0)) {
+      write_difference(t, c->key, "-", "-", c->verdict, c->order);
+      differ++;
+    }
+  return differ;
 }
 
-static enum exit_code check_ledger(const struct options *o)
+static enum exit_code check_ledger(struct table *table, const struct ledger *ledger,
+                                   const struct committed_ledger *committed, const struct options *o)
 {
-  struct check check = { .differ = 0 };
-  const char *wrong = NULL;
-  enum exit_code code = committed_read(&check.ledger, o->against);
-  if (code == EXIT_DONE && !begin(&check.table, o, check_columns))
-    code = EXIT_FILE;
+  if (!begin(table, o, check_columns))
+    return EXIT_FILE;
+  int differ = write_differences(table, ledger, committed, o);
+  if (!table_close(table))
+    return EXIT_FILE;
+  if (!o->quiet && !*ledger->contradiction)
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger->count, differ, ledger_name(o->against));
+  return differ > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+}
+
+enum exit_code claims_table(const struct options *o)
+{
+  struct table table;
+  struct ledger ledger = { .rows = NULL };
+  struct committed_ledger committed = { .rows = NULL };
+  enum exit_code code = o->check ? committed_read(&committed, o->against) : EXIT_DONE;
   if (code == EXIT_DONE) {
-    wrong = each_row(o, check_row, &check);
-    for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
-      if (!row->met && (!o->has_gait || strcmp(row->key[3], o->crawler.gait->name) == 0))
-        write_difference(&check, row->key, "-", "-", row->verdict, row->order);
-    code = end(&check.table, wrong);
+    fill(&ledger, o);
+    if (o->errors && ledger.count == 0) {
+      complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
+               o->errors);
+      code = EXIT_USAGE;
+    } else
+      code = o->check ? check_ledger(&table, &ledger, &committed, o) : write_ledger(&table, &ledger, o);
   }
-  if (code == EXIT_DONE && !o->quiet)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, ledger_name(o->against));
-  committed_free(&check.ledger);
-  return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
-}
-
-enum exit_code claims_table(const struct options *options)
-{
-  if (options->errors && !claims_have_order(options->errors)) {
-    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
-             options->errors);
-    return EXIT_USAGE;
+  if (*ledger.contradiction && code != EXIT_FILE) {
+    complain("claims", "the ledger contradicts itself: %s", ledger.contradiction);
+    code = EXIT_UNSOLVED;
   }
-  return options->check ? check_ledger(options) : write_ledger(options);
+  committed_free(&committed);
+  ledger_free(&ledger);
+  return code;
 }
