@@ -8,14 +8,14 @@
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "numerics/numerics.h"
 
 static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawler *crawler, bool orders)
 {
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, crawler);
+  rational_crawler(&exact, crawler);
   if (orders)
     ledger_add_orders(ledger, &exact, NULL, NULL);
   ledger_add_words(ledger, crawler, NULL);

@@ -34,7 +34,7 @@ static void all_operands_are_kept_in_order(void **state)
   assert_string_equal(o.operands[3], "c.cfg");
   assert_ptr_equal(o.operand, o.operands[0]);
   assert_string_equal(o.map[1], "alpha");
-  CHECK_EQUAL(o.crawler.T, 2.5);
+  CHECK_EQUAL(o.point.crawler.T, 2.5);
   options_free(&o);
   assert_int_equal(o.operand_count, 0);
 }

@@ -45,7 +45,7 @@ static void say_nothing(void *context, int done, int count, const struct way *wa
 }
 
 struct bench {
-  struct point point;
+  struct trial point;
   struct ways ways;
 };
 
@@ -167,7 +167,7 @@ static void points_that_cannot_be(void **state)
 {
   (void)state;
   struct scallop_crawler crawler = scallop_crawler_default();
-  struct point point;
+  struct trial point;
   crawler.m1 = 1e-300;
   crawler.m2 = 1e300;
   assert_non_null(point_init(&point, &crawler));

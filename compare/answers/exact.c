@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/text/table.h"
 
 /* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
@@ -31,7 +31,7 @@ static void note_turning(void *context, const struct scallop_interval *i)
 enum scallop_status exact_phase_start(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
                                       struct exact_phase *exact)
 {
-  enum scallop_status status = counted_phase(c, kind, v0, &exact->phase);
+  enum scallop_status status = scallop_phase(c, kind, v0, &exact->phase);
   exact->kind = kind;
   exact->v0 = v0;
   exact->at_first = exact->at_last = NAN;
@@ -44,7 +44,6 @@ enum scallop_status exact_phase_turnings(const struct scallop_crawler *c, struct
   struct turning t = {
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
-  count_add(COUNT_PHASES, 1);
   enum scallop_status status = scallop_phase_intervals(c, exact->kind, exact->v0, note_turning, &t);
   exact->at_first = t.first * c->L;
   exact->at_last = t.last * c->L;
@@ -88,7 +87,6 @@ double published_value(const struct scallop_formula *formula, const struct scall
   p.x_switch = exact->at_last;
   if (formula->setting == SCALLOP_AT_REST_START && exact->kind == SCALLOP_CONTRACTION)
     p = scallop_exchanged(&p);
-  count_add(COUNT_FORMULAS, 1);
   return formula->phase(&p);
 }
 

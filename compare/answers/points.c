@@ -34,7 +34,7 @@ void point_crawler(struct table *table, const struct scallop_crawler *crawler, c
 
 void point_parameters(struct table *table, const struct options *point, const char *refused)
 {
-  point_crawler(table, &point->crawler, refused);
+  point_crawler(table, &point->point.crawler, refused);
 }
 
 void point_blank(struct table *table, int count)
@@ -206,8 +206,8 @@ static const char *set_cell(const struct reader *r, struct options *point, int c
   if (column >= r->columns || !r->parameter[column] || is_unset(point, r->parameter[column], cell))
     return NULL;
   if (r->place[column] < CRAWLER_NUMBERS)
-    return options_set_crawler_number(point, r->place[column], cell);
-  return options_set_parameter(point, r->parameter[column], cell);
+    return point_set_number(&point->point, r->place[column], cell);
+  return point_set(&point->point, r->parameter[column], cell);
 }
 
 /* Reads a row into point. Returns NULL, or in status what is wrong with it. */
@@ -229,7 +229,7 @@ static const char *read_row(struct reader *r, struct options *point, char *statu
     }
     cell = tab ? tab + 1 : NULL;
   }
-  options_complete(point);
+  point_complete(&point->point);
   if (column == r->columns)
     return NULL;
   snprintf(status, POINT_STATUS, "line %ld: %d columns where the header has %d", r->lines.number, column, r->columns);
@@ -267,7 +267,7 @@ static bool read_block(struct reader *r, const struct options *options, long mos
     bool wrong = read_row(r, &point, b->refused[n]) != NULL;
     if (!wrong)
       b->refused[n][0] = '\0';
-    set_row(b, n++, wrong ? &options->crawler : &point.crawler);
+    set_row(b, n++, wrong ? &options->point.crawler : &point.point.crawler);
   }
   b->crawlers = (struct scallop_crawlers){ .count = n,
                                            .m1 = b->numbers[0],

@@ -8,8 +8,7 @@
 
 #include <gsl/gsl_qrng.h>
 
-#include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "compare/text/table.h"
 
 enum { DIGITS = 30 };
@@ -90,7 +89,7 @@ double natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m
 struct scallop_steady_result steady_state(const struct scallop_crawler *c)
 {
   struct scallop_steady_result r;
-  if (counted_steady(c, &r) < 0)
+  if (scallop_steady(c, &r) < 0)
     return (struct scallop_steady_result){ .mean_velocity = NAN,
                                            .period = { .v_start = NAN, .displacement = NAN, .multiplier = NAN } };
   return r;
@@ -99,7 +98,7 @@ struct scallop_steady_result steady_state(const struct scallop_crawler *c)
 struct scallop_phase_result extension(const struct scallop_crawler *c, double v0)
 {
   struct scallop_phase_result r;
-  if (counted_phase(c, SCALLOP_EXTENSION, v0, &r) < 0)
+  if (scallop_phase(c, SCALLOP_EXTENSION, v0, &r) < 0)
     return (struct scallop_phase_result){ .dT = NAN, .v_end = NAN, .dxC = NAN, .regime = SCALLOP_SLIDING };
   return r;
 }
@@ -109,8 +108,8 @@ const struct scallop_certified_steady *certified_steady(struct question *q, cons
   struct scallop_certified_steady *s = &q->steady[q->steadies++];
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, c);
-  q->solved = counted_certified_steady(&exact, DIGITS, s, NULL) == SCALLOP_OK && q->solved;
+  rational_crawler(&exact, c);
+  q->solved = scallop_certified_steady(&exact, DIGITS, s, NULL) == SCALLOP_OK && q->solved;
   scallop_rational_clear(&exact);
   return s;
 }
@@ -122,9 +121,9 @@ static bool solve_phase(struct scallop_certified_phase *p, const struct scallop_
   fmpq_t v;
   fmpq_init(v);
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, c);
+  rational_crawler(&exact, c);
   arf_get_fmpq(v, v0);
-  bool solved = counted_certified_phase(&exact, kind, v, DIGITS, p, NULL) == SCALLOP_OK;
+  bool solved = scallop_certified_phase(&exact, kind, v, DIGITS, p, NULL) == SCALLOP_OK;
   scallop_rational_clear(&exact);
   fmpq_clear(v);
   return solved;

@@ -2,8 +2,7 @@
 
 #include <math.h>
 
-#include "compare/answers/counts_flint.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "compare/text/table.h"
 
 /* Slopes over 2^-40 lose 12 digits of these; 2^-60 is 18 digits. */
@@ -100,7 +99,7 @@ struct member {
 
 static void exact_member(struct scallop_rational_crawler *c, const struct family *f, const fmpq_t x)
 {
-  decimal_crawler(c, &f->crawler);
+  rational_crawler(c, &f->crawler);
   if (f->varied == VARY_PERIOD)
     fmpq_set(c->T, x);
   else if (f->varied == VARY_RATIO)
@@ -119,8 +118,8 @@ static void member_solve(struct member *m, const struct family *f, const fmpq_t 
   scallop_rational_init(&c);
   scallop_certified_steady_init(&s);
   exact_member(&c, f, x);
-  m->solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
-  decimal_crawler(&c, &f->crawler);
+  m->solved = scallop_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
+  rational_crawler(&c, &f->crawler);
   fmpq_div(c.T, c.T, c.L);
   arb_set(m->v_start, s.v_start);
   arb_set_fmpq(m->speed, c.T, BITS);

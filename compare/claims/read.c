@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/text/lines.h"
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 
 enum { MOST_CELLS = 40, WANTED = COMMITTED_KEYS + 2 };
 static const char *const wanted[WANTED] = {

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/exact.h"
 #include "compare/claims/evidence.h"
 #include "numerics/certified.h"
@@ -37,11 +36,11 @@ static void solve_sample(struct sample *s, const struct trial *m)
   scallop_rational_copy(&crawler, &m->crawler);
   fmpq_set(crawler.T, s->T);
   if (trial_is_steady(m))
-    s->solved = counted_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
+    s->solved = scallop_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
   else {
     scallop_rational_fraction(fraction, &crawler, m->condition->kind);
     fmpq_div(crawler.T, s->T, fraction);
-    s->solved = counted_certified_phase(&crawler, m->condition->kind, m->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
+    s->solved = scallop_certified_phase(&crawler, m->condition->kind, m->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
   }
   s->solved = s->solved && has_modes_of_limit(s, m);
   scallop_rational_clear(&crawler);

@@ -7,7 +7,7 @@
 #include "asymptotics/evaluate.h"
 #include "compare/answers/exact.h"
 #include "compare/claims/words.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 
 /* One steady state that decides */
 
@@ -244,7 +244,7 @@ static double relative_error(const struct scallop_crawler *crawler, double alpha
   arb_srcptr v_start = certified_steady(&q, &c)->v_start;
   if (mirrored)
     c = (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
-  decimal_crawler(&exact, &c);
+  rational_crawler(&exact, &c);
   scallop_symbols_set(&symbols, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
   series_set_rational(&symbols.value[SYMBOL_T], exact.T);
   if (q.solved && scallop_formula_expand(&value, formula, &symbols, SCALLOP_EXTENSION, &ring)) {

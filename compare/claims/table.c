@@ -4,7 +4,7 @@
 #include "compare/claims/claims.h"
 #include "compare/claims/read.h"
 #include "compare/command/compare.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/rational.h"
 #include "compare/command/with_flint.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
@@ -82,11 +82,11 @@ static void fill(struct ledger *ledger, const struct options *o)
 {
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_options(&exact, NULL, o);
-  ledger_add_orders(ledger, &exact, o->has_gait ? exact.gait : NULL, o->errors);
+  rational_point(&exact, NULL, &o->point);
+  ledger_add_orders(ledger, &exact, o->point.has_gait ? exact.gait : NULL, o->errors);
   scallop_rational_clear(&exact);
   if (!o->errors)
-    ledger_add_words(ledger, &o->crawler, o->has_gait ? o->crawler.gait : NULL);
+    ledger_add_words(ledger, &o->point.crawler, o->point.has_gait ? o->point.crawler.gait : NULL);
 }
 
 static bool begin(struct table *table, const struct options *o, const char *const *names)
@@ -98,8 +98,8 @@ static bool begin(struct table *table, const struct options *o, const char *cons
   table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->check ? " --check" : "");
   table_parameters(table, o, varied, false);
-  if (o->has_gait)
-    table_note(table, "gait: %s", o->crawler.gait->name);
+  if (o->point.has_gait)
+    table_note(table, "gait: %s", o->point.crawler.gait->name);
   table_columns(table, names);
   table_begin_rows(table);
   return true;
@@ -166,7 +166,7 @@ static int write_differences(struct table *t, const struct ledger *ledger, const
     differ++;
   }
   for (const struct committed *c = committed->rows; c < committed->rows + committed->count; c++)
-    if (!c->met && (!o->has_gait || strcmp(c->key[3], o->crawler.gait->name) == 0)) {
+    if (!c->met && (!o->point.has_gait || strcmp(c->key[3], o->point.crawler.gait->name) == 0)) {
       write_difference(t, c->key, "-", "-", c->verdict, c->order);
       differ++;
     }

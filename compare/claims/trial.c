@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
 
 enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, IDENTITY_TRIES = 400 };
 
@@ -57,8 +56,8 @@ static void expanded_free(struct expanded *e)
 static bool expand(struct expanded *e, const struct trial *m, slong terms)
 {
   e->terms = terms;
-  return (trial_is_steady(m) ? counted_expand_steady(&e->crawler, terms, PRECISION, &e->steady, NULL)
-                             : counted_expand_phase(&e->crawler, m->condition->kind, e->v0, terms, PRECISION,
+  return (trial_is_steady(m) ? scallop_expand_steady(&e->crawler, terms, PRECISION, &e->steady, NULL)
+                             : scallop_expand_phase(&e->crawler, m->condition->kind, e->v0, terms, PRECISION,
                                                     e->has_pi_squared ? e->pi_squared : NULL, &e->phase, NULL))
          == SCALLOP_OK;
 }

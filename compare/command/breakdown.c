@@ -12,8 +12,8 @@ static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",      
 static const char *useless(const struct options *o)
 {
   if (o->map[0])
-    return o->only ? "only" : o->has_phase ? "phase" : o->has_v0 ? "v0" : NULL;
-  return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->written[5] ? "T" : NULL;
+    return o->only ? "only" : o->point.has_phase ? "phase" : o->point.has_v0 ? "v0" : NULL;
+  return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->point.written[5] ? "T" : NULL;
 }
 
 static enum exit_code run(const struct options *options)

@@ -12,7 +12,7 @@ static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7,
 static bool can_be_scaled(const struct options *o)
 {
   struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(&o->crawler, &scaled);
+  enum scallop_status status = scallop_scale(&o->point.crawler, &scaled);
   if (status != SCALLOP_OK)
     complain("claims", "%s", scallop_status_text(status));
   return status == SCALLOP_OK;
@@ -20,7 +20,7 @@ static bool can_be_scaled(const struct options *o)
 
 static enum exit_code run(const struct options *options)
 {
-  const struct scallop_crawler *c = &options->crawler;
+  const struct scallop_crawler *c = &options->point.crawler;
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "

@@ -1,4 +1,3 @@
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,14 +23,4 @@ const char *nearest_command(const char *word)
   for (size_t i = 0; commands[i]; i++)
     names[i] = commands[i]->name;
   return nearest(word, names);
-}
-
-void complain(const char *command, const char *format, ...)
-{
-  va_list arguments;
-  va_start(arguments, format);
-  fprintf(stderr, "scallop %s: ", command);
-  vfprintf(stderr, format, arguments);
-  fputc('\n', stderr);
-  va_end(arguments);
 }

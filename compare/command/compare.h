@@ -6,15 +6,13 @@
 #define SCALLOP_COMPARE_H
 
 #include "compare/command/options.h"
+#include "compare/text/message.h"
 #include "compare/text/table.h"
 #include "numerics/numerics.h"
 
 /* The text of what a macro stands for, so that --help tells the numbers that are used */
 #define TEXT_OF(...) TEXT_OF_WRITTEN(__VA_ARGS__)
 #define TEXT_OF_WRITTEN(...) #__VA_ARGS__
-
-/* The exit codes of the command. */
-enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
 
 /* What a command does where options are not given, if that is not to take the value that struct options begins with. */
 struct unless_given {
@@ -40,8 +38,5 @@ extern const struct command command_phase, command_steady, command_trajectory, c
     command_figure, command_workprec, command_stress, command_breakdown, command_run;
 /* All commands, NULL-terminated. */
 extern const struct command *const commands[];
-
-/* "scallop NAME: message" on stderr. */
-void complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/run.h"
-#include "compare/scenes/shipped.h"
+#include "compare/scenes/scene.h"
+#include "compare/text/shipped.h"
 
 static const char *const accepts[] = { "m1",      "m2",    "F1",     "F2",     "L",      "T",     "alpha", "gait",
                                        "explain", "stats", "format", "digits", "output", "quiet", NULL };

@@ -10,6 +10,7 @@
 #include <sys/auxv.h>
 #endif
 
+#include "compare/answers/answer.h"
 #include "compare/scenes/flint.h"
 #include "compare/command/with_flint.h"
 
@@ -74,17 +75,14 @@ bool has_flint(const struct options *options, const char *what)
 }
 
 /* Not reached: has_flint has said no. */
-const char *certified_phase_row(struct table *table, const struct options *point)
+bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
+                        long digits, const char **why)
 {
-  (void)table, (void)point;
-  return NULL;
+  (void)answer, (void)texts, (void)point, (void)of, (void)digits, (void)why;
+  return false;
 }
 
-const char *certified_steady_row(struct table *table, const struct options *point)
-{
-  (void)table, (void)point;
-  return NULL;
-}
+void decimals_free(char *texts[QUANTITIES]) { (void)texts; }
 
 enum exit_code series_derived(const struct options *options)
 {

@@ -19,36 +19,14 @@ bool option_accepted(const struct command *command, const char *name)
   return false;
 }
 
-static const char *set_gait(struct options *o, const char *name, const char *text)
+static const char *set_parameter(struct options *o, const char *name, const char *text)
 {
-  struct gait_answer answer = gait_of_text(text);
-  (void)name;
-  o->unreadable = answer.fault == GAIT_UNREADABLE;
-  if (!answer.gait)
-    return answer.wrong;
-  o->crawler.gait = answer.gait;
-  o->has_gait = true;
-  return NULL;
-}
-
-static const char *set_crawler_number(struct options *o, const char *name, const char *text)
-{
-  return options_set_crawler_number(o, crawler_place(name), text);
-}
-
-static const char *set_phase(struct options *o, const char *name, const char *text)
-{
-  (void)name;
-  if (strcmp(text, "extension") != 0 && strcmp(text, "contraction") != 0)
-    return not_allowed(text, "extension or contraction");
-  o->has_phase = true;
-  o->phase = *text == 'e' ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-  return NULL;
+  return point_set(&o->point, name, text);
 }
 
 static double *number_field(struct options *o, const char *name)
 {
-  return strcmp(name, "v0") == 0 ? &o->v0 : strcmp(name, "expect") == 0 ? &o->expect : &o->tolerance;
+  return strcmp(name, "expect") == 0 ? &o->expect : &o->tolerance;
 }
 
 static const char *set_number(struct options *o, const char *name, const char *text)
@@ -60,9 +38,6 @@ static const char *set_number(struct options *o, const char *name, const char *t
   *field = value;
   o->has_expect |= field == &o->expect;
   o->has_tolerance |= field == &o->tolerance;
-  o->has_v0 |= field == &o->v0;
-  if (field == &o->v0)
-    o->written_v0 = text;
   return NULL;
 }
 
@@ -237,18 +212,24 @@ static const char *set_quiet(struct options *o, const char *name, const char *te
 static void show_gait(const struct options *o, const char *name, char text[OPTION_VALUE])
 {
   (void)name;
-  snprintf(text, OPTION_VALUE, "%s", o->crawler.gait->name);
+  snprintf(text, OPTION_VALUE, "%s", o->point.crawler.gait->name);
 }
 
 static void show_crawler_number(const struct options *o, const char *name, char text[OPTION_VALUE])
 {
-  snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&o->crawler, name));
+  snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&o->point.crawler, name));
 }
 
 static void show_phase(const struct options *o, const char *name, char text[OPTION_VALUE])
 {
   (void)name;
-  snprintf(text, OPTION_VALUE, "%s", o->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  snprintf(text, OPTION_VALUE, "%s", o->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+}
+
+static void show_v0(const struct options *o, const char *name, char text[OPTION_VALUE])
+{
+  (void)name;
+  snprintf(text, OPTION_VALUE, "%.15g", o->point.v0);
 }
 
 static void show_number(const struct options *o, const char *name, char text[OPTION_VALUE])
@@ -289,11 +270,11 @@ static void show_source(const struct options *o, const char *name, char text[OPT
   snprintf(text, OPTION_VALUE, "%s", o->source);
 }
 
-static const struct option_kind of_crawler_number = { set_crawler_number, show_crawler_number, NULL },
-                                of_gait = { set_gait, show_gait, NULL }, of_phase = { set_phase, show_phase, NULL },
-                                of_number = { set_number, show_number, NULL }, of_start = { set_start, show_start, NULL },
-                                of_count = { set_count, show_count, NULL }, of_format = { set_format, show_format, NULL },
-                                of_source = { set_source, show_source, NULL },
+static const struct option_kind of_crawler_number = { set_parameter, show_crawler_number, NULL },
+                                of_gait = { set_parameter, show_gait, NULL }, of_phase = { set_parameter, show_phase, NULL },
+                                of_v0 = { set_parameter, show_v0, NULL }, of_number = { set_number, show_number, NULL },
+                                of_start = { set_start, show_start, NULL }, of_count = { set_count, show_count, NULL },
+                                of_format = { set_format, show_format, NULL }, of_source = { set_source, show_source, NULL },
                                 of_digits = { set_digits, show_digits, write_digits_range },
                                 of_errors = { set_errors, NULL, NULL }, of_flag = { set_flag, NULL, NULL },
                                 of_family = { set_family, NULL, NULL }, of_against = { set_against, NULL, NULL },
@@ -311,7 +292,7 @@ static const struct option_description descriptions[] = {
   { "alpha", "A", "fraction of the period that the extension takes", &of_crawler_number },
   { "gait", "GAIT", gaits_help, &of_gait },
   { "phase", "PHASE", "extension or contraction", &of_phase },
-  { "v0", "V", "velocity of both bodies at the start of the phase", &of_number },
+  { "v0", "V", "velocity of both bodies at the start of the phase", &of_v0 },
   { "start", "WHAT", "rest, steady, or a velocity", &of_start },
   { "periods", "N", "number of periods", &of_count },
   { "samples", "N", "samples in a period", &of_count },

@@ -12,69 +12,7 @@
 #include "compare/command/help.h"
 #include "compare/command/option_table.h"
 #include "compare/text/values.h"
-#include "compare/text/words.h"
-
-const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
-
-enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
-
-int crawler_place(const char *name)
-{
-  int i = 0;
-  while (i < CRAWLER_NUMBERS && strcmp(name, crawler_parameters[i]) != 0)
-    i++;
-  return i;
-}
-
-static double *crawler_field(struct scallop_crawler *c, int place)
-{
-  double *const fields[CRAWLER_NUMBERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
-  return fields[place];
-}
-
-void crawler_numbers(const struct scallop_crawler *c, double numbers[CRAWLER_NUMBERS])
-{
-  const double all[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  memcpy(numbers, all, sizeof all);
-}
-
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
-{
-  double numbers[CRAWLER_NUMBERS + 1] = { [CRAWLER_NUMBERS] = NAN };
-  crawler_numbers(crawler, numbers);
-  return numbers[crawler_place(name)];
-}
-
-void options_complete(struct options *o)
-{
-  const struct scallop_crawler usual = o->command->defaults ? *o->command->defaults : scallop_crawler_default();
-  double L = usual.L, T = usual.T, alpha = usual.alpha;
-  gait_has_own(o->crawler.gait, &L, &T, &alpha);
-  if (!o->written[crawler_place("L")])
-    o->crawler.L = L;
-  if (!o->written[crawler_place("T")])
-    o->crawler.T = T;
-  if (!o->written[crawler_place("alpha")])
-    o->crawler.alpha = alpha;
-}
-
-const char *options_set_crawler_number(struct options *o, int place, const char *text)
-{
-  struct scallop_complaint complaint;
-  struct scallop_crawler candidate = o->crawler; /* has no other fault */
-  if (!read_number(text, crawler_field(&candidate, place)))
-    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
-  if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
-    return not_allowed(text, complaint.allowed);
-  o->crawler = candidate;
-  o->written[place] = text;
-  return NULL;
-}
-
-const char *options_set_parameter(struct options *o, const char *name, const char *text)
-{
-  return describe_option(name, o->command)->kind->set(o, name, text);
-}
+#include "compare/text/message.h"
 
 static bool refuse(int *code)
 {
@@ -118,7 +56,7 @@ static bool take_option(struct options *o, int count, char **arguments, int *i, 
   }
   if (wrong)
     complain(o->command->name, "--%s: %s", name, wrong);
-  if (wrong && o->unreadable) {
+  if (wrong && o->point.unreadable) {
     *code = EXIT_FILE;
     return false;
   }
@@ -200,7 +138,7 @@ void options_initial(struct options *o, const struct command *command)
 {
   *o = (struct options){ .command = command,
                          .start = "rest",
-                         .crawler = command->defaults ? *command->defaults : scallop_crawler_default(),
+                         .point = point_initial(command->defaults),
                          .periods = 10,
                          .samples = 40,
                          .source = "published",
@@ -221,7 +159,7 @@ bool options_read(struct options *o, const struct command *command, int count, c
   }
   if (!read_arguments(o, count, arguments, code))
     return false;
-  options_complete(o);
+  point_complete(&o->point);
   return (digits_are_sound(o) && output_is_sound(o)) || refuse(code);
 }
 

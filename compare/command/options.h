@@ -5,8 +5,8 @@
 #include <stdbool.h>
 
 #include "compare/text/values.h"
-#include "compare/text/words.h"
-#include "model/model.h"
+#include "compare/answers/point.h"
+#include "compare/text/message.h"
 
 struct command;
 
@@ -15,11 +15,7 @@ enum format { FORMAT_TSV, FORMAT_JSON };
 struct options {
   const struct command *command;
   char **arguments; /* of the program, all of them, NULL-terminated                     */
-  struct scallop_crawler crawler;
-  const char *written[7]; /* m1 m2 F1 F2 L T alpha as they were written, NULL where not given  */
-  enum scallop_phase_kind phase;
-  double v0;
-  const char *written_v0;
+  struct point point;
   const char *start;     /* trajectory: "rest", "steady" or a number                        */
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
@@ -34,7 +30,6 @@ struct options {
   int operand_count;
   const char *output; /* NULL: standard output                                           */
   const char *folder; /* run: where files without a folder go, or NULL                      */
-  struct table *into; /* the table to continue in place of output, or NULL               */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
@@ -51,29 +46,8 @@ struct options {
   double limit;                              /* workprec: seconds for each setting; 0: not given                   */
   bool quick, summary;                       /* workprec                                                       */
   bool check_only, explain, stats, no_plots; /* run                                                      */
-  bool unreadable;                           /* the file of a measured gait                                     */
-  bool has_expect, has_phase, has_v0, has_seed, has_gait, has_source, has_order, has_tolerance, has_output, has_format,
-      quiet;
+  bool has_expect, has_seed, has_source, has_order, has_tolerance, has_output, has_format, quiet;
 };
-
-/* A named parameter of a point: m1 m2 F1 F2 L T alpha gait, and phase v0 where they apply. Sets it
- * from text. Returns NULL, or what is wrong with the text. The message lives until the next call. */
-const char *options_set_parameter(struct options *options, const char *name, const char *text);
-
-/* Names of the parameters that describe a crawler, NULL-terminated: first the numbers, then the gait. */
-enum { CRAWLER_NUMBERS = 7 };
-extern const char *const crawler_parameters[];
-/* One of the numbers by its name. */
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
-/* For many points: all numbers in that order; the place of one, or CRAWLER_NUMBERS where it is none; options_set_parameter
- * by place. */
-void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
-int crawler_place(const char *name);
-const char *options_set_crawler_number(struct options *options, int place, const char *text);
-
-/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last
- * parameter is set. */
-void options_complete(struct options *options);
 
 /* What holds where no option is given. options_free has nothing to do for it. */
 void options_initial(struct options *options, const struct command *command);

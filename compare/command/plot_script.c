@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "compare/scenes/shipped.h"
-#include "compare/text/words.h"
+#include "compare/text/message.h"
+#include "compare/text/shipped.h"
 
 static const char style[] = "set border 3\n"
                             "set tics nomirror\n"

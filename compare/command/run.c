@@ -6,11 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/option_table.h"
 #include "compare/scenes/places.h"
-#include "compare/scenes/run.h"
-#include "compare/scenes/text.h"
-#include "compare/scenes/shipped.h"
+#include "compare/scenes/scene.h"
+#include "compare/text/shipped.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1",    "m2",     "F1",         "F2",      "L",     "T",
@@ -27,8 +26,6 @@ struct scenes {
   struct scene_outputs outputs[MOST_SCENES];
   char *owned[MOST_SCENES][2 * SCENE_WANTS]; /* paths of tables and plots                              */
 };
-
-/* ---- where tables go ---- */
 
 static int tables_of(const struct scenes *all)
 {
@@ -87,34 +84,29 @@ static bool check_places(const struct scenes *all, const struct options *o)
   return good;
 }
 
-/* ---- what the user sees of the plan ---- */
-
-static const char *const plan_columns[] = { "scene", "stage", "work", "known", "seconds", "why", NULL };
-
-/* What is done first, then what is left out. */
+/* What is done first, then what is not requested. */
 static enum exit_code explain(const struct scenes *all, const struct options *o)
 {
+  static const char *const columns[] = { "scene", "stage", "count", "known", "for", NULL };
   static struct table table;
   if (!table_open(&table, o))
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: run --explain");
-  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so; "
-                     "where a point cannot be solved, less is done");
-  table_columns(&table, plan_columns);
+  table_note(&table, "count: as --stats will count, where every point can be solved");
+  table_columns(&table, columns);
   table_begin_rows(&table);
   for (int i = 0; i < all->count; i++)
     for (int left_out = 0; left_out < 2; left_out++)
-      for (int k = 0; k < COUNTS; k++) {
+      for (int k = 0; k < COUNT_PLANNED; k++) {
         const struct plan_stage *s = &all->plan[i]->stage[k];
-        if ((s->known == PLAN_LEFT_OUT) != (left_out == 1))
+        if ((s->count == 0) != (left_out == 1))
           continue;
         table_text(&table, all->scene[i]->name);
         table_text(&table, count_name((enum count)k));
-        table_rounded(&table, s->work, "%.15g");
-        table_text(&table, plan_known_text(s->known));
-        table_rounded(&table, s->seconds, "%.2g");
-        table_text(&table, s->why);
+        table_rounded(&table, s->count, "%.15g");
+        table_text(&table, s->count == 0 ? "not requested" : s->is_at_most ? "at most" : "exactly");
+        table_text(&table, s->count == 0 ? "-" : s->reason);
       }
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
@@ -129,14 +121,73 @@ static void print_stats(void)
     fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
 }
 
-/* ---- the run ---- */
+/* The tables of commands that a scene can want, each with an option that its name stands for. */
+static const struct {
+  const char *what;
+  const struct command *command;
+  char *option[2];
+} tables[] = { { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
+               { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
+               { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } } };
+
+enum { MOST_ARGUMENTS = 128 };
+
+/* The parameters of the scene that the command takes, as options. Returns how many arguments there are then. */
+static int add_parameters(char **arguments, int count, const struct command *command, const struct point *base)
+{
+  static char *const flags[] = { "--m1", "--m2", "--F1", "--F2", "--L", "--T", "--alpha", "--gait", "--v0" };
+  bool has_map = false;
+  for (int i = 0; i < count; i++)
+    has_map |= strcmp(arguments[i], "--map") == 0;
+  for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
+    const char *name = flags[i] + 2, *text = i < CRAWLER_NUMBERS   ? base->written[i]
+                                             : i > CRAWLER_NUMBERS ? base->written_v0
+                                             : base->has_gait      ? base->crawler.gait->name
+                                                                   : NULL;
+    bool idle = command == &command_breakdown && !has_map && strcmp(name, "T") == 0; /* all T are looked at */
+    if (!text || idle || !option_accepted(command, name))
+      continue;
+    arguments[count++] = flags[i];
+    arguments[count++] = (char *)text;
+  }
+  return count;
+}
+
+static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct options *o,
+                                  const char *const *file)
+{
+  char *arguments[MOST_ARGUMENTS] = { "scallop" }, digits[32];
+  struct options options;
+  int table = 0, count = 2, code = EXIT_DONE;
+  while (strcmp(tables[table].what, w->what) != 0)
+    table++;
+  const struct command *command = tables[table].command;
+  arguments[1] = (char *)command->name;
+  for (int i = 0; i < 2 && tables[table].option[i]; i++)
+    arguments[count++] = tables[table].option[i];
+  for (int i = 0; i < w->argument_count; i++)
+    arguments[count++] = w->arguments[i];
+  count = add_parameters(arguments, count, command, &scene->base);
+  if (o->quiet && option_accepted(command, "quiet"))
+    arguments[count++] = "--quiet";
+  snprintf(digits, sizeof digits, "--digits=%ld", o->digits);
+  if (o->digits > 0 && option_accepted(command, "digits"))
+    arguments[count++] = digits;
+  if (options_read(&options, command, count, arguments, &code) && file) {
+    options.output = *file;
+    options.format = w->format;
+    code = (int)command->run(&options);
+  }
+  options_free(&options);
+  return (enum exit_code)code;
+}
 
 static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
 {
   for (int i = 0; i < count; i++) {
     struct scene *scene = malloc(sizeof *scene);
     struct plan *plan = malloc(sizeof *plan);
-    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o) : EXIT_UNSOLVED;
+    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
     if (code != EXIT_DONE) {
       if (!scene || !plan)
         complain(o->command->name, "out of memory");
@@ -301,8 +352,8 @@ const struct command command_run = {
       "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
       "the tool: figure2 to figure5, claims, errors, stress, workprec and the maps are. '-' is a scene on standard input.\n"
       "Parameters, --digits and --format given here take the place of the scene's.\n"
-      "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
-      "exactly, at most, about, at least, or left out; seconds: about; why.",
+      "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
+      "exactly, at most, or not requested; for: the quantity or table that first needs it.",
   .unless_given = unless_given,
   .proven = "where a scene has certified values",
   .run = run,

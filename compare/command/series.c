@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/answers/exact.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
@@ -26,15 +26,14 @@ typedef void value_sink(void *context, const struct value *value);
 /* Where v0 is not given, the formulas with a start velocity take the exact steady one of their phase. */
 static enum scallop_status each_value(const struct options *o, value_sink *sink, void *context)
 {
-  const struct scallop_crawler *c = &o->crawler;
+  const struct scallop_crawler *c = &o->point.crawler;
   struct scallop_steady_result steady;
-  enum scallop_status status = counted_steady(c, &steady);
+  enum scallop_status status = scallop_steady(c, &steady);
   if (status < 0)
     return status;
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     struct value v = { .formula = f, .phase = "period", .quantity = formula_quantity_text(f, SCALLOP_EXTENSION) };
     if (f->setting == SCALLOP_STEADY) {
-      count_add(COUNT_FORMULAS, 1);
       v.published = f->steady(c);
       v.exact = f->quantity == SCALLOP_STEADY_VELOCITY ? steady.period.v_start : steady.period.displacement;
       sink(context, &v);
@@ -43,7 +42,7 @@ static enum scallop_status each_value(const struct options *o, value_sink *sink,
     int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
     for (int k = first; k <= last; k++) {
       enum scallop_phase_kind kind = (enum scallop_phase_kind)k;
-      double moving = o->has_v0 ? o->v0 : k == SCALLOP_EXTENSION ? steady.period.v_start : steady.period.v_mid;
+      double moving = o->point.has_v0 ? o->point.v0 : k == SCALLOP_EXTENSION ? steady.period.v_start : steady.period.v_mid;
       double v0 = f->setting == SCALLOP_AT_REST_START ? 0 : moving;
       struct scallop_phase_point point = scallop_phase_point(c, kind, v0);
       struct exact_phase exact;
@@ -91,12 +90,12 @@ static const char *row(struct table *table, const struct options *point, const c
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   point_parameters(table, point, refused);
-  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
+  table_number(table, point->point.has_v0 && !refused ? point->point.v0 : NAN);
   if (why)
     point_blank(table, table->count - table->at - 1);
   else
     each_value(point, write_published, table);
-  table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
+  table_text(table, why ? why : gait_has_ends(point->point.crawler.gait) ? "ok" : no_ends);
   return why;
 }
 
@@ -136,7 +135,7 @@ static const char *excluded(const struct options *o)
   if (o->has_order && !o->bound && !derived)
     return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
                      : "--order and --source limit exclude each other: the limit is one term";
-  if (o->has_v0 && (o->bound || (!derived && !published)))
+  if (o->point.has_v0 && (o->bound || (!derived && !published)))
     return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
   return NULL;
 }
@@ -165,15 +164,15 @@ static enum exit_code run(const struct options *options)
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: series");
   table_parameters(&table, options, NULL, false);
-  if (options->has_v0) {
+  if (options->point.has_v0) {
     char v0[NUMBER_TEXT];
-    number_text(v0, options->v0, 0);
+    number_text(v0, options->point.v0, 0);
     table_note(&table, "v0: %s", v0);
   } else
     table_note(&table, "v0: the exact steady velocity at the start of each phase");
-  if (!gait_has_ends(options->crawler.gait))
+  if (!gait_has_ends(options->point.crawler.gait))
     table_note(&table, "%s", no_ends);
-  if (!gait_has_ends(options->crawler.gait) && !options->quiet)
+  if (!gait_has_ends(options->point.crawler.gait) && !options->quiet)
     complain("series", "%s", no_ends);
   table_columns(&table, columns);
   table_begin_rows(&table);

@@ -10,23 +10,23 @@ static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "
 static bool is_point(const struct options *o)
 {
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->written[i])
+    if (o->point.written[i])
       return true;
-  return o->has_phase || o->has_v0;
+  return o->point.has_phase || o->point.has_v0;
 }
 
 /* An option that the table asked for has no use for; NULL if there is none. */
 static const char *useless(const struct options *o, bool point)
 {
   if (o->stiff)
-    return o->family      ? "family"
-           : o->cases > 0 ? "cases"
-           : o->has_seed  ? "seed"
-           : o->full      ? "full"
-           : o->check     ? "check"
-           : o->has_phase ? "phase"
-           : o->has_v0    ? "v0"
-                          : NULL;
+    return o->family            ? "family"
+           : o->cases > 0       ? "cases"
+           : o->has_seed        ? "seed"
+           : o->full            ? "full"
+           : o->check           ? "check"
+           : o->point.has_phase ? "phase"
+           : o->point.has_v0    ? "v0"
+                                : NULL;
   if (o->quick || o->summary)
     return o->quick ? "quick" : "summary";
   if (point)

@@ -12,11 +12,7 @@
  * with the message on stderr. To be called before anything is read or written. what needs it: "--certified". */
 bool has_flint(const struct options *options, const char *what);
 
-/* The rows of `phase` and `steady` in ball arithmetic, every digit proven. NULL, or why there is no answer. */
-const char *certified_phase_row(struct table *table, const struct options *point);
-const char *certified_steady_row(struct table *table, const struct options *point);
-
-/* Digits of these rows unless --digits is given */
+/* Digits of certified numbers unless --digits is given */
 #define CERTIFIED_DIGITS 30
 
 /* series --source derived|limit and series --bound */

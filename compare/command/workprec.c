@@ -10,9 +10,9 @@ static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",
 static const char *useless_with_from(const struct options *o)
 {
   for (int i = 0; i < 7; i++)
-    if (o->written[i])
+    if (o->point.written[i])
       return crawler_parameters[i];
-  return o->has_gait ? "gait" : o->quick ? "quick" : o->limit > 0 ? "limit" : NULL;
+  return o->point.has_gait ? "gait" : o->quick ? "quick" : o->limit > 0 ? "limit" : NULL;
 }
 
 static enum exit_code run(const struct options *options)

@@ -113,7 +113,7 @@ static bool go_together(const struct axis axes[2], const struct options *o)
     return false;
   }
   for (int i = 0; i < 2; i++)
-    if (o->written[crawler_place(axis_sets(axes[i].kind))]) {
+    if (o->point.written[crawler_place(axis_sets(axes[i].kind))]) {
       complain(o->command->name, "--%s has nothing to do with --map %s %s, where %s sets it", axis_sets(axes[i].kind),
                o->map[0], o->map[1], o->map[i]);
       return false;

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "compare/answers/exact.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/maps/map.h"
 #include "compare/answers/mode_change.h"
 #include "compare/command/with_flint.h"
@@ -45,7 +45,7 @@ static bool same_modes(const struct scallop_modes a[2], const struct scallop_mod
 
 static struct scallop_crawler crawler_at(const struct boundaries *b, double u, double v)
 {
-  return axes_crawler(b->axes, &b->options->crawler, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v));
+  return axes_crawler(b->axes, &b->options->point.crawler, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v));
 }
 
 /* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or one is at rest. */
@@ -72,7 +72,7 @@ static bool solve(const struct scallop_crawler *c, struct region *r)
 {
   struct scallop_steady_result plain;
   struct scallop_wide_steady wide;
-  if (counted_steady(c, &plain) < 0)
+  if (scallop_steady(c, &plain) < 0)
     return false;
   bool widely = is_uncertain(c, &plain.period) && scallop_wide_steady(SCALLOP_BINARY128, c, &wide) >= 0;
   memcpy(r->modes, widely ? wide.period.modes : plain.period.modes, sizeof r->modes);

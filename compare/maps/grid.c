@@ -9,7 +9,7 @@
 
 #include "compare/breakdown/breakdown.h"
 #include "compare/answers/exact.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/answers/gaits.h"
 #include "compare/text/journal.h"
 #include "compare/maps/map.h"
@@ -39,16 +39,19 @@ struct map {
 
 /* ---- what is asked for ---- */
 
-static bool choose_quantity(struct map *m, enum breakdown_quantity *quantity)
+static bool choose_quantity(struct map *m, enum quantity_id *quantity)
 {
-  const char *name = m->options->quantity, *names[STEADY_QUANTITIES + 1] = { NULL };
-  *quantity = OF_DISPLACEMENT;
-  for (int q = 0; q < STEADY_QUANTITIES; q++) {
-    names[q] = breakdown_quantity_text((enum breakdown_quantity)q);
-    if (name && strcmp(name, names[q]) == 0)
-      *quantity = (enum breakdown_quantity)q;
+  const char *name = m->options->quantity, *names[QUANTITIES + 1] = { NULL };
+  int n = 0;
+  *quantity = Q_DISPLACEMENT;
+  for (int q = 0; q < QUANTITIES; q++) {
+    if (quantity_rows[q].of != OF_STEADY || !quantity_rows[q].has_series)
+      continue;
+    names[n++] = quantity_rows[q].name;
+    if (name && strcmp(name, quantity_rows[q].name) == 0)
+      *quantity = (enum quantity_id)q;
   }
-  if (!name || strcmp(name, names[*quantity]) == 0)
+  if (!name || strcmp(name, quantity_rows[*quantity].name) == 0)
     return true;
   const char *near = nearest(name, names);
   complain("breakdown",
@@ -83,7 +86,7 @@ static bool choose_series(struct map *m)
 {
   static const char *const sources[] = { "published", "derived", "limit" };
   const struct options *o = m->options;
-  enum breakdown_quantity quantity;
+  enum quantity_id quantity;
   if (!choose_quantity(m, &quantity))
     return false;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
@@ -104,7 +107,7 @@ static bool sets_period(const struct axis *a) { return a->kind == AXIS_T || a->k
 static struct scallop_crawler crawler_of(const struct map *m, long row)
 {
   long columns = m->axes[0].count;
-  return axes_crawler(m->axes, &m->options->crawler, axis_node(&m->axes[0], row % columns),
+  return axes_crawler(m->axes, &m->options->point.crawler, axis_node(&m->axes[0], row % columns),
                       axis_node(&m->axes[1], row / columns));
 }
 
@@ -146,7 +149,7 @@ static void compute(const struct map *m, long item, double *values)
   struct scallop_steady_result r;
   bool is_reach = item < m->reaches;
   struct scallop_crawler c = crawler_of(m, is_reach ? row_of_reach(m, item) : item - m->reaches);
-  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : counted_steady(&c, &r) >= 0;
+  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : scallop_steady(&c, &r) >= 0;
   for (int i = 0; i < item_width(m, item); i++) {
     const struct breakdown_series *series = &m->series[is_reach ? i / m->tolerance_count : i];
     values[i] = !exists    ? NAN
@@ -224,7 +227,7 @@ static bool take(void *context, long item, int count, const double *values)
 /* All that the values depend on */
 static void make_title(const struct map *m, char title[TITLE])
 {
-  const struct scallop_crawler *c = &m->options->crawler;
+  const struct scallop_crawler *c = &m->options->point.crawler;
   int used = snprintf(title, TITLE, "scallop " SCALLOP_VERSION " journal of breakdown --map:");
   for (int i = 0; i < 2; i++) {
     const struct axis *a = &m->axes[i];
@@ -234,7 +237,7 @@ static void make_title(const struct map *m, char title[TITLE])
   used += snprintf(title + used, (size_t)(TITLE - used),
                    " m1 %a m2 %a F1 %a F2 %a L %a T %a alpha %a gait %.200s (%08lx) %s", c->m1, c->m2, c->F1, c->F2, c->L,
                    c->T, c->alpha, c->gait->name, (unsigned long)gait_checksum(c->gait),
-                   breakdown_quantity_text(m->series[0].quantity));
+                   quantity_rows[m->series[0].quantity].name);
   for (int i = 0; i < m->series_count * (1 + m->tolerance_count); i++)
     used += snprintf(title + used, (size_t)(TITLE - used), " %s", m->names[i]);
   if (m->tolerance_count == 1)
@@ -307,7 +310,7 @@ static void begin_table(struct map *m, struct table *t)
   map_begin(t, m->options, m->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
-      breakdown_quantity_text(m->series[0].quantity));
+      quantity_rows[m->series[0].quantity].name);
   table_columns(t, first);
   for (const char *const *p = parameters; *p; p++)
     if (!is_axis(m, *p))
@@ -345,7 +348,7 @@ static void write_row(struct map *m, struct table *t, long row)
 {
   struct scallop_steady_result r;
   struct scallop_crawler c = crawler_of(m, row);
-  enum scallop_status status = counted_steady(&c, &r);
+  enum scallop_status status = scallop_steady(&c, &r);
   const double *errors = item_values(m, m->reaches + row), *reaches = item_values(m, reach_of_row(m, row));
   write_parameters(m, t, &c, row);
   write_state(t, status, &r);

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "asymptotics/evaluate.h"
-#include "compare/answers/counts_flint.h"
+#include "asymptotics/derived.h"
+#include "numerics/certified.h"
+#include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 #include "compare/answers/gaits.h"
 
@@ -37,8 +39,6 @@ struct scene_flint {
   arb_t turning_velocity; /* of the body that turns: 0                                         */
   char *text;
 };
-
-/* ---- its life ---- */
 
 static struct scene_flint *flint_new(void)
 {
@@ -94,7 +94,7 @@ static struct scene_flint *at_point(struct scene_state *s)
   if (f->has_point)
     return f;
   f->has_point = true;
-  decimal_options(&f->crawler, NULL, &s->at);
+  rational_point(&f->crawler, NULL, &s->at);
   fmpq_zero(f->v0);
   return f;
 }
@@ -111,8 +111,6 @@ static bool set_v0(struct scene_state *s, struct scene_flint *f)
     scallop_rational_set_double(f->v0, v0);
   return true;
 }
-
-/* ---- series ---- */
 
 static bool same_but_T(const struct scallop_rational_crawler *a, const struct scallop_rational_crawler *b)
 {
@@ -166,8 +164,9 @@ static struct kept_series *series_at(struct scene_state *s, struct scene_flint *
     fmpq_set(k->v0, f->v0);
     scallop_steady_expansion_init(&k->of_steady);
     scallop_phase_expansion_init(&k->of_phase);
-    k->status = steady ? counted_expand_steady(&k->crawler, order, precision, &k->of_steady, &k->why)
-                       : counted_expand_phase(&k->crawler, s->scene->phase, k->v0, order, precision, NULL, &k->of_phase,
+    count_add(COUNT_EXPANSIONS, 1);
+    k->status = steady ? scallop_expand_steady(&k->crawler, order, precision, &k->of_steady, &k->why)
+                       : scallop_expand_phase(&k->crawler, s->scene->phase, k->v0, order, precision, NULL, &k->of_phase,
                                               &k->why);
   }
   k->last = ++f->clock;
@@ -229,8 +228,6 @@ double scene_flint_sum(struct scene_state *s, const struct quantity *q)
   return sum;
 }
 
-/* ---- certified values ---- */
-
 static bool certified_done(struct scene_state *s, enum scallop_status status, const char *why)
 {
   char text[POINT_STATUS];
@@ -247,10 +244,18 @@ static long certified_digits(const struct scene_needs *needs)
   return (long)fmax((double)(needs->digits + TEXT_DIGITS), ceil(of_errors));
 }
 
+static void count_certified(const struct scene_state *s)
+{
+  count_add(COUNT_CERTIFIED, 1);
+  count_add(COUNT_CERTIFIED_DIGITS, certified_digits(&s->needs));
+}
+
 static bool solve_steady(struct scene_state *s, struct scene_flint *f)
 {
-  if (!f->has_steady)
-    f->steady_status = counted_certified_steady(&f->crawler, certified_digits(&s->needs), &f->steady, &f->steady_why);
+  if (!f->has_steady) {
+    count_certified(s);
+    f->steady_status = scallop_certified_steady(&f->crawler, certified_digits(&s->needs), &f->steady, &f->steady_why);
+  }
   f->has_steady = true;
   return certified_done(s, f->steady_status, f->steady_why);
 }
@@ -259,9 +264,11 @@ static bool solve_phase(struct scene_state *s, struct scene_flint *f)
 {
   if (!f->has_phase && !set_v0(s, f))
     return false;
-  if (!f->has_phase)
-    f->phase_status = counted_certified_phase(&f->crawler, s->scene->phase, f->v0, certified_digits(&s->needs), &f->phase,
+  if (!f->has_phase) {
+    count_certified(s);
+    f->phase_status = scallop_certified_phase(&f->crawler, s->scene->phase, f->v0, certified_digits(&s->needs), &f->phase,
                                               &f->phase_why);
+  }
   f->has_phase = true;
   return certified_done(s, f->phase_status, f->phase_why);
 }
@@ -289,8 +296,6 @@ const char *scene_flint_certified(struct scene_state *s, const struct quantity *
   f->text = decimal_text(value, digits);
   return f->text;
 }
-
-/* ---- errors ---- */
 
 /* What a formula of a phase is about, certified. */
 static const arb_struct *formula_counterpart(struct scene_state *s, struct scene_flint *f,

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/running.h"
+#include "compare/scenes/parts.h"
 
 static bool varies(const struct scene *s, const char *parameter)
 {
@@ -43,7 +43,7 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   char text[1024];
   size_t used = 0;
   for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
-    const char *given = i < CRAWLER_NUMBERS ? o->written[i] : o->has_gait ? o->crawler.gait->name : NULL;
+    const char *given = i < CRAWLER_NUMBERS ? o->point.written[i] : o->point.has_gait ? o->point.crawler.gait->name : NULL;
     if (given)
       used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
                                is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
@@ -53,15 +53,15 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
-static void note_parameters(struct table *t, const struct scene *s, const struct scene_want *w)
+static void note_parameters(struct output *o, const struct scene *s)
 {
   const char *not_held[CRAWLER_NUMBERS + 2];
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, w, *name))
+    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
   not_held[count] = NULL;
-  table_parameters(t, &s->base, not_held, false);
+  table_parameters(&o->table, &o->options, not_held, false);
 }
 
 static bool is_of_start(const struct quantities *all, int place)
@@ -108,6 +108,6 @@ void head_write(const struct running *r, struct output *o)
   bool given = note_given(t, r, o->want);
   for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
-  note_parameters(t, s, o->want);
+  note_parameters(o, s);
   note_start(t, s, o->want);
 }

@@ -1,14 +1,11 @@
-#include "compare/scenes/run.h"
-
+/* A scene is run: its tables are opened, its points are visited once, and the tables take their places. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/command/plot.h"
-#include "compare/scenes/running.h"
-
-/* ---- rows ---- */
+#include "compare/scenes/parts.h"
 
 static bool is_of_steady(const struct quantities *all, const struct quantity *q)
 {
@@ -68,11 +65,8 @@ static void write_columns(struct running *r, struct output *o)
     else
       table_number(&o->table, state_number(r->state, c->quantity));
   }
-  o->rows++;
   count_add(COUNT_ROWS, 1);
 }
-
-/* ---- trajectories ---- */
 
 struct tracing {
   struct running *r;
@@ -85,6 +79,7 @@ static bool write_sample(void *context, const struct scallop_sample *s)
   struct tracing *t = context;
   struct scene_state *state = t->r->state;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
+  count_add(COUNT_SAMPLES, 1);
   if (s->t > t->until)
     return false;
   for (int i = 0; i < t->r->scene->quantities.count; i++) {
@@ -105,7 +100,8 @@ static void trace(struct running *r, struct output *o)
   struct tracing t = { r, o, state_end(r->state, &w->until) };
   if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = counted_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     state_fail(r->state, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
@@ -121,22 +117,17 @@ static void begin_columns(struct output *o)
   table_begin_rows(&o->table);
 }
 
-/* ---- points ---- */
-
 static void at_want(struct running *r, struct output *o, bool last_of_times)
 {
-  enum exit_code code = EXIT_DONE;
-  switch (o->want->kind) {
-  case WANT_ROWS: write_columns(r, o); break;
-  case WANT_TRAJECTORY: trace(r, o); break;
-  case WANT_ORDERS:
+  if (o->want->kind == WANT_ROWS)
+    write_columns(r, o);
+  else if (o->want->kind == WANT_TRAJECTORY)
+    trace(r, o);
+  else if (o->want->kind == WANT_ORDERS) {
     orders_collect(r, o);
     if (last_of_times)
       orders_finish(r, o);
-    break;
-  case WANT_COMMAND: code = command_at_point(r, o);
   }
-  r->code = code > r->code ? code : r->code;
 }
 
 static void at_point(struct running *r, bool last_of_times)
@@ -160,7 +151,7 @@ static bool failed(const struct running *r)
   for (int i = 0; i < r->scene->wants; i++)
     if (r->output[i].is_open && table_failed(&r->output[i].table))
       return true;
-  return r->code == EXIT_USAGE || r->code == EXIT_FILE;
+  return false;
 }
 
 static void each_point(struct running *r, const struct scene_product *product)
@@ -176,8 +167,6 @@ static void each_point(struct running *r, const struct scene_product *product)
   }
 }
 
-/* ---- the whole ---- */
-
 static bool open_tables(struct running *r, const struct scene_outputs *outputs)
 {
   for (int i = 0; i < r->scene->wants; i++) {
@@ -185,21 +174,15 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     o->want = &r->scene->want[i];
     o->file = outputs->file[i];
     o->options = *r->options;
-    o->options.crawler = r->scene->base.crawler;
+    o->options.point = r->scene->base;
     o->options.format = o->want->format;
     o->options.digits = o->want->digits;
-    o->options.output = o->file;
     o->tells_steady = tells_steady(r, o->want);
-    /* A map that is made once opens its table itself, and goes on where it was interrupted. */
-    if (command_makes_map(o->want) && scene_points(r->scene) == 1)
+    if (o->want->kind == WANT_COMMAND) /* which opens its table itself */
       continue;
     if (!table_open_at(&o->table, &o->options, o->file))
       return false;
     o->is_open = true;
-    if (o->want->kind == WANT_COMMAND) {
-      command_leads(r, o);
-      continue;
-    }
     head_write(r, o);
     if (o->want->kind != WANT_ORDERS)
       begin_columns(o);
@@ -209,6 +192,22 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     }
   }
   return true;
+}
+
+static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
+
+/* Tables of commands are made when all others are complete, and each is in its place when the command ends. */
+static enum exit_code run_commands(const struct running *r)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++) {
+    const struct output *o = &r->output[i];
+    if (o->want->kind != WANT_COMMAND)
+      continue;
+    count_add(COUNT_COMMANDS, 1);
+    code = worse(code, r->scene->run_command(r->scene, o->want, r->options, &o->file));
+  }
+  return code;
 }
 
 /* Every table is complete on the disk before the first takes its place. */
@@ -277,35 +276,41 @@ static void tell(const struct running *r)
              r->failed_checks);
 }
 
+/* Visits all points. The exit code of what is then in its place. */
+static enum exit_code run_points(struct running *r, const struct scene_outputs *outputs)
+{
+  bool opened = open_tables(r, outputs);
+  for (int i = 0; opened && i < r->scene->products; i++)
+    each_point(r, &r->scene->product[i]);
+  enum exit_code code = opened && flush_tables(r) ? run_commands(r) : EXIT_FILE;
+  bool keep = code != EXIT_FILE && code != EXIT_USAGE;
+  if (close_tables(r, keep) != EXIT_DONE)
+    return EXIT_FILE;
+  if (!keep)
+    return code;
+  tell(r);
+  if (draw_plots(r, outputs) != EXIT_DONE)
+    return EXIT_FILE;
+  if (r->unsolved > 0)
+    return EXIT_UNSOLVED;
+  return r->failed_checks > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
+}
+
 enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
                          const struct options *options)
 {
-  struct running r = { .scene = scene, .plan = plan, .options = options, .code = EXIT_DONE };
+  struct running r = { .scene = scene, .plan = plan, .options = options };
+  enum exit_code code = EXIT_UNSOLVED;
   r.state = malloc(sizeof *r.state);
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
-  bool opened = r.state && r.output;
-  if (!opened)
+  if (!r.state || !r.output)
     complain(options->command->name, "out of memory");
   else {
     state_init(r.state, scene, &plan->needs);
-    opened = open_tables(&r, outputs);
-    r.code = opened ? EXIT_DONE : EXIT_FILE;
-    for (int i = 0; opened && i < scene->products; i++)
-      each_point(&r, &scene->product[i]);
-    bool keep = opened && r.code != EXIT_USAGE && r.code != EXIT_FILE && flush_tables(&r);
-    enum exit_code closed = close_tables(&r, keep);
-    r.code = closed == EXIT_DONE ? r.code : closed;
-    if (keep && closed == EXIT_DONE) {
-      tell(&r);
-      enum exit_code drawn = draw_plots(&r, outputs);
-      r.code = drawn != EXIT_DONE                           ? drawn
-               : r.unsolved > 0                             ? EXIT_UNSOLVED
-               : r.failed_checks > 0 && r.code == EXIT_DONE ? EXIT_CHECK_FAILED
-                                                            : r.code;
-    }
+    code = run_points(&r, outputs);
     state_clear(r.state);
   }
   free(r.state);
   free(r.output);
-  return opened || r.code != EXIT_DONE ? r.code : EXIT_UNSOLVED;
+  return code;
 }

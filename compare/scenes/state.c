@@ -28,12 +28,10 @@ static double check(struct scene_state *s, enum scallop_status status, double va
   return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
 }
 
-/* ---- where the point is ---- */
-
 static void set_number(struct scene_state *s, int place, double value, const char *text, const char *name)
 {
   number_text(s->written[place], value, 0);
-  const char *wrong = options_set_crawler_number(&s->at, place, text ? text : s->written[place]);
+  const char *wrong = point_set_number(&s->at, place, text ? text : s->written[place]);
   if (wrong) {
     char why[POINT_STATUS];
     snprintf(why, sizeof why, "%s: %s", name, wrong);
@@ -69,7 +67,7 @@ static double range_value(struct scene_state *s, const struct scene_variable *v,
 static void settle(struct scene_state *s)
 {
   const struct scallop_crawler *c = &s->at.crawler;
-  options_complete(&s->at);
+  point_complete(&s->at);
   if (!isnan(s->F1_over_F2))
     set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
   if (!isnan(s->m1_over_m2))
@@ -97,7 +95,7 @@ static void set_variable(struct scene_state *s, const struct scene_variable *v, 
                                                                      : range_value(s, v, place);
   switch (v->target) {
   case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
-  case TARGET_GAIT: options_set_parameter(&s->at, "gait", text); break; /* it was made when the scene was read */
+  case TARGET_GAIT: point_set(&s->at, "gait", text); break; /* it was made when the scene was read */
   case TARGET_V0: set_v0(s, x, text); break;
   case TARGET_LABEL: s->label[v->place] = text; break;
   case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
@@ -140,13 +138,15 @@ void state_begin_row(struct scene_state *s, bool tells_steady)
     s->why[0] = '\0';
 }
 
-/* ---- solutions ---- */
-
 static const struct scallop_steady_result *steady(struct scene_state *s)
 {
-  if (!s->has_steady)
-    s->steady_status = counted_steady(&s->at.crawler, &s->steady);
-  s->has_steady = true;
+  if (!s->has_steady) {
+    s->steady_status = scallop_steady(&s->at.crawler, &s->steady);
+    s->has_steady = true;
+    count_add(COUNT_STEADY, 1);
+    if (s->steady_status >= 0)
+      count_work(&s->steady.work);
+  }
   return check(s, s->steady_status, 0) == 0 ? &s->steady : NULL;
 }
 
@@ -163,10 +163,23 @@ static const struct exact_phase *phase(struct scene_state *s)
   double v0 = state_v0(s);
   if (isnan(v0))
     return NULL;
-  if (!s->has_phase)
+  if (!s->has_phase) {
     s->phase_status = exact_phase_start(&s->at.crawler, s->scene->phase, v0, &s->phase);
-  s->has_phase = true;
+    s->has_phase = true;
+    count_add(COUNT_PHASES, 1);
+    if (s->phase_status >= 0)
+      count_work(&s->phase.phase.work);
+  }
   return check(s, s->phase_status, 0) == 0 ? &s->phase : NULL;
+}
+
+/* Where the rear body turns takes a second walk through the phase. */
+static void find_turnings(struct scene_state *s)
+{
+  if (s->has_turnings)
+    return;
+  s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+  count_add(COUNT_PHASES, 1);
 }
 
 static bool slides(struct scene_state *s, double T)
@@ -174,7 +187,7 @@ static bool slides(struct scene_state *s, double T)
   struct scallop_crawler c = s->at.crawler;
   struct scallop_phase_result r;
   c.T = T;
-  return counted_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
+  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
 }
 
 static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
@@ -202,8 +215,6 @@ static double onset_of_sticking(struct scene_state *s)
   return s->onset;
 }
 
-/* ---- series and errors ---- */
-
 const char no_ends[] =
     "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
 
@@ -222,11 +233,12 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
       const struct exact_phase *solved = phase(s);
       if (!solved)
         return NAN;
-      if (strstr(f->text, "x_switch") && !s->has_turnings)
-        s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+      if (strstr(f->text, "x_switch"))
+        find_turnings(s);
       given = s->phase;
     }
     const struct scallop_phase_point point = scallop_phase_point(&s->at.crawler, s->scene->phase, v0);
+    count_add(COUNT_FORMULAS, 1);
     value = published_value(f, &point, &given);
   }
   if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
@@ -264,8 +276,8 @@ static double exact_in_double(struct scene_state *s, const struct quantity *seri
   if (series->kind != QUANTITY_PUBLISHED)
     return phase_number(p, series->which - STEADY_VALUES);
   enum scallop_quantity what = series->formula->quantity;
-  if ((what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST) && !s->has_turnings)
-    s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+  if (what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST)
+    find_turnings(s);
   return exact_quantity(&s->phase, what);
 }
 
@@ -293,8 +305,6 @@ static double about_series(struct scene_state *s, const struct quantity *q)
   const struct scene_comparison *c = compared(s, q->of);
   return q->kind == QUANTITY_EXACT ? c->exact : q->kind == QUANTITY_ERROR ? c->error : c->error / fabs(c->exact);
 }
-
-/* ---- quantities ---- */
 
 /* What it was set to, or to the bit what the solver says */
 static double froude(struct scene_state *s)

@@ -6,14 +6,6 @@
 #include "compare/answers/points.h"
 #include "compare/scenes/scene.h"
 
-/* What all points of a scene have in common, found before the first (plan.h): what certified values must be good for. */
-struct scene_needs {
-  bool certified_errors;          /* else errors are told against the double solver                       */
-  double accuracy;                /* of errors: the finest that is wanted                                 */
-  long digits;                    /* of certified values: the most that are wanted                        */
-  long steady_order, phase_order; /* derived series: terms below T^order; 0: none                */
-};
-
 struct scene_flint; /* flint.h: series and certified values */
 
 struct scene_comparison { /* of a series with what it should be                                      */
@@ -24,7 +16,7 @@ struct scene_comparison { /* of a series with what it should be                 
 struct scene_state {
   const struct scene *scene;
   struct scene_needs needs;
-  struct options at; /* the parameters                                                          */
+  struct point at; /* the parameters                                                          */
   char written[CRAWLER_NUMBERS][NUMBER_TEXT], written_v0[NUMBER_TEXT];
   const char *label[QUANTITY_LABELS];
   double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan                               */

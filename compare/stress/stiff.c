@@ -61,7 +61,7 @@ static const struct {
 static bool has_parameters(const struct options *o)
 {
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->written[i])
+    if (o->point.written[i])
       return true;
   return false;
 }
@@ -83,9 +83,9 @@ static bool make_scenes(struct book *b)
   bool given = has_parameters(o);
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
-    for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-      struct scallop_crawler c = given ? o->crawler : scallop_crawler_default();
-      c.gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+    for (int g = 0; o->point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      struct scallop_crawler c = given ? o->point.crawler : scallop_crawler_default();
+      c.gait = o->point.has_gait ? o->point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
       if (!given) {
         c.F1 = made[i].F1;
         c.T = made[i].T;

@@ -181,7 +181,7 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
   table_number(t, r->refused);
   table_number(t, r->undecided);
   table_number(t, r->other_modes);
-  table_text(t, r->worst >= 0 ? stress_quantities[r->family->kind][q] : "-");
+  table_text(t, r->worst >= 0 ? stress_quantity_name(r->family->kind, q) : "-");
   table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
   table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
   table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
@@ -225,7 +225,7 @@ static void report(const struct row *r, const struct run *run)
         continue;
       stress_arguments(&run->stressed[i], arguments);
       complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
-               stress_quantities[r->family->kind][q], r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
+               stress_quantity_name(r->family->kind, q), r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
                arguments);
       said++;
     }
@@ -271,8 +271,8 @@ static const struct stress_family *family_named(const char *name)
 /* The gait that is given; else those of the paper or, for a check, one of each kind. NULL after the last. */
 static const struct scallop_gait *gait_of_run(const struct options *o, int i)
 {
-  if (o->has_gait)
-    return i == 0 ? o->crawler.gait : NULL;
+  if (o->point.has_gait)
+    return i == 0 ? o->point.crawler.gait : NULL;
   const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
   return name ? gait_of_text(name).gait : NULL;
 }
@@ -296,8 +296,8 @@ static void begin(struct run *run)
   if (o->cases > 0)
     snprintf(number, sizeof number, " --cases %ld", o->cases);
   table_note(t, "command: stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-             o->has_gait ? " --gait " : "", o->has_gait ? o->crawler.gait->name : "", o->full ? " --full" : "",
-             o->check ? " --check" : "", number, o->seed);
+             o->point.has_gait ? " --gait " : "", o->point.has_gait ? o->point.crawler.gait->name : "",
+             o->full ? " --full" : "", o->check ? " --check" : "", number, o->seed);
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
@@ -348,7 +348,7 @@ static void write_number(struct table *t, const struct stress_case *s, const str
   const char *broken = stress_broken(j, q);
   bool judged = is_judged(j, q), has_ulp = judged && j->ulp[q] > 0;
   all_lost(j, q, lost);
-  table_text(t, stress_quantities[s->kind][q]);
+  table_text(t, stress_quantity_name(s->kind, q));
   table_number(t, judged ? j->got[q] : NAN);
   table_number(t, judged ? j->exact[q] : NAN);
   table_rounded(t, judged ? over(j->error[q], j->unit[q]) : NAN, "%.3g");
@@ -373,9 +373,10 @@ enum exit_code stress_point(const struct options *o)
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
-  const struct stress_case s = {
-    .kind = o->has_phase || o->has_v0 ? STRESS_PHASE : STRESS_STEADY, .crawler = o->crawler, .phase = o->phase, .v0 = o->v0
-  };
+  const struct stress_case s = { .kind = o->point.has_phase || o->point.has_v0 ? STRESS_PHASE : STRESS_STEADY,
+                                 .crawler = o->point.crawler,
+                                 .phase = o->point.phase,
+                                 .v0 = o->point.v0 };
   bool broken = false;
   stress_judge(&s, &j);
   flint_cleanup();

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
@@ -25,19 +25,19 @@ const struct answer answer_none = {
 /* More than the certified rows have, and beyond what the longest series leaves, which goes as eps^(terms/2) */
 static long digits_for(double eps) { return REFERENCE_DIGITS + (eps < 1 ? (long)(-log10(eps) * WAY_TERMS / 2) : 0); }
 
-const char *point_init(struct point *point, const struct scallop_crawler *crawler)
+const char *point_init(struct trial *point, const struct scallop_crawler *crawler)
 {
   struct scallop_scaled scaled;
   const char *why = NULL;
   enum scallop_status status = scallop_scale(crawler, &scaled);
-  *point = (struct point){ .crawler = *crawler };
+  *point = (struct trial){ .crawler = *crawler };
   scallop_rational_init(&point->exact);
   scallop_certified_steady_init(&point->steady);
   if (status == SCALLOP_OK) {
     point->eps = scaled.eps;
     point->digits = digits_for(scaled.eps);
     scallop_rational_of(&point->exact, crawler);
-    status = counted_certified_steady(&point->exact, point->digits, &point->steady, &why);
+    status = scallop_certified_steady(&point->exact, point->digits, &point->steady, &why);
   }
   if (status != SCALLOP_OK)
     return why ? why : scallop_status_text(status);
@@ -45,13 +45,13 @@ const char *point_init(struct point *point, const struct scallop_crawler *crawle
   return NULL;
 }
 
-void point_clear(struct point *point)
+void point_clear(struct trial *point)
 {
   scallop_rational_clear(&point->exact);
   scallop_certified_steady_clear(&point->steady);
 }
 
-struct way *ways_add(struct ways *ways, const struct point *point, const char *method, enum way_kind kind,
+struct way *ways_add(struct ways *ways, const struct trial *point, const char *method, enum way_kind kind,
                      const char *format, ...)
 {
   va_list arguments;
@@ -183,7 +183,7 @@ static void conclude_time(struct way *way)
 /* |answer - certified| / |certified|, or over L/T and L where the certified value is 0; from the far end of both balls. */
 static void find_error(struct way *way, int quantity)
 {
-  const struct point *point = way->point;
+  const struct trial *point = way->point;
   const arb_struct *certified = quantity == WAY_VELOCITY ? point->steady.v_start : point->steady.displacement;
   const slong precision = 4 * point->digits + 64;
   const arb_struct *ball = way->answer.ball[quantity];

@@ -5,7 +5,7 @@
 
 #include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 static int place(const struct scallop_formula *formula)
@@ -24,7 +24,7 @@ static enum scallop_status solve_published(struct way *way, const struct scallop
   return SCALLOP_OK;
 }
 
-static void add_published(struct ways *ways, const struct point *point)
+static void add_published(struct ways *ways, const struct trial *point)
 {
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (f->setting == SCALLOP_STEADY) {
@@ -70,13 +70,13 @@ static enum scallop_status solve_corrected(struct way *way, const struct scallop
 }
 
 /* The ending of their names where, for T -> 0, no body turns in a phase; NULL where one does in both. */
-static const char *no_turn(const struct point *point)
+static const char *no_turn(const struct trial *point)
 {
   struct scallop_steady_expansion expansion;
   const char *ending = NULL;
   scallop_steady_expansion_init(&expansion);
   if (scallop_gait_is_rational(point->exact.gait)
-      && counted_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
+      && scallop_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
     const char *bar = strchr(expansion.modes, '|');
     ending = strcmp(bar, "| ++") == 0 ? "_no_turn" : strncmp(expansion.modes, "++ |", 4) == 0 ? "_no_turn_extension" : NULL;
   }
@@ -84,7 +84,7 @@ static const char *no_turn(const struct point *point)
   return ending;
 }
 
-static void add_corrected(struct ways *ways, const struct point *point)
+static void add_corrected(struct ways *ways, const struct trial *point)
 {
   const char *ending = no_turn(point);
   for (const struct scallop_formula *f = scallop_corrected; ending && f->name; f++) {
@@ -134,7 +134,7 @@ static void derived_release(void *memory)
 }
 
 /* Bits so that rounding does not show beside the terms from T^order on, which go as eps^(order/2). */
-static slong bits(const struct point *point, long order)
+static slong bits(const struct trial *point, long order)
 {
   double smaller = point->eps < 1 ? -log2(point->eps) : 0;
   return 64 + 8 * order + (slong)(smaller * (double)order / 2);
@@ -146,7 +146,7 @@ static enum scallop_status solve_derived(struct way *way, const struct scallop_p
   const struct scallop_rational_crawler *crawler = &way->point->exact;
   slong precision = bits(way->point, way->number);
   (void)patience;
-  enum scallop_status status = counted_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
+  enum scallop_status status = scallop_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
   if (status != SCALLOP_OK)
     return status;
   arb_set_fmpq(d->T, crawler->T, precision);
@@ -158,7 +158,7 @@ static enum scallop_status solve_derived(struct way *way, const struct scallop_p
   return SCALLOP_OK;
 }
 
-static struct way *add_derived(struct ways *ways, const struct point *point, long order)
+static struct way *add_derived(struct ways *ways, const struct trial *point, long order)
 {
   struct way *way = order == 1 ? ways_add(ways, point, "limit", WAY_FORMULA, "leading terms")
                                : ways_add(ways, point, "derived series", WAY_FORMULA, "terms below T^%ld", order);
@@ -188,14 +188,14 @@ static void learn(struct known *known, int which, const struct series *series, s
   arb_clear(c);
 }
 
-static struct known *known_make(const struct point *point, long order)
+static struct known *known_make(const struct trial *point, long order)
 {
   struct known *known = calloc(1, sizeof *known);
   struct scallop_steady_expansion expansion;
   if (!known)
     return NULL;
   scallop_steady_expansion_init(&expansion);
-  known->status = counted_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
+  known->status = scallop_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
   if (known->status == SCALLOP_OK) {
     learn(known, WAY_VELOCITY, &expansion.v_start, -1, order);
     learn(known, WAY_DISPLACEMENT, &expansion.displacement, 0, order);
@@ -225,7 +225,7 @@ static enum scallop_status solve_known(struct way *way, const struct scallop_pat
   return SCALLOP_OK;
 }
 
-static void add_known(struct ways *ways, const struct point *point, long order)
+static void add_known(struct ways *ways, const struct trial *point, long order)
 {
   struct way *way = ways_add(ways, point, "derived series, coefficients known", WAY_ASIDE, "terms below T^%ld", order);
   way->solve = solve_known;
@@ -307,7 +307,7 @@ static enum scallop_status solve_batch(struct way *way, const struct scallop_pat
   return SCALLOP_OK;
 }
 
-static void add_exact(struct ways *ways, const struct point *point)
+static void add_exact(struct ways *ways, const struct trial *point)
 {
   ways_add(ways, point, "exact", WAY_EXACT, "steady state")->solve = solve_exact;
   struct way *way = ways_add(ways, point, "exact, batch", WAY_ASIDE, "each of %d, one thread", BATCH);
@@ -330,7 +330,7 @@ static enum scallop_status solve_certified(struct way *way, const struct scallop
 {
   struct scallop_certified_steady *steady = way->memory;
   (void)patience;
-  enum scallop_status status = counted_certified_steady(&way->point->exact, way->number, steady, NULL);
+  enum scallop_status status = scallop_certified_steady(&way->point->exact, way->number, steady, NULL);
   if (status != SCALLOP_OK)
     return status;
   *answer = answer_none;
@@ -339,7 +339,7 @@ static enum scallop_status solve_certified(struct way *way, const struct scallop
   return SCALLOP_OK;
 }
 
-static void add_certified(struct ways *ways, const struct point *point, long digits)
+static void add_certified(struct ways *ways, const struct trial *point, long digits)
 {
   struct way *way = ways_add(ways, point, "certified", WAY_EXACT, "%ld digits", digits);
   way->solve = solve_certified;
@@ -350,7 +350,7 @@ static void add_certified(struct ways *ways, const struct point *point, long dig
     scallop_certified_steady_init(way->memory);
 }
 
-void ways_add_ours(struct ways *ways, const struct point *point, bool quick)
+void ways_add_ours(struct ways *ways, const struct trial *point, bool quick)
 {
   static const long orders[] = { 4, 8, 16, WAY_TERMS }, digits[] = { 16, 50, 200 };
   int settings = quick ? 3 : 4;

@@ -20,7 +20,7 @@ struct reading {
   struct table *table; /* NULL: the file is only looked through, for anything wrong                  */
   int cells, at[COLUMNS];
   struct ways ways; /* of the point that is being read                                            */
-  struct point point;
+  struct trial point;
   long rows;
 };
 

@@ -1,6 +1,5 @@
 /* The rivals of numerics/rival.h, each as two ways: simulating from rest until the periods repeat, and as the root of its period map.
  * The memory of a rival is made beforehand, as its user would. */
-#include "compare/answers/counts.h"
 #include "compare/workprec/workprec.h"
 #include "numerics/cvode.h"
 #include "numerics/moreau.h"
@@ -19,7 +18,6 @@ static void take(struct answer *answer, const struct scallop_rival_steady *stead
 static enum scallop_status simulate(struct way *way, const struct scallop_patience *patience, struct answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_simulate(way->memory, &way->point->crawler, 0, way->tolerance, patience,
                                                       &steady);
   if (status >= 0)
@@ -30,7 +28,6 @@ static enum scallop_status simulate(struct way *way, const struct scallop_patien
 static enum scallop_status find_root(struct way *way, const struct scallop_patience *patience, struct answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_root(way->memory, &way->point->crawler, way->tolerance, patience, &steady);
   if (status >= 0)
     take(answer, &steady);
@@ -70,7 +67,7 @@ static void describe(char text[WAY_TEXT], const struct setting *s)
 }
 
 /* names: of the two ways. Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. */
-static void add(struct ways *ways, const struct point *point, const char *const names[2], const struct setting *s)
+static void add(struct ways *ways, const struct trial *point, const char *const names[2], const struct setting *s)
 {
   char text[WAY_TEXT];
   describe(text, s);
@@ -95,7 +92,7 @@ static struct range tolerance_range(bool quick, bool to_rounding)
   return quick ? (struct range){ 1, 1 } : (struct range){ 0, to_rounding ? 6 : 5 };
 }
 
-static void add_odeiv(struct ways *ways, const struct point *point, bool quick)
+static void add_odeiv(struct ways *ways, const struct trial *point, bool quick)
 {
   static const struct {
     enum scallop_odeiv_stepper stepper;
@@ -114,7 +111,7 @@ static void add_odeiv(struct ways *ways, const struct point *point, bool quick)
   }
 }
 
-static void add_cvode(struct ways *ways, const struct point *point, bool quick)
+static void add_cvode(struct ways *ways, const struct trial *point, bool quick)
 {
   static const char *const names[2] = { "cvode, simulated", "cvode, root" };
   if (!scallop_has_cvode()) {
@@ -129,7 +126,7 @@ static void add_cvode(struct ways *ways, const struct point *point, bool quick)
     add(ways, point, names, &(struct setting){ .family = CVODE, .tolerance = tolerances[i] });
 }
 
-static void add_smoothed(struct ways *ways, const struct point *point, bool quick)
+static void add_smoothed(struct ways *ways, const struct trial *point, bool quick)
 {
   static const struct {
     enum scallop_smoothed_stepper stepper;
@@ -148,7 +145,7 @@ static void add_smoothed(struct ways *ways, const struct point *point, bool quic
                 .family = SMOOTHED, .stepper = steppers[k].stepper, .delta = deltas[d], .tolerance = tight[i] });
 }
 
-static void add_moreau(struct ways *ways, const struct point *point, bool quick)
+static void add_moreau(struct ways *ways, const struct trial *point, bool quick)
 {
   static const char *const names[2] = { "moreau, simulated", "moreau, root" };
   static const long steps[] = { 16, 128, 1024, 8192, 65536 };
@@ -157,7 +154,7 @@ static void add_moreau(struct ways *ways, const struct point *point, bool quick)
     add(ways, point, names, &(struct setting){ .family = MOREAU, .steps = steps[i] });
 }
 
-void ways_add_rivals(struct ways *ways, const struct point *point, bool quick)
+void ways_add_rivals(struct ways *ways, const struct trial *point, bool quick)
 {
   add_odeiv(ways, point, quick);
   add_cvode(ways, point, quick);

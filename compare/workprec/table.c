@@ -20,19 +20,19 @@ const char *const way_quantities[WAY_QUANTITIES + 1] = { "v_start", "displacemen
 
 struct run {
   const struct options *options;
-  struct point points[MOST_POINTS];
+  struct trial points[MOST_POINTS];
   int count;
   double limit;
   struct stopwatch_clock clock;
   struct table table;
-  const struct point *at;
+  const struct trial *at;
 };
 
 /* ---- points ---- */
 
 static const char *add_point(struct run *r, const struct scallop_gait *gait, double T)
 {
-  struct scallop_crawler c = r->options->crawler;
+  struct scallop_crawler c = r->options->point.crawler;
   assert(r->count < MOST_POINTS);
   c.gait = gait;
   c.T = T;
@@ -44,11 +44,11 @@ static bool make_points(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
   const struct options *o = r->options;
-  bool one = o->written[5] != NULL; /* T */
-  const double *T = one ? &o->crawler.T : o->quick ? few : all;
+  bool one = o->point.written[5] != NULL; /* T */
+  const double *T = one ? &o->point.crawler.T : o->quick ? few : all;
   int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
-  for (int g = 0; o->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    const struct scallop_gait *gait = o->has_gait ? o->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+  for (int g = 0; o->point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    const struct scallop_gait *gait = o->point.has_gait ? o->point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; i < times; i++) {
       const char *why = add_point(r, gait, T[i]);
       if (why)

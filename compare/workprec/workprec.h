@@ -16,7 +16,7 @@ enum { WAY_SAMPLES = 31, WAY_TEXT = 64, WAY_STATUS = 120, WAY_TERMS = 32 /* of t
 
 /* Where the ways meet. The doubles are the parameters of all of them, and `exact` is the very same numbers: a double method must not
  * be charged with the distance from 0.7 to the nearest double. */
-struct point {
+struct trial {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;
   double eps; /* T^2 (F1 + F2)/(M L)                                                                  */
@@ -25,8 +25,8 @@ struct point {
   double v_start; /* the certified one, rounded                                                       */
 };
 /* NULL, or why there is no certified steady state to compare with. */
-const char *point_init(struct point *point, const struct scallop_crawler *crawler);
-void point_clear(struct point *point);
+const char *point_init(struct trial *point, const struct scallop_crawler *crawler);
+void point_clear(struct trial *point);
 
 struct answer {
   double value[WAY_QUANTITIES];           /* nan: the way does not give it                                   */
@@ -49,7 +49,7 @@ struct way {
   const char *method;
   char setting[WAY_TEXT];
   enum way_kind kind;
-  const struct point *point;
+  const struct trial *point;
   enum scallop_status (*solve)(struct way *way, const struct scallop_patience *patience, struct answer *answer);
   void *memory; /* what the method needs besides, made beforehand                                      */
   void (*release)(void *memory);
@@ -80,14 +80,14 @@ struct ways {
 };
 
 /* Adds a way; its setting is printed from format. release is called for memory by ways_clear. */
-struct way *ways_add(struct ways *ways, const struct point *point, const char *method, enum way_kind kind,
+struct way *ways_add(struct ways *ways, const struct trial *point, const char *method, enum way_kind kind,
                      const char *format, ...) __attribute__((format(printf, 5, 6)));
 void ways_clear(struct ways *ways);
 
 /* Published and derived series, the limit, the exact and the certified solver. quick: fewer settings. */
-void ways_add_ours(struct ways *ways, const struct point *point, bool quick);
+void ways_add_ours(struct ways *ways, const struct trial *point, bool quick);
 /* GSL's solvers with events, GSL's stiff ones on smoothed friction, Moreau's time stepping, CVODE. */
-void ways_add_rivals(struct ways *ways, const struct point *point, bool quick);
+void ways_add_rivals(struct ways *ways, const struct trial *point, bool quick);
 
 struct workprec_progress {
   void (*say)(void *context, int done, int count, const struct way *way);

@@ -1,5 +1,6 @@
 /* Text as an exact fraction, and back: all bytes as text, and eight of them as a double. What strtod takes for a finite number is
  * taken, and strtod's double is the one nearest to the fraction. */
+#include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 
 #include <ctype.h>
@@ -67,7 +68,7 @@ static void mean_decimals(double value)
   struct scallop_crawler crawler = { value, value, value, value, value, value, value, NULL };
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  decimal_crawler(&exact, &crawler);
+  rational_crawler(&exact, &crawler);
   if (!is_nearest(exact.m1, value) || !fmpq_equal(exact.m1, exact.alpha))
     fuzz_fail("%a is meant as a decimal to which it is not the nearest", value);
   scallop_rational_clear(&exact);

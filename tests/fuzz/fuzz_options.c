@@ -23,13 +23,13 @@ static int split(char *text, size_t size, char **arguments)
 static void judge(const struct options *o, const char *text)
 {
   struct scallop_complaint wrong;
-  if (scallop_crawler_check(&o->crawler, &wrong) != SCALLOP_OK)
+  if (scallop_crawler_check(&o->point.crawler, &wrong) != SCALLOP_OK)
     fuzz_fail("%s = %g was taken from\n%s", wrong.name, wrong.given, text);
   bool beyond = o->certified || o->bound || strcmp(o->source, "published") != 0;
   if (o->digits < 0 || o->digits > (beyond ? 10000 : 17) || o->order < 1 || o->periods < 1 || o->samples < 1)
     fuzz_fail("digits %ld, order %ld, periods %ld, samples %ld from\n%s", o->digits, o->order, o->periods, o->samples, text);
-  if (!(o->tolerance > 0) || !isfinite(o->expect) || !isfinite(o->v0) || !isfinite(o->start_velocity) || !(o->limit >= 0))
-    fuzz_fail("tolerance %g, expected %g, v0 %g, start %g, limit %g from\n%s", o->tolerance, o->expect, o->v0,
+  if (!(o->tolerance > 0) || !isfinite(o->expect) || !isfinite(o->point.v0) || !isfinite(o->start_velocity) || !(o->limit >= 0))
+    fuzz_fail("tolerance %g, expected %g, v0 %g, start %g, limit %g from\n%s", o->tolerance, o->expect, o->point.v0,
               o->start_velocity, o->limit, text);
   if ((o->command->operand != NULL) != (o->operand != NULL))
     fuzz_fail("the operand is missing, or not wanted, in\n%s", text);
@@ -66,13 +66,13 @@ static bool same_crawler(const struct scallop_crawler *a, const struct scallop_c
 
 static void judge_parameters(const char *text)
 {
-  struct options o = { .command = &command_phase, .crawler = scallop_crawler_default() };
+  struct options o = { .command = &command_phase, .point.crawler = scallop_crawler_default() };
   for (const char *const *name = crawler_parameters; *name; name++) {
-    const struct scallop_crawler before = o.crawler;
-    const char *wrong = options_set_parameter(&o, *name, text);
-    if (wrong && (!same_crawler(&before, &o.crawler) || *wrong == '\0'))
+    const struct scallop_crawler before = o.point.crawler;
+    const char *wrong = point_set(&o.point, *name, text);
+    if (wrong && (!same_crawler(&before, &o.point.crawler) || *wrong == '\0'))
       fuzz_fail("%s was refused '%s', and changed", *name, text);
-    if (scallop_crawler_check(&o.crawler, NULL) != SCALLOP_OK)
+    if (scallop_crawler_check(&o.point.crawler, NULL) != SCALLOP_OK)
       fuzz_fail("%s may be '%s'", *name, text);
   }
 }

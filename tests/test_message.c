@@ -1,6 +1,6 @@
-/* compare/words: which bytes can be shown on a terminal and in XML. */
+/* compare/text/message.h: which bytes can be shown on a terminal and in XML. */
 #include "check.h"
-#include "compare/text/words.h"
+#include "compare/text/message.h"
 
 static void characters_that_are_shown(void **state)
 {

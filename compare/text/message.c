@@ -1,8 +1,20 @@
-#include "compare/text/words.h"
+#include "compare/text/message.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
+
+void complain(const char *command, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  fprintf(stderr, "scallop %s: ", command);
+  vfprintf(stderr, format, arguments);
+  fputc('\n', stderr);
+  va_end(arguments);
+}
 
 /* Levenshtein's, upper and lower case being the same */
 static int distance(const char *a, const char *b)

@@ -1,9 +1,14 @@
-/* Words that a user writes: the name that a mistyped one was meant to be, and what can be shown as it is. */
-#ifndef SCALLOP_WORDS_H
-#define SCALLOP_WORDS_H
+/* Messages: exit codes, what is printed on stderr, and the name that a mistyped one was meant to be. */
+#ifndef SCALLOP_MESSAGE_H
+#define SCALLOP_MESSAGE_H
 
 #include <stdbool.h>
 #include <stddef.h>
+
+enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
+
+/* "scallop NAME: message" on stderr. */
+void complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Is word name but for upper and lower case? */
 bool likely(const char *word, const char *name);

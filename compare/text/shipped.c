@@ -1,9 +1,9 @@
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/text/words.h"
+#include "compare/text/message.h"
 
 const char *shipped_text(const struct shipped *list, const char *name)
 {

@@ -1,0 +1,52 @@
+/* An answer: a motion solved in one arithmetic, and its quantities by their places in the table (quantities.h).
+ *
+ * Four arithmetics: double, the solver itself; wide, the same walk in 64 or 113 bits; balls, every digit proven; and series in T. The
+ * latter two need FLINT (answer_flint.c). Statuses and accuracy are those of numerics/ and asymptotics/. */
+#ifndef SCALLOP_ANSWER_H
+#define SCALLOP_ANSWER_H
+
+#include "compare/answers/point.h"
+#include "compare/answers/quantities.h"
+#include "numerics/wide.h"
+
+/* What is solved: the steady state of a crawler, or one phase from velocity v0. */
+struct motion {
+  enum quantity_of of;
+  struct scallop_crawler crawler; /* T is the period, of a phase too */
+  enum scallop_phase_kind phase;
+  double v0;
+};
+struct motion motion_of(const struct point *point, enum quantity_of of);
+
+struct answer {
+  enum scallop_status status;            /* negative: nothing of what follows holds */
+  struct scallop_wide value[QUANTITIES]; /* nan where the motion has no such quantity; low is 0 in double */
+  enum scallop_regime regime;
+  struct scallop_modes modes[2]; /* of a phase the first */
+  double v_low, v_high;          /* double: the steady start velocities, equal unless SCALLOP_INTERVAL */
+};
+/* Returns whether there is an answer. */
+bool answer_in_double(struct answer *answer, const struct motion *motion);
+bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
+/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide.h); nan where there is none. */
+bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
+
+/* In balls, of the point exactly as it is written: each number as a decimal text of so many digits, the last one right to a unit; NULL
+ * where the motion has no such quantity. answer has status, regime and modes; *why more about a failure, or NULL. The texts are freed
+ * by decimals_free. Needs FLINT. */
+bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
+                        long digits, const char **why);
+void decimals_free(char *texts[QUANTITIES]);
+
+/* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
+enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };
+const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of, const struct scallop_modes modes[2]);
+/* Of a phase modes[1] is empty. */
+bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
+
+/* What the column status says of an answer: ok, which interval of steady states there is, or why there is none. Returns text or a
+ * text that lives for ever. */
+enum { ANSWER_STATUS = 160 };
+const char *answer_status_text(char text[ANSWER_STATUS], const struct answer *answer);
+
+#endif

@@ -1,0 +1,153 @@
+#include "compare/answers/answer_flint.h"
+
+#include <string.h>
+
+#include "numerics/certified.h"
+#include "asymptotics/derived.h"
+#include "compare/answers/rational.h"
+#include "compare/text/decimal.h"
+
+void ball_answer_init(struct ball_answer *a)
+{
+  memset(a, 0, sizeof *a);
+  scallop_certified_steady_init(&a->steady);
+  scallop_certified_phase_init(&a->phase);
+}
+
+void ball_answer_clear(struct ball_answer *a)
+{
+  scallop_certified_steady_clear(&a->steady);
+  scallop_certified_phase_clear(&a->phase);
+}
+
+static void take_steady(struct ball_answer *a)
+{
+  const struct scallop_certified_steady *s = &a->steady;
+  a->value[Q_FROUDE] = s->froude;
+  a->value[Q_V_START] = s->v_start;
+  a->value[Q_V_MID] = s->v_mid;
+  a->value[Q_DISPLACEMENT] = s->displacement;
+  a->value[Q_MEAN_VELOCITY] = s->mean_velocity;
+  a->value[Q_MULTIPLIER] = s->multiplier;
+  a->regime = s->regime;
+  a->modes[0] = s->modes[0];
+  a->modes[1] = s->modes[1];
+}
+
+static void take_phase(struct ball_answer *a)
+{
+  const struct scallop_certified_phase *p = &a->phase;
+  a->value[Q_T1] = p->switches ? p->t1 : NULL;
+  a->value[Q_DT] = p->switches ? p->dT : NULL;
+  a->value[Q_V_END] = p->v_end;
+  a->value[Q_DX1] = p->dx1;
+  a->value[Q_DX2] = p->dx2;
+  a->value[Q_DXC] = p->dxC;
+  a->regime = p->regime;
+  a->modes[0] = p->modes;
+}
+
+bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
+                     enum scallop_phase_kind phase, const fmpq_t v0, long digits)
+{
+  memset(a->value, 0, sizeof a->value);
+  a->why = NULL;
+  a->status = of == OF_STEADY ? scallop_certified_steady(c, digits, &a->steady, &a->why)
+                              : scallop_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
+  if (a->status != SCALLOP_OK)
+    return false;
+  if (of == OF_STEADY)
+    take_steady(a);
+  else
+    take_phase(a);
+  return true;
+}
+
+bool answer_of_doubles(struct ball_answer *a, const struct motion *m, long digits)
+{
+  struct scallop_rational_crawler exact;
+  fmpq_t v0;
+  scallop_rational_init(&exact);
+  scallop_rational_of(&exact, &m->crawler);
+  fmpq_init(v0);
+  scallop_rational_set_double(v0, m->v0);
+  bool done = answer_in_balls(a, &exact, m->of, m->phase, v0, digits);
+  fmpq_clear(v0);
+  scallop_rational_clear(&exact);
+  return done;
+}
+
+/* A few digits more than are printed, so that the last one is right to a unit. */
+static long digits_to_solve(long digits)
+{
+  enum { SPARE = 3 };
+  return digits + SPARE < SCALLOP_MOST_DIGITS ? digits + SPARE : SCALLOP_MOST_DIGITS;
+}
+
+bool answer_in_decimals(struct answer *a, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
+                        long digits, const char **why)
+{
+  struct scallop_rational_crawler crawler;
+  struct ball_answer b;
+  fmpq_t v0;
+  scallop_rational_init(&crawler);
+  fmpq_init(v0);
+  ball_answer_init(&b);
+  rational_point(&crawler, v0, point);
+  bool done = answer_in_balls(&b, &crawler, of, point->phase, v0, digits_to_solve(digits));
+  *a = (struct answer){ .status = b.status, .regime = b.regime, .modes = { b.modes[0], b.modes[1] } };
+  *why = b.why;
+  for (int q = 0; q < QUANTITIES; q++)
+    texts[q] = done && b.value[q] ? decimal_text(b.value[q], digits) : NULL;
+  ball_answer_clear(&b);
+  fmpq_clear(v0);
+  scallop_rational_clear(&crawler);
+  return done;
+}
+
+void decimals_free(char *texts[QUANTITIES])
+{
+  for (int q = 0; q < QUANTITIES; q++)
+    flint_free(texts[q]);
+}
+
+void series_answer_init(struct series_answer *a)
+{
+  memset(a, 0, sizeof *a);
+  scallop_steady_expansion_init(&a->steady);
+  scallop_phase_expansion_init(&a->phase);
+}
+
+void series_answer_clear(struct series_answer *a)
+{
+  scallop_steady_expansion_clear(&a->steady);
+  scallop_phase_expansion_clear(&a->phase);
+}
+
+static void take_expansions(struct series_answer *a, enum quantity_of of)
+{
+  const struct scallop_steady_expansion *s = &a->steady;
+  const struct scallop_phase_expansion *p = &a->phase;
+  bool steady = of == OF_STEADY, switches = !steady && p->switches;
+  a->modes = steady ? s->modes : p->modes;
+  a->value[Q_V_START] = steady ? &s->v_start : NULL;
+  a->value[Q_V_MID] = steady ? &s->v_mid : NULL;
+  a->value[Q_DISPLACEMENT] = steady ? &s->displacement : NULL;
+  a->value[Q_MEAN_VELOCITY] = steady ? &s->mean_velocity : NULL;
+  a->value[Q_T1] = switches ? &p->t1 : NULL;
+  a->value[Q_DT] = switches ? &p->dT : NULL;
+  a->value[Q_V_END] = steady ? NULL : &p->v_end;
+  a->value[Q_DX1] = steady ? NULL : &p->dx1;
+  a->value[Q_DX2] = steady ? NULL : &p->dx2;
+  a->value[Q_DXC] = steady ? NULL : &p->dxC;
+}
+
+bool answer_in_series(struct series_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
+                      enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision)
+{
+  a->why = NULL;
+  a->status = of == OF_STEADY ? scallop_expand_steady(c, order, precision, &a->steady, &a->why)
+                              : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
+  take_expansions(a, of);
+  return a->status == SCALLOP_OK;
+}

@@ -1,0 +1,41 @@
+/* Answers in balls, every digit proven, and in series. Need FLINT. */
+#ifndef SCALLOP_ANSWER_FLINT_H
+#define SCALLOP_ANSWER_FLINT_H
+
+#include "asymptotics/derived.h"
+#include "compare/answers/answer.h"
+#include "numerics/certified.h"
+
+struct ball_answer {
+  enum scallop_status status;          /* not SCALLOP_OK: nothing of what follows holds       */
+  const char *why;                     /* more about that, or NULL                            */
+  const arb_struct *value[QUANTITIES]; /* NULL where the motion has no such quantity          */
+  enum scallop_regime regime;
+  struct scallop_modes modes[2];          /* of a phase the first                             */
+  struct scallop_certified_steady steady; /* the values themselves, and of a phase also where it turns */
+  struct scallop_certified_phase phase;
+};
+void ball_answer_init(struct ball_answer *answer);
+void ball_answer_clear(struct ball_answer *answer);
+/* The motion in fractions: the crawler as it was written, or exactly the doubles of a motion. v0: NULL of a steady state. */
+bool answer_in_balls(struct ball_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
+                     enum scallop_phase_kind phase, const fmpq_t v0, long digits);
+/* Parameters and v0 are taken for exactly the doubles they are. */
+bool answer_of_doubles(struct ball_answer *answer, const struct motion *motion, long digits);
+
+struct series_answer {
+  enum scallop_status status;
+  const char *why;
+  const struct series
+      *value[QUANTITIES]; /* in powers of T, the period or the duration of the phase; NULL where there is none */
+  const char *modes;      /* for T -> 0 */
+  struct scallop_steady_expansion steady;
+  struct scallop_phase_expansion phase;
+};
+void series_answer_init(struct series_answer *answer);
+void series_answer_clear(struct series_answer *answer);
+/* All terms below T^order. */
+bool answer_in_series(struct series_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
+                      enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision);
+
+#endif

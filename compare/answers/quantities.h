@@ -1,0 +1,43 @@
+/* The one table of quantities: what can be asked of a point, and in which words and units. A new one is a row here and its value in
+ * each of the arithmetics that have it (answer.c, answer_flint.c). */
+#ifndef SCALLOP_QUANTITIES_H
+#define SCALLOP_QUANTITIES_H
+
+#include <stdbool.h>
+
+/* What a quantity is of: the steady state, or one phase from a start velocity. */
+enum quantity_of { OF_STEADY, OF_PHASE };
+
+enum quantity_id {
+  Q_FROUDE,
+  Q_V_START,
+  Q_V_MID,
+  Q_DISPLACEMENT,
+  Q_MEAN_VELOCITY,
+  Q_MULTIPLIER,
+  Q_T1,
+  Q_DT,
+  Q_V_END,
+  Q_DX1,
+  Q_DX2,
+  Q_DXC,
+  QUANTITIES
+};
+
+struct quantity_row {
+  const char *name;
+  const char *unit;     /* of the parameters' units; 1: a number without one  */
+  const char *sentence; /* what it is                                         */
+  enum quantity_of of;
+  bool has_series; /* in powers of T */
+};
+extern const struct quantity_row quantity_rows[QUANTITIES];
+
+/* The first of a motion and the one after its last: they stand together. */
+enum quantity_id quantity_first(enum quantity_of of);
+enum quantity_id quantity_end(enum quantity_of of);
+
+/* That of this name, or QUANTITIES. */
+enum quantity_id quantity_of_name(const char *name);
+
+#endif

@@ -1,0 +1,191 @@
+/* steady and phase: the quantities of one motion, a row for each point. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/answers/answer.h"
+#include "compare/answers/points.h"
+#include "compare/command/with_flint.h"
+
+static const char *const steady_accepts[] = { "m1",        "m2",    "F1",     "F2",     "L",      "T",      "alpha", "gait",
+                                              "certified", "error", "points", "format", "digits", "output", "quiet", NULL };
+static const char *const phase_accepts[] = { "m1",     "m2",     "F1",     "F2",     "L",         "T",
+                                             "alpha",  "gait",   "phase",  "v0",     "certified", "error",
+                                             "points", "format", "digits", "output", "quiet",     NULL };
+
+static enum quantity_of what(const struct options *o) { return o->command == &command_phase ? OF_PHASE : OF_STEADY; }
+
+/* A row of any arithmetic: the cells of the numbers, and why there are none. */
+struct cells {
+  struct answer answer;
+  char *decimals[QUANTITIES]; /* of --certified */
+  double errors[QUANTITIES];  /* of --error */
+  const char *why;            /* NULL: solved */
+  char reason[POINT_STATUS];
+};
+
+static void solve(struct cells *c, const struct options *o)
+{
+  const struct motion motion = motion_of(&o->point, what(o));
+  const char *more = NULL;
+  long digits = o->digits > 0 ? o->digits : CERTIFIED_DIGITS;
+  bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, &o->point, motion.of, digits, &more)
+              : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
+                           : answer_in_double(&c->answer, &motion);
+  snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
+  c->why = done ? NULL : c->reason;
+}
+
+/* Digits with an exponent at most: what every reader takes for a number */
+static bool is_plain(const char *text)
+{
+  size_t whole = strspn(text, "0123456789");
+  const char *rest = text + whole;
+  if (whole == 0 || (whole > 1 && *text == '0'))
+    return false;
+  if (*rest == '.')
+    rest += 1 + strspn(rest + 1, "0123456789");
+  return rest[-1] != '.' && (*rest == '\0' || *rest == 'e' || *rest == 'E');
+}
+
+/* With --certified as it was written: a double would not hold all digits. */
+static void write_parameter(struct table *t, const struct options *o, const char *written, double value)
+{
+  char text[NUMBER_TEXT];
+  if (!o->certified) {
+    table_number(t, value);
+    return;
+  }
+  number_text(text, value, 0);
+  if (written && !is_plain(written) && t->options->format == FORMAT_JSON)
+    table_text(t, written);
+  else
+    table_digits(t, written ? written : text);
+}
+
+/* refused: as in points.h */
+static void write_point(struct table *t, const struct options *o, const char *refused)
+{
+  double numbers[CRAWLER_NUMBERS];
+  crawler_numbers(&o->point.crawler, numbers);
+  if (refused)
+    point_parameters(t, o, refused);
+  else {
+    for (int i = 0; i < CRAWLER_NUMBERS; i++)
+      write_parameter(t, o, o->point.written[i], numbers[i]);
+    table_text(t, o->point.crawler.gait->name);
+  }
+  if (what(o) != OF_PHASE)
+    return;
+  table_text(t, refused ? "-" : o->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  if (refused)
+    table_number(t, NAN);
+  else
+    write_parameter(t, o, o->point.written_v0, o->point.v0);
+}
+
+static void write_numbers(struct table *t, const struct options *o, const struct cells *c)
+{
+  static const double rounded_up = 1.005; /* of an estimate, with three digits */
+  int first = (int)quantity_first(what(o)), end = (int)quantity_end(what(o));
+  for (int q = first; q < end; q++)
+    if (c->decimals[q])
+      table_digits(t, c->decimals[q]);
+    else
+      table_number(t, c->why || o->certified ? NAN : c->answer.value[q].high);
+  for (int q = first; q < end && o->error; q++)
+    if (c->why)
+      table_number(t, NAN);
+    else
+      table_rounded(t, rounded_up * c->errors[q], "%.3g");
+}
+
+static const char *row(struct table *t, const struct options *o, const char *refused)
+{
+  static struct cells c; /* its reason outlives the call */
+  char modes[MOTION_MODES_TEXT], status[ANSWER_STATUS];
+  memset(c.decimals, 0, sizeof c.decimals);
+  c.why = refused;
+  if (!refused)
+    solve(&c, o);
+  write_point(t, o, refused);
+  write_numbers(t, o, &c);
+  table_text(t, c.why ? "-" : scallop_regime_text(c.answer.regime));
+  table_text(t, c.why ? "-" : motion_modes_text(modes, what(o), c.answer.modes));
+  table_text(t, c.why ? c.why : o->certified ? "certified" : answer_status_text(status, &c.answer));
+  if (o->certified)
+    decimals_free(c.decimals);
+  return c.why;
+}
+
+static enum exit_code run(const struct options *o)
+{
+  enum { MOST = 2 * QUANTITIES + 4, NAME = 32 };
+  static const char *const none[] = { NULL }, *const of_phase[] = { "phase", "v0", NULL };
+  const char *columns[MOST];
+  char errors[QUANTITIES][NAME];
+  int n = 0, first = (int)quantity_first(what(o)), end = (int)quantity_end(what(o));
+  if (o->certified && o->error) {
+    complain(o->command->name, "--error has nothing to do with --certified: every digit is proven");
+    return EXIT_USAGE;
+  }
+  if (o->certified && !has_flint(o, "--certified"))
+    return EXIT_UNSOLVED;
+  for (int q = first; q < end; q++)
+    columns[n++] = quantity_rows[q].name;
+  for (int q = first; q < end && o->error; q++) {
+    snprintf(errors[q], NAME, "%s_error", quantity_rows[q].name);
+    columns[n++] = errors[q];
+  }
+  columns[n++] = "regime";
+  columns[n++] = "modes";
+  columns[n++] = "status";
+  columns[n] = NULL;
+  return for_each_point(o, what(o) == OF_PHASE ? of_phase : none, columns, row);
+}
+
+static const struct unless_given unless_given[] = {
+  { "digits", "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS) },
+  { NULL, NULL },
+};
+
+#define ABOUT_ARITHMETICS \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
+  "doubles\n" \
+  "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
+  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
+  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table too,\n" \
+  "and status is certified. What touches a boundary exactly cannot be decided, which status says. A polynomial\n" \
+  "whose l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
+
+const struct command command_steady = {
+  .name = "steady",
+  .summary = "the periodic steady state, exactly",
+  .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
+  .accepts = steady_accepts,
+  .about = "Columns: the parameters; froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity of both bodies\n"
+           "at the start of the extension and of the contraction; displacement of the geometric centre over a period,\n"
+           "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
+           "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
+           "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
+           "answer.\n" ABOUT_ARITHMETICS,
+  .unless_given = unless_given,
+  .proven = "with --certified",
+  .run = run,
+};
+
+const struct command command_phase = {
+  .name = "phase",
+  .summary = "one extension or contraction phase from a start velocity, exactly",
+  .example = "scallop phase --phase extension --v0 2.5",
+  .accepts = phase_accepts,
+  .about =
+      "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
+      "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
+      "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
+      "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
+      "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
+  .unless_given = unless_given,
+  .proven = "with --certified",
+  .run = run,
+};
