@@ -18,6 +18,7 @@
 #include <stdbool.h>
 
 #include "compare/order/order.h"
+#include "compare/text/message.h"
 #include "model/ball.h"
 #include "model/model.h"
 
@@ -49,7 +50,7 @@ struct claim_row {
 
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
-  int count, room;
+  int count;
   char contradiction[400]; /* "", or what contradicts itself (the last one), or that memory ran out */
 };
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
@@ -66,5 +67,9 @@ void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawl
 
 /* Is the name one of a list, separated by commas, or the list "all"? */
 bool claim_is_listed(const char *list, const char *name);
+
+/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
+struct options;
+enum exit_code claims_check(const struct options *options, const char *ledger);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/text/decimal.h"
+#include "compare/text/grow.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12, DIGITS = 12 };
@@ -31,17 +32,13 @@ bool claim_is_listed(const char *list, const char *name)
 
 void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
-  if (ledger->count == ledger->room) {
-    int room = ledger->room + 256;
-    struct claim_row *rows = realloc(ledger->rows, sizeof *rows * (size_t)room);
-    if (!rows) {
-      snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
-      return;
-    }
-    ledger->rows = rows;
-    ledger->room = room;
+  struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);
+  if (!rows) {
+    snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
+    return;
   }
-  ledger->rows[ledger->count++] = *row;
+  ledger->rows = rows;
+  rows[ledger->count++] = *row;
 }
 
 void ledger_free(struct ledger *ledger)

@@ -1,11 +1,14 @@
-/* The ledger as a table, and its verdicts against those of a ledger that was written before. */
+/* The ledger as a table, and its verdicts against those of the ledger that comes with the tool. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "compare/claims/claims.h"
-#include "compare/claims/read.h"
-#include "compare/command/compare.h"
 #include "compare/answers/rational.h"
+#include "compare/claims/claims.h"
+#include "compare/command/compare.h"
 #include "compare/command/with_flint.h"
+#include "compare/text/grow.h"
+#include "compare/text/shipped.h"
+#include "compare/text/tsv.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
@@ -15,17 +18,25 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
 static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
                                              "inside", "h",        "err",      "pairwise", "use",           NULL };
 
+static void write_texts(struct table *t, const char *const *texts, int count)
+{
+  for (int i = 0; i < count; i++)
+    table_text(t, *texts[i] ? texts[i] : "-");
+}
+
+/* What the rows of both tables begin with */
+static void write_claim(struct table *t, const struct claim_row *row)
+{
+  write_texts(t, (const char *const[]){ row->claim, row->equation, row->quantity, row->gait }, 4);
+  table_number(t, row->claimed_order);
+}
+
 static void write_errors(struct table *t, const struct claim_row *row)
 {
   for (int i = 0; i < row->count; i++) {
     const struct order_point *p = &row->points[i];
-    table_text(t, row->claim);
-    table_text(t, row->equation);
-    table_text(t, row->quantity);
-    table_text(t, row->gait);
-    table_number(t, row->claimed_order);
-    table_text(t, row->conditions);
-    table_text(t, row->inside ? "yes" : "no");
+    write_claim(t, row);
+    write_texts(t, (const char *const[]){ row->conditions, row->inside ? "yes" : "no" }, 2);
     table_number(t, p->h);
     table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
     table_rounded(t, p->pairwise, "%.2f");
@@ -43,24 +54,16 @@ static const char *derived_text(const struct claim_row *row)
 
 static void write_row(struct table *t, const struct claim_row *row)
 {
-  table_text(t, row->claim);
-  table_text(t, row->equation);
-  table_text(t, row->quantity);
-  table_text(t, row->gait);
-  table_number(t, row->claimed_order);
+  const char *const texts[] = {
+    claim_verdict_text(row->verdict), derived_text(row), row->coefficient, row->corrected, row->conditions,
+    row->inside ? "yes" : "no",       row->ours ? "corrected" : "paper",   row->measured,  row->reason,
+  };
+  write_claim(t, row);
   table_rounded(t, row->fit.order, "%.6f");
   table_rounded(t, row->fit.lo, "%.6f");
   table_rounded(t, row->fit.hi, "%.6f");
   table_rounded(t, row->fit.used, "%.0f");
-  table_text(t, claim_verdict_text(row->verdict));
-  table_text(t, derived_text(row));
-  table_text(t, *row->coefficient ? row->coefficient : "-");
-  table_text(t, *row->corrected ? row->corrected : "-");
-  table_text(t, row->conditions);
-  table_text(t, row->inside ? "yes" : "no");
-  table_text(t, row->ours ? "corrected" : "paper");
-  table_text(t, *row->measured ? row->measured : "-");
-  table_text(t, *row->reason ? row->reason : "-");
+  write_texts(t, texts, sizeof texts / sizeof *texts);
 }
 
 static void summarise(const struct ledger *ledger)
@@ -80,13 +83,14 @@ static void summarise(const struct ledger *ledger)
 /* All rows, or those about the requested errors */
 static void fill(struct ledger *ledger, const struct options *o)
 {
+  const struct point *p = &o->point;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  rational_point(&exact, NULL, &o->point);
-  ledger_add_orders(ledger, &exact, o->point.has_gait ? exact.gait : NULL, o->errors);
+  rational_point(&exact, NULL, p);
+  ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
   scallop_rational_clear(&exact);
   if (!o->errors)
-    ledger_add_words(ledger, &o->point.crawler, o->point.has_gait ? o->point.crawler.gait : NULL);
+    ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
 }
 
 static bool begin(struct table *table, const struct options *o, const char *const *names)
@@ -105,107 +109,139 @@ static bool begin(struct table *table, const struct options *o, const char *cons
   return true;
 }
 
-/* Writes the rows of the ledger. */
-static enum exit_code write_ledger(struct table *table, const struct ledger *ledger, const struct options *o)
+static enum exit_code end(struct table *table, const struct ledger *ledger)
 {
-  if (!begin(table, o, o->errors ? error_columns : columns))
-    return EXIT_FILE;
-  for (int i = 0; i < ledger->count; i++)
-    (o->errors ? write_errors : write_row)(table, &ledger->rows[i]);
   if (!table_close(table))
     return EXIT_FILE;
-  if (!o->quiet && !o->errors && !*ledger->contradiction)
-    summarise(ledger);
-  return EXIT_DONE;
+  if (*ledger->contradiction)
+    complain("claims", "the ledger contradicts itself: %s", ledger->contradiction);
+  return *ledger->contradiction ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-/* --check: the verdicts against those of a ledger that was written before */
+static enum exit_code write_ledger(const struct options *o)
+{
+  struct table table;
+  struct ledger ledger = { .rows = NULL };
+  enum exit_code code = EXIT_FILE;
+  fill(&ledger, o);
+  if (o->errors && ledger.count == 0) {
+    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
+             o->errors);
+    code = EXIT_USAGE;
+  } else if (begin(&table, o, o->errors ? error_columns : columns)) {
+    for (int i = 0; i < ledger.count; i++)
+      (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
+    code = end(&table, &ledger);
+  }
+  if (code == EXIT_DONE && !o->quiet && !o->errors)
+    summarise(&ledger);
+  ledger_free(&ledger);
+  return code;
+}
 
+/* --check */
+
+enum { KEYS = 5, VERDICT = KEYS, ORDER, KEPT };
+static const char *const kept_columns[KEPT] = { "claim",      "equation", "quantity",     "gait",
+                                                "conditions", "verdict",  "derived_order" };
 static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
                                              "conditions",      "verdict",  "derived_order", "committed",
                                              "committed_order", NULL };
 
-static void write_difference(struct table *t, const char *const key[COMMITTED_KEYS], const char *now, const char *order,
-                             const char *then, const char *order_then)
-{
-  for (int i = 0; i < COMMITTED_KEYS; i++)
-    table_text(t, key[i]);
-  table_text(t, now);
-  table_text(t, order);
-  table_text(t, then);
-  table_text(t, order_then);
-}
+struct committed { /* a row of the earlier ledger */
+  const char *cell[KEPT];
+  bool met; /* some row of today's is this one */
+};
 
-/* The committed row that the key names and no row was before; NULL: there is none */
-static struct committed *find_committed(const struct committed_ledger *committed, const char *const key[COMMITTED_KEYS])
+struct check {
+  struct table table;
+  struct tsv tsv;
+  struct committed *rows;
+  int count, differ;
+};
+
+/* NULL, or what is wrong. The cells are those of check->tsv. */
+static const char *read_committed(struct check *check, const char *ledger)
 {
-  for (struct committed *c = committed->rows; c < committed->rows + committed->count; c++) {
-    bool same = !c->met;
-    for (int k = 0; k < COMMITTED_KEYS; k++)
-      same = same && strcmp(key[k], c->key[k]) == 0;
-    if (same)
-      return c;
+  struct tsv *t = &check->tsv;
+  int place[KEPT];
+  if (!tsv_open_text(t, "the ledger that comes with the tool", ledger) || !tsv_next(t) || !tsv_take_header(t))
+    return "out of memory";
+  for (int k = 0; k < KEPT; k++)
+    if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
+      return tsv_at(t, "there is no column '%s'", kept_columns[k]);
+  while (tsv_next(t)) {
+    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
+    if (!rows)
+      return "out of memory";
+    check->rows = rows;
+    if (t->count != t->columns)
+      return tsv_at(t, "%d columns where the header has %d", t->count, t->columns);
+    rows[check->count] = (struct committed){ .met = false };
+    for (int k = 0; k < KEPT; k++)
+      rows[check->count].cell[k] = t->cell[place[k]];
+    check->count++;
   }
   return NULL;
 }
 
-/* Returns how many differ. */
-static int write_differences(struct table *t, const struct ledger *ledger, const struct committed_ledger *committed,
-                             const struct options *o)
+/* The keys, and the verdict and order of both ledgers */
+static void write_difference(struct check *check, const char *const *keys, const char *const *now, const char *const *then)
 {
-  int differ = 0;
-  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
-    const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
-    const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
-    struct committed *c = find_committed(committed, key);
-    if (c)
-      c->met = true;
-    if (c && strcmp(verdict, c->verdict) == 0 && strcmp(order, c->order) == 0)
+  write_texts(&check->table, keys, KEYS);
+  write_texts(&check->table, now, 2);
+  write_texts(&check->table, then, 2);
+  check->differ++;
+}
+
+static const char *const none[] = { "-", "-" };
+
+static void check_row(struct check *check, const struct claim_row *row)
+{
+  const char *const keys[KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+  const char *const now[] = { claim_verdict_text(row->verdict), derived_text(row) };
+  for (struct committed *c = check->rows, *last = c + check->count; c < last; c++) {
+    bool same = !c->met;
+    for (int k = 0; same && k < KEYS; k++)
+      same = strcmp(keys[k], c->cell[k]) == 0;
+    if (!same)
       continue;
-    write_difference(t, key, verdict, order, c ? c->verdict : "-", c ? c->order : "-");
-    differ++;
+    c->met = true;
+    if (strcmp(now[0], c->cell[VERDICT]) != 0 || strcmp(now[1], c->cell[ORDER]) != 0)
+      write_difference(check, keys, now, &c->cell[VERDICT]);
+    return;
   }
-  for (const struct committed *c = committed->rows; c < committed->rows + committed->count; c++)
-    if (!c->met && (!o->point.has_gait || strcmp(c->key[3], o->point.crawler.gait->name) == 0)) {
-      write_difference(t, c->key, "-", "-", c->verdict, c->order);
-      differ++;
-    }
-  return differ;
+  write_difference(check, keys, now, none);
 }
 
-static enum exit_code check_ledger(struct table *table, const struct ledger *ledger,
-                                   const struct committed_ledger *committed, const struct options *o)
+enum exit_code claims_check(const struct options *o, const char *committed)
 {
-  if (!begin(table, o, check_columns))
-    return EXIT_FILE;
-  int differ = write_differences(table, ledger, committed, o);
-  if (!table_close(table))
-    return EXIT_FILE;
-  if (!o->quiet && !*ledger->contradiction)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger->count, differ, ledger_name(o->against));
-  return differ > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
-}
-
-enum exit_code claims_table(const struct options *o)
-{
-  struct table table;
+  struct check check = { .count = 0 };
   struct ledger ledger = { .rows = NULL };
-  struct committed_ledger committed = { .rows = NULL };
-  enum exit_code code = o->check ? committed_read(&committed, o->against) : EXIT_DONE;
+  const char *wrong = read_committed(&check, committed);
+  enum exit_code code = wrong ? EXIT_UNSOLVED : EXIT_DONE;
+  if (wrong)
+    complain("claims", "%s", wrong);
+  else if (!begin(&check.table, o, check_columns))
+    code = EXIT_FILE;
   if (code == EXIT_DONE) {
     fill(&ledger, o);
-    if (o->errors && ledger.count == 0) {
-      complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
-               o->errors);
-      code = EXIT_USAGE;
-    } else
-      code = o->check ? check_ledger(&table, &ledger, &committed, o) : write_ledger(&table, &ledger, o);
+    for (int i = 0; i < ledger.count; i++)
+      check_row(&check, &ledger.rows[i]);
+    for (const struct committed *c = check.rows; c < check.rows + check.count; c++)
+      if (!c->met && (!o->point.has_gait || strcmp(c->cell[3], o->point.crawler.gait->name) == 0))
+        write_difference(&check, c->cell, none, &c->cell[VERDICT]);
+    code = end(&check.table, &ledger);
   }
-  if (*ledger.contradiction && code != EXIT_FILE) {
-    complain("claims", "the ledger contradicts itself: %s", ledger.contradiction);
-    code = EXIT_UNSOLVED;
-  }
-  committed_free(&committed);
+  if (code == EXIT_DONE && !o->quiet)
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger.count, check.differ, check.tsv.name);
+  free(check.rows);
+  tsv_close(&check.tsv);
   ledger_free(&ledger);
-  return code;
+  return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
+}
+
+enum exit_code claims_table(const struct options *options)
+{
+  return options->check ? claims_check(options, shipped_text(shipped_ledger, "claims")) : write_ledger(options);
 }

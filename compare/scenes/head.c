@@ -75,7 +75,7 @@ static bool has_start(const struct scene *s, const struct scene_want *w)
 {
   bool has = w->kind == WANT_TRAJECTORY;
   for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
+    int places[FORMULA_STEPS], count = scene_column_quantities(&w->column[i], places);
     for (int k = 0; k < count; k++)
       has |= is_of_start(&s->quantities, places[k]);
   }

@@ -105,6 +105,8 @@ bool series_columns(const struct reading *r, const config_setting_t *at, struct 
                     bool with_errors);
 /* Has a scene like this one that quantity? False: it is said why not. */
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
+/* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
+const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
 

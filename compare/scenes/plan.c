@@ -156,13 +156,13 @@ static void need_quantity(struct planning *p, int place)
 }
 
 /* The quantities of the columns and orders of a want, and of where a trajectory ends. Returns how many. */
-static int quantities_of(const struct scene_want *w, int places[MOST_QUANTITIES + ARITHMETIC_STEPS])
+static int quantities_of(const struct scene_want *w, int places[MOST_QUANTITIES + FORMULA_STEPS])
 {
   int count = 0;
   for (int i = 0; i < w->columns && count < MOST_QUANTITIES; i++)
     count += scene_column_quantities(&w->column[i], places + count);
   if (w->until.is_formula && count < MOST_QUANTITIES)
-    count += arithmetic_places(&w->until.formula, places + count);
+    count += formula_places(&w->until.formula, places + count);
   for (int i = 0; i < w->series && count < MOST_QUANTITIES; i++)
     places[count++] = w->of[i];
   return count;
@@ -177,7 +177,7 @@ static void find_accuracy(const struct scene *s, struct scene_needs *needs)
   needs->digits = DIGITS_OF_DOUBLE;
   for (int i = 0; i < s->wants; i++) {
     const struct scene_want *w = &s->want[i];
-    int places[MOST_QUANTITIES + ARITHMETIC_STEPS];
+    int places[MOST_QUANTITIES + FORMULA_STEPS];
     bool has_errors = false;
     for (int k = quantities_of(w, places); k-- > 0;) {
       const struct quantity *q = &s->quantities.item[places[k]];
@@ -196,7 +196,7 @@ static void find_accuracy(const struct scene *s, struct scene_needs *needs)
 
 static void plan_want(struct planning *p, const struct scene_want *w)
 {
-  int places[MOST_QUANTITIES + ARITHMETIC_STEPS];
+  int places[MOST_QUANTITIES + FORMULA_STEPS];
   double rows = w->kind == WANT_COMMAND ? 0 : p->points;
   for (int i = 0, count = quantities_of(w, places); i < count; i++)
     need_quantity(p, places[i]);

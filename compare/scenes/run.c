@@ -31,7 +31,7 @@ static bool tells_steady(const struct running *r, const struct scene_want *w)
 {
   const struct quantities *all = &r->scene->quantities;
   for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
+    int places[FORMULA_STEPS], count = scene_column_quantities(&w->column[i], places);
     for (int k = 0; k < count; k++)
       if (is_of_steady(all, &all->item[places[k]]))
         return true;

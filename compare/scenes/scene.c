@@ -31,10 +31,10 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .products = 0 };
 }
 
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS])
+int scene_column_quantities(const struct scene_column *column, int places[FORMULA_STEPS])
 {
   if (column->quantity < 0)
-    return arithmetic_places(&column->formula, places);
+    return formula_places(&column->formula, places);
   places[0] = column->quantity;
   return 1;
 }

@@ -12,7 +12,7 @@
 #include "compare/answers/counts.h"
 #include "compare/answers/quantity.h"
 #include "compare/command/compare.h"
-#include "compare/text/formula.h"
+#include "asymptotics/formula.h"
 
 enum {
   SCENE_GROUPS = 8,
@@ -40,7 +40,7 @@ enum scene_target {
 struct scene_end { /* of a range */
   bool is_formula; /* of parameters that are set further out, and sticking_onset */
   double number;
-  struct arithmetic formula;
+  struct formula formula;
 };
 
 struct scene_variable {
@@ -70,7 +70,7 @@ enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
 struct scene_column {
   const char *name; /* in the table */
   int quantity;     /* one as it is, a text perhaps; -1: the formula */
-  struct arithmetic formula;
+  struct formula formula;
 };
 
 struct scene_plot {
@@ -148,7 +148,7 @@ enum exit_code scene_read(struct scene *scene, const struct scene_source *source
 void scene_free(struct scene *scene);
 
 /* The quantities of a column: that one, or those of its formula. Returns how many. */
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
+int scene_column_quantities(const struct scene_column *column, int places[FORMULA_STEPS]);
 /* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
 const char *scene_variable_sets(const struct scene_variable *variable);
 /* The variables of all products, one after another: number i, or NULL after the last. */

@@ -397,12 +397,12 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   }
 }
 
-double state_formula(struct scene_state *s, const struct arithmetic *formula)
+double state_formula(struct scene_state *s, const struct formula *formula)
 {
-  int places[ARITHMETIC_STEPS], count = arithmetic_places(formula, places);
+  int places[FORMULA_STEPS], count = formula_places(formula, places);
   for (int i = 0; i < count; i++)
     state_number(s, places[i]);
-  return arithmetic_value(formula, s->value);
+  return formula_double(formula, s->value);
 }
 
 double state_end(struct scene_state *s, const struct scene_end *end)

@@ -104,10 +104,7 @@ bool way_has(const struct way *way, int quantity); /* whether there is a row for
 extern const char *const way_quantities[]; /* their names, NULL-terminated                                 */
 extern const char *const summary_columns[];
 struct table;
-struct options;
 /* The rows of one point: for each wanted error that somebody reaches. */
 void summary_write(struct table *table, const struct ways *ways);
-/* workprec --from: the summary of options->from. Returns an exit code. */
-int summary_from_file(const struct options *options);
 
 #endif
