@@ -3,14 +3,15 @@
  * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row of the ledger
  * is one claim for one gait under one set of conditions. There are two kinds of claims:
  *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours). order.c goes
- *     through these lists, samples.[ch] derives and measures the error of a formula, ends.c has the two that are about l' alone;
+ *     through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c holds one against the other;
  *   - in words: one row in the table of words.c, with the function that decides it. Those functions use evidence.[ch] (certified
  *     solutions, random crawlers, the texts of a row) and family.[ch] (crawlers that differ in one number).
  *
- * What the ledger promises. holds and refuted are proven: by the derived expansion (every coefficient exact, or in a ball that does
- * not hold 0), by a certified example, or in docs/theory.md; random crawlers only accompany such a proof. Where nothing is proven
- * the verdict is undecided. A refuted order names the formula that holds instead. A row that contradicts itself (a measured slope
- * that is not the derived order, a correction that does not hold) is an error of the ledger, not a verdict.
+ * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. A claim in
+ * words is decided by a certified example, by a proof in docs/theory.md that random crawlers accompany, or by a scan; conditions and
+ * measured say which ("certified", "quasi-random", what was scanned). What is neither shown nor refuted is undecided. A refuted order
+ * names the formula that holds instead. A row that contradicts itself (a measured slope that is not the derived order, a correction
+ * that does not hold) is an error of the ledger, not a verdict.
  */
 #ifndef SCALLOP_CLAIMS_H
 #define SCALLOP_CLAIMS_H

@@ -14,7 +14,4 @@ void ledger_enter(struct ledger *ledger, struct claim_row *row);
  * not, it is noted. */
 void ledger_check_corrections(struct ledger *ledger, int first);
 
-/* Adds the rows about l' and l near the end of a phase, (A.11) and (A.12) (ends.c). */
-void ledger_add_ends(struct ledger *ledger, const struct scallop_gait *gait, const char *only);
-
 #endif

@@ -36,8 +36,9 @@ static struct largest largest(probe *p, const struct scallop_gait *gait, int cou
 }
 
 /* The claim that the largest value is not above a limit: what is measured where that is so, and where it is not */
-static void at_most(struct question *q, double limit, probe *p, const char *below, const char *above)
+static void at_most(struct question *q, const char *conditions, double limit, probe *p, const char *below, const char *above)
 {
+  under(q, "%s", conditions);
   struct largest x = largest(p, q->crawler.gait, RANDOM_CRAWLERS);
   bool holds = x.value <= limit && x.of > 0;
   measured(q, "%s", holds ? below : above);
@@ -54,8 +55,7 @@ static const char whole_set[] = SET ", sliding to stick-slip", from_rest[] = SET
 static double moved(struct scallop_crawler c) { return fabs(steady_state(&c).period.displacement); }
 static void does_not_move(struct question *q, probe *p)
 {
-  under(q, whole_set);
-  at_most(q, EVIDENCE_ZERO, p, "largest |displacement|/L: below 1e-14", "largest |displacement|/L: above 1e-14");
+  at_most(q, whole_set, EVIDENCE_ZERO, p, "largest |displacement|/L: below 1e-14", "largest |displacement|/L: above 1e-14");
 }
 
 static double moved_by_equal_forces(struct scallop_crawler c)
@@ -76,7 +76,7 @@ static double multiplier(struct scallop_crawler c) { return steady_state(&c).per
 void steady_state_attracts(struct question *q)
 {
   double x = largest(multiplier, q->crawler.gait, RANDOM_CRAWLERS).value;
-  under(q, whole_set);
+  under(q, "%s", whole_set);
   measured(q, "largest multiplier of the period map: %.4f", x);
   settle(q, x < 1, true);
 }
@@ -93,8 +93,7 @@ static double unsettled(struct scallop_crawler c)
 }
 void motion_settles(struct question *q)
 {
-  under(q, whole_set);
-  at_most(q, 1e-6, unsettled, "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6",
+  at_most(q, whole_set, 1e-6, unsettled, "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6",
           "largest |v - v_start| T/L after at most 20000 periods from rest: above 1e-6");
 }
 
@@ -141,8 +140,7 @@ static double both_rest(struct scallop_crawler c)
 }
 void one_body_moves(struct question *q)
 {
-  under(q, whole_set);
-  at_most(q, 0, both_rest, "x2' - x1' = l'; both bodies at rest at once in a steady state: never",
+  at_most(q, whole_set, 0, both_rest, "x2' - x1' = l'; both bodies at rest at once in a steady state: never",
           "both bodies at rest at once in a steady state: for one at least");
 }
 
@@ -154,8 +152,8 @@ static double not_mirrored(struct scallop_crawler c)
 }
 void bodies_are_exchanged(struct question *q)
 {
-  under(q, SET "; m1 and m2, F1 and F2 exchanged");
-  at_most(q, EVIDENCE_ZERO, not_mirrored, "displacement of one plus that of the other, over L: below 1e-14",
+  at_most(q, SET "; m1 and m2, F1 and F2 exchanged", EVIDENCE_ZERO, not_mirrored,
+          "displacement of one plus that of the other, over L: below 1e-14",
           "displacement of one plus that of the other, over L: above 1e-14");
 }
 
@@ -175,8 +173,7 @@ static double not_opposed(struct scallop_crawler c)
 }
 void equal_forces_oppose(struct question *q)
 {
-  under(q, SET "; F2 = F1");
-  at_most(q, EVIDENCE_ZERO, not_opposed, "the modes are -+ | +- and |v_start| T/L is below 1e-14",
+  at_most(q, SET "; F2 = F1", EVIDENCE_ZERO, not_opposed, "the modes are -+ | +- and |v_start| T/L is below 1e-14",
           "other modes, or |v_start| T/L above 1e-14");
 }
 
@@ -197,8 +194,8 @@ static double slows_in_extension(struct scallop_crawler c)
 }
 void velocity_rises(struct question *q)
 {
-  under(q, SET ", F1 > F2, the steady states that slide");
-  at_most(q, 0, slows_in_extension, "v_mid > v_start for all", "v_mid < v_start for one at least");
+  at_most(q, SET ", F1 > F2, the steady states that slide", 0, slows_in_extension, "v_mid > v_start for all",
+          "v_mid < v_start for one at least");
 }
 
 /* How far v_start is from -v_mid, and on the side of F1 - F2 */
@@ -211,8 +208,8 @@ static double symmetric_start(struct scallop_crawler c)
 }
 void symmetric_timing_starts_backward(struct question *q)
 {
-  under(q, SET "; alpha = 1/2");
-  at_most(q, EVIDENCE_ZERO, symmetric_start, "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2",
+  at_most(q, SET "; alpha = 1/2", EVIDENCE_ZERO, symmetric_start,
+          "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2",
           "v_start is not -v_mid, or on the side of F1 - F2");
 }
 
@@ -225,8 +222,7 @@ static double starts_against_motion(struct scallop_crawler c)
 }
 void starts_forward_at_high_froude(struct question *q)
 {
-  under(q, SET ", Froude number 1e8");
-  at_most(q, 0, starts_against_motion, "v_start against the displacement: never",
+  at_most(q, SET ", Froude number 1e8", 0, starts_against_motion, "v_start against the displacement: never",
           "v_start against the displacement: for one at least");
 }
 
@@ -262,8 +258,7 @@ static double centre_goes_back(struct scallop_crawler c)
 }
 void centre_moves_forward(struct question *q)
 {
-  under(q, SET ", F1 > F2, m1 = m2, from rest");
-  at_most(q, 0, centre_goes_back, "dx_C > 0 for all", "dx_C < 0 for one at least");
+  at_most(q, SET ", F1 > F2, m1 = m2, from rest", 0, centre_goes_back, "dx_C > 0 for all", "dx_C < 0 for one at least");
 }
 
 static double not_two_intervals(struct scallop_crawler c)
@@ -276,8 +271,7 @@ static double not_two_intervals(struct scallop_crawler c)
 }
 void two_intervals(struct question *q)
 {
-  under(q, from_rest);
-  at_most(q, 0, not_two_intervals, "the modes are -+ ++ for all", "other modes for one at least");
+  at_most(q, from_rest, 0, not_two_intervals, "the modes are -+ ++ for all", "other modes for one at least");
 }
 
 static double last_interval(struct scallop_crawler c)
@@ -288,8 +282,7 @@ static double last_interval(struct scallop_crawler c)
 }
 void first_interval_is_greater(struct question *q)
 {
-  under(q, from_rest);
-  at_most(q, 0.5, last_interval, "dT is less than half of the duration for all",
+  at_most(q, from_rest, 0.5, last_interval, "dT is less than half of the duration for all",
           "dT is more than half of the duration for one at least");
 }
 
@@ -305,8 +298,7 @@ static double last_interval_shrinks(struct scallop_crawler c)
 }
 void last_interval_grows(struct question *q)
 {
-  under(q, from_rest);
-  at_most(q, 0, last_interval_shrinks, "dT grows with the duration for all, here by 1 %",
+  at_most(q, from_rest, 0, last_interval_shrinks, "dT grows with the duration for all, here by 1 %",
           "dT shrinks for one at least, the duration growing by 1 %");
 }
 
@@ -314,8 +306,8 @@ void last_interval_grows(struct question *q)
 static double holds_back(struct scallop_crawler c) { return extension(&c, 0).dxC - extension_from(&c, 0.1 * c.alpha).dxC; }
 void start_velocity_adds_displacement(struct question *q)
 {
-  under(q, SET ", v0 = alpha/10 L over the duration");
-  at_most(q, 0, holds_back, "dx_C is larger than from rest for all", "dx_C is smaller than from rest for one at least");
+  at_most(q, SET ", v0 = alpha/10 L over the duration", 0, holds_back, "dx_C is larger than from rest for all",
+          "dx_C is smaller than from rest for one at least");
 }
 
 static double adds_velocity(struct scallop_crawler c)
@@ -325,8 +317,7 @@ static double adds_velocity(struct scallop_crawler c)
 }
 void start_velocity_takes_velocity(struct question *q)
 {
-  under(q, SET ", v0 = alpha/10 L over the duration");
-  at_most(q, 0, adds_velocity, "v_end - v0 is smaller than from rest for all",
+  at_most(q, SET ", v0 = alpha/10 L over the duration", 0, adds_velocity, "v_end - v0 is smaller than from rest for all",
           "v_end - v0 is larger than from rest for one at least");
 }
 

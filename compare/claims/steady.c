@@ -56,13 +56,14 @@ static const struct scallop_certified_steady *describe(struct question *q, const
 typedef bool deed(const struct scallop_certified_steady *s);
 
 /* The paper's crawler with these numbers (0: the paper's) does that; does this refute the claim, or show it? */
-static void example(struct question *q, struct scallop_crawler with, deed *does, bool refutes)
+static void example(struct question *q, const char *conditions, struct scallop_crawler with, deed *does, bool refutes)
 {
   struct scallop_crawler c = paper_crawler(q);
   double *const to[] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
   const double from[] = { with.m1, with.m2, with.F1, with.F2, with.L, with.T, with.alpha };
   for (int i = 0; i < 7; i++)
     *to[i] = from[i] > 0 ? from[i] : *to[i];
+  under(q, "%s", conditions);
   bool shown = does(describe(q, &c));
   settle(q, shown && !refutes, shown);
 }
@@ -71,48 +72,28 @@ static void example(struct question *q, struct scallop_crawler with, deed *does,
 
 void body_2_sticks(struct question *q)
 {
-  under(q, "m1 = 0.1, m2 = 1.9, F1 = 5.1, F2 = 1.2, L = 1, T = 0.93, alpha = 0.71");
-  example(q, WITH(0.1, 1.9, 5.1, 1.2, 1, 0.93, 0.71, NULL), body_2_alone_sticks, true);
+  example(q, "m1 = 0.1, m2 = 1.9, F1 = 5.1, F2 = 1.2, L = 1, T = 0.93, alpha = 0.71",
+          WITH(0.1, 1.9, 5.1, 1.2, 1, 0.93, 0.71, NULL), body_2_alone_sticks, true);
 }
 void low_froude(struct question *q)
 {
-  under(q, "the paper's crawler, F1 = 34.9776: sliding");
-  example(q, WITH(.F1 = 34.9776), slides_and_moves, true);
+  example(q, "the paper's crawler, F1 = 34.9776: sliding", WITH(.F1 = 34.9776), slides_and_moves, true);
 }
-void lower_froude(struct question *q)
-{
-  under(q, "the paper's crawler, T = 6");
-  example(q, WITH(.T = 6), sticks_and_moves, true);
-}
-void lowest_froude(struct question *q)
-{
-  under(q, "the paper's crawler, T = 14");
-  example(q, WITH(.T = 14), sticks_and_moves, true);
-}
-void sliding_moves(struct question *q)
-{
-  under(q, "the paper's crawler");
-  example(q, WITH(.m1 = 0), slides_and_moves, false);
-}
+void lower_froude(struct question *q) { example(q, "the paper's crawler, T = 6", WITH(.T = 6), sticks_and_moves, true); }
+void lowest_froude(struct question *q) { example(q, "the paper's crawler, T = 14", WITH(.T = 14), sticks_and_moves, true); }
+void sliding_moves(struct question *q) { example(q, "the paper's crawler", WITH(.m1 = 0), slides_and_moves, false); }
 void stick_slip_moves(struct question *q)
 {
-  under(q, "the paper's crawler, F1 = 300");
-  example(q, WITH(.F1 = 300), sticks_and_moves, false);
+  example(q, "the paper's crawler, F1 = 300", WITH(.F1 = 300), sticks_and_moves, false);
 }
-void stays_at_rest(struct question *q)
-{
-  under(q, "the paper's crawler, F1 = 1000");
-  example(q, WITH(.F1 = 1000), never_moves, true);
-}
+void stays_at_rest(struct question *q) { example(q, "the paper's crawler, F1 = 1000", WITH(.F1 = 1000), never_moves, true); }
 void equal_coefficients_move(struct question *q)
 {
-  under(q, "the paper's crawler, m1 = 4: F1/m1 = F2/m2");
-  example(q, WITH(.m1 = 4), slides_and_moves, false);
+  example(q, "the paper's crawler, m1 = 4: F1/m1 = F2/m2", WITH(.m1 = 4), slides_and_moves, false);
 }
 void starts_back(struct question *q)
 {
-  under(q, "the paper's crawler, F1 = 90, alpha = 0.55");
-  example(q, WITH(.F1 = 90, .alpha = 0.55), starts_and_moves_back, true);
+  example(q, "the paper's crawler, F1 = 90, alpha = 0.55", WITH(.F1 = 90, .alpha = 0.55), starts_and_moves_back, true);
 }
 
 /* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */

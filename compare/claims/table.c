@@ -55,8 +55,15 @@ static const char *derived_text(const struct claim_row *row)
 static void write_row(struct table *t, const struct claim_row *row)
 {
   const char *const texts[] = {
-    claim_verdict_text(row->verdict), derived_text(row), row->coefficient, row->corrected, row->conditions,
-    row->inside ? "yes" : "no",       row->ours ? "corrected" : "paper",   row->measured,  row->reason,
+    claim_verdict_text(row->verdict),
+    derived_text(row),
+    row->coefficient,
+    row->corrected,
+    row->conditions,
+    row->inside ? "yes" : "no",
+    row->ours ? "corrected" : "paper",
+    row->measured,
+    row->reason,
   };
   write_claim(t, row);
   table_rounded(t, row->fit.order, "%.6f");
