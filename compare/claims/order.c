@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/evidence.h"
 #include "compare/claims/ledger.h"
 #include "compare/claims/samples.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/evidence.h"
 #include "numerics/certified.h"
 
@@ -19,9 +19,9 @@ struct sample {
 
 static bool has_modes_of_limit(const struct sample *s, const struct trial *m)
 {
-  char text[PERIOD_MODES_TEXT];
+  char text[MOTION_MODES_TEXT];
   if (trial_is_steady(m))
-    period_modes_text(text, s->steady.modes);
+    motion_modes_text(text, OF_STEADY, s->steady.modes);
   else
     scallop_modes_text(&s->phase.modes, text);
   return strcmp(text, trial_modes(m)) == 0;

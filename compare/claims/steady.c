@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asymptotics/evaluate.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/words.h"
 #include "compare/answers/rational.h"
 
@@ -46,9 +46,10 @@ static bool starts_and_moves_back(const struct scallop_certified_steady *s)
 static const struct scallop_certified_steady *describe(struct question *q, const struct scallop_crawler *c)
 {
   const struct scallop_certified_steady *s = certified_steady(q, c);
-  char modes[PERIOD_MODES_TEXT];
+  char modes[MOTION_MODES_TEXT];
   measured(q, "certified: Froude %.6g, v_start T/L = %.6f, displacement/L = %.6f, modes %s", middle(s->froude),
-           middle(s->v_start) / (c->L / c->T), middle(s->displacement) / c->L, period_modes_text(modes, s->modes));
+           middle(s->v_start) / (c->L / c->T), middle(s->displacement) / c->L,
+           motion_modes_text(modes, OF_STEADY, s->modes));
   command(q, "scallop steady --certified", c, " | cut -f 9,10,12,15,16");
   return s;
 }
@@ -109,14 +110,14 @@ void standstill(struct question *q)
 {
   const struct scallop_certified_steady *s[2];
   struct scallop_crawler c = paper_crawler(q);
-  char modes[2][PERIOD_MODES_TEXT];
+  char modes[2][MOTION_MODES_TEXT];
   c.alpha = 0.55;
   double F1 = last_positive(displacement_at, &c, 70, 94), place[2];
   for (int i = 0; i < 2; i++) {
     struct scallop_crawler at = c;
     place[i] = at.F1 = short_number(F1 * (i ? 1 + 1e-10 : 1 - 1e-10), 12);
     s[i] = certified_steady(q, &at);
-    period_modes_text(modes[i], s[i]->modes);
+    motion_modes_text(modes[i], OF_STEADY, s[i]->modes);
   }
   bool slide = s[0]->regime == SCALLOP_SLIDING && s[1]->regime == SCALLOP_SLIDING && strcmp(modes[0], modes[1]) == 0;
   bool zero = slide && arb_is_positive(s[0]->displacement) && arb_is_negative(s[1]->displacement);

@@ -9,7 +9,8 @@
 
 static bool is_of_steady(const struct quantities *all, const struct quantity *q)
 {
-  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(all, q));
+  bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+  return (answered || q->of >= 0) && !quantity_is_of_phase(all, q);
 }
 
 /* What a row says of its status is of all its columns, wherever it stands: they are found first. */
