@@ -43,7 +43,7 @@ static void append(char *text, size_t size, const char *format, va_list argument
 #define APPEND(text) \
   va_list arguments; \
   va_start(arguments, format); \
-  append(text, sizeof text, format, arguments); \
+  append((text), sizeof(text), format, arguments); \
   va_end(arguments)
 
 void under(struct question *q, const char *format, ...) { APPEND(q->row.conditions); }

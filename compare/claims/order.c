@@ -115,7 +115,7 @@ static bool has_closed_limit(const struct part *part) { return part->crawler->ga
 static const struct scallop_formula *formula_of_ours(const char *name)
 {
   const struct scallop_formula *f = scallop_corrected;
-  while (strcmp(f->name, name) != 0)
+  while (f->name && strcmp(f->name, name) != 0)
     f++;
   return f;
 }
@@ -283,9 +283,11 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
 {
   enum { PRECISION = 1400 };
   arb_t h, zero, error, rate, square;
-  arb_ptr all[] = { h, zero, error, rate, square };
-  for (int i = 0; i < 5; i++)
-    arb_init(all[i]);
+  arb_init(h);
+  arb_init(zero);
+  arb_init(error);
+  arb_init(rate);
+  arb_init(square);
   scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
   for (int k = 1; k < CLAIM_POINTS; k++) {
     arb_one(h);
@@ -306,8 +308,11 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
   }
   const struct order_point *finest = &row->points[row->count - 1];
   row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
-  for (int i = 0; i < 5; i++)
-    arb_clear(all[i]);
+  arb_clear(h);
+  arb_clear(zero);
+  arb_clear(error);
+  arb_clear(rate);
+  arb_clear(square);
 }
 
 static void add_ends(struct part *part)

@@ -4,45 +4,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
+#include "compare/answers/answer_flint.h"
 #include "compare/claims/evidence.h"
-#include "numerics/certified.h"
 
 struct sample {
   fmpq_t T;    /* of the phase, or the period                                                        */
   bool solved; /* and the modes are those of the limit                                               */
   long digits;
-  struct scallop_certified_phase phase;
-  struct scallop_certified_steady steady;
-  arb_t turning_velocity; /* of the body that turns: 0                                         */
+  struct ball_answer exact;
 };
 
-static bool has_modes_of_limit(const struct sample *s, const struct trial *m)
-{
-  char text[MOTION_MODES_TEXT];
-  if (trial_is_steady(m))
-    motion_modes_text(text, OF_STEADY, s->steady.modes);
-  else
-    scallop_modes_text(&s->phase.modes, text);
-  return strcmp(text, trial_modes(m)) == 0;
-}
+static enum quantity_of answered(const struct trial *m) { return trial_is_steady(m) ? OF_STEADY : OF_PHASE; }
 
 static void solve_sample(struct sample *s, const struct trial *m)
 {
   struct scallop_rational_crawler crawler;
+  char modes[MOTION_MODES_TEXT];
   fmpq_t fraction;
   scallop_rational_init(&crawler);
   fmpq_init(fraction);
   scallop_rational_copy(&crawler, &m->crawler);
   fmpq_set(crawler.T, s->T);
-  if (trial_is_steady(m))
-    s->solved = scallop_certified_steady(&crawler, s->digits, &s->steady, NULL) == SCALLOP_OK;
-  else {
+  if (!trial_is_steady(m)) {
     scallop_rational_fraction(fraction, &crawler, m->condition->kind);
     fmpq_div(crawler.T, s->T, fraction);
-    s->solved = scallop_certified_phase(&crawler, m->condition->kind, m->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
   }
-  s->solved = s->solved && has_modes_of_limit(s, m);
+  s->solved = answer_in_balls(&s->exact, &crawler, answered(m), m->condition->kind, m->v0, s->digits)
+              && strcmp(motion_modes_text(modes, answered(m), s->exact.modes), trial_modes(m)) == 0;
   scallop_rational_clear(&crawler);
   fmpq_clear(fraction);
 }
@@ -70,9 +58,7 @@ struct sample *samples_take(const struct trial *m)
     fmpq_init(s->T);
     fmpq_div_2exp(s->T, T0, 2 * (flint_bitcnt_t)k);
     s->digits = 40 + (long)(10 * (0.602 * k + 1.5 * decades)); /* of c T^p, p <= 9 or so, c of size 1, ten are left */
-    scallop_certified_phase_init(&s->phase);
-    scallop_certified_steady_init(&s->steady);
-    arb_init(s->turning_velocity);
+    ball_answer_init(&s->exact);
     solve_sample(s, m);
   }
   fmpq_clear(T0);
@@ -83,40 +69,9 @@ void samples_free(struct sample *samples)
 {
   for (int k = 0; samples && k < CLAIM_POINTS; k++) {
     fmpq_clear(samples[k].T);
-    scallop_certified_phase_clear(&samples[k].phase);
-    scallop_certified_steady_clear(&samples[k].steady);
-    arb_clear(samples[k].turning_velocity);
+    ball_answer_clear(&samples[k].exact);
   }
   free(samples);
-}
-
-static bool is_of_a_turn(enum scallop_quantity quantity)
-{
-  return quantity <= SCALLOP_REAR_AT_LAST || quantity == SCALLOP_VELOCITY_AT_FIRST || quantity == SCALLOP_VELOCITY_AT_LAST;
-}
-
-/* NULL where the motion has no such quantity: no body turns */
-static const arb_struct *sampled(const struct sample *s, const struct trial *m, enum scallop_quantity quantity)
-{
-  bool extension = m->condition->kind == SCALLOP_EXTENSION;
-  if (!s->phase.switches && is_of_a_turn(quantity))
-    return NULL;
-  switch (quantity) {
-  case SCALLOP_LAG: return s->phase.dT;
-  case SCALLOP_FIRST_SWITCH: return s->phase.t1;
-  case SCALLOP_REAR_AT_FIRST: return s->phase.at_first;
-  case SCALLOP_REAR_AT_LAST: return s->phase.at_last;
-  case SCALLOP_REAR_AT_END: return extension ? s->phase.dx1 : s->phase.dx2;
-  case SCALLOP_FRONT_AT_END: return extension ? s->phase.dx2 : s->phase.dx1;
-  case SCALLOP_CENTRE_AT_END: return s->phase.dxC;
-  case SCALLOP_VELOCITY_AT_END:
-  case SCALLOP_VELOCITY_CHANGE: return s->phase.v_end;
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return s->turning_velocity;
-  case SCALLOP_STEADY_VELOCITY: return s->steady.v_start;
-  case SCALLOP_STEADY_DISPLACEMENT: return s->steady.displacement;
-  }
-  return NULL;
 }
 
 /* The leading term of the steady state at T */
@@ -133,19 +88,20 @@ static void leading_term(arb_t x, const struct trial *m, const struct scallop_fo
 static bool error_at(arb_t error, const struct sample *s, const struct trial *m, const struct scallop_formula *f)
 {
   const struct ring ring = { 1, 4 * s->digits + 64 };
-  const arb_struct *exact = sampled(s, m, f->quantity);
+  const enum scallop_phase_kind kind = m->condition->kind;
+  const arb_struct *exact = s->solved ? s->exact.value[quantity_of_formula(f, kind)] : NULL;
   struct scallop_symbols symbols;
   struct series value;
-  bool evaluated = s->solved && exact;
+  bool evaluated = exact != NULL;
   scallop_symbols_init(&symbols);
   series_init(&value);
   if (evaluated && f->text) {
-    scallop_symbols_set(&symbols, &m->crawler, m->condition->kind, m->v0, NULL, &ring);
+    scallop_symbols_set(&symbols, &m->crawler, kind, m->v0, NULL, &ring);
     series_set_rational(&symbols.value[SYMBOL_T], s->T);
-    series_set_ball(&symbols.value[SYMBOL_t1], s->phase.t1);
-    series_set_ball(&symbols.value[SYMBOL_dT], s->phase.dT);
-    series_set_ball(&symbols.value[SYMBOL_x_switch], s->phase.at_last);
-    evaluated = trial_formula(&value, f, &symbols, m, &ring);
+    series_set_ball(&symbols.value[SYMBOL_t1], s->exact.phase.t1);
+    series_set_ball(&symbols.value[SYMBOL_dT], s->exact.phase.dT);
+    series_set_ball(&symbols.value[SYMBOL_x_switch], s->exact.phase.at_last);
+    evaluated = scallop_formula_expand(&value, f, &symbols, kind, &ring);
     series_coefficient(error, &value, 0, ring.precision);
   } else if (evaluated)
     leading_term(error, m, f, s->T, ring.precision);

@@ -230,15 +230,6 @@ void proof_init(struct proof *p)
 
 void proof_clear(struct proof *p) { series_clear(&p->coefficient); }
 
-bool trial_formula(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *symbols,
-                   const struct trial *m, const struct ring *ring)
-{
-  bool expanded = scallop_formula_expand(value, f, symbols, m->condition->kind, ring);
-  if (f->quantity == SCALLOP_VELOCITY_CHANGE)
-    series_add(value, value, &symbols->value[SYMBOL_v0], ring);
-  return expanded;
-}
-
 slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
 /* derived - formula */
@@ -259,7 +250,9 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
   series_set(&symbols.value[SYMBOL_t1], &e->phase.t1);
   series_set(&symbols.value[SYMBOL_dT], &e->phase.dT);
   series_set(&symbols.value[SYMBOL_x_switch], &e->phase.at_last);
-  bool expanded = trial_formula(&value, f, &symbols, m, &ring);
+  bool expanded = scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring);
+  if (f->quantity == SCALLOP_VELOCITY_CHANGE) /* the series is that of the velocity */
+    series_add(&value, &value, &symbols.value[SYMBOL_v0], &ring);
   series_sub(difference, series_of(e, m, f->quantity), &value, &ring);
   scallop_symbols_clear(&symbols);
   series_clear(&value);

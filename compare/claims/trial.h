@@ -60,9 +60,6 @@ void proof_set_coefficient(struct proof *proof, const struct series *left_out, s
 /* Of the crawler: the expansion of a quantity */
 bool trial_is_steady(const struct trial *m);
 const struct series *trial_series(const struct trial *m, enum scallop_quantity quantity);
-/* The value of a formula, all symbols being set; false: there is none */
-bool trial_formula(struct series *value, const struct scallop_formula *formula, const struct scallop_symbols *symbols,
-                   const struct trial *m, const struct ring *ring);
 /* Of a steady state */
 slong trial_leading_power(const struct scallop_formula *formula);
 /* x to two significant digits: fractions stay readable, and nothing depends on a library's square root. */
