@@ -23,6 +23,8 @@
 #include "model/ball.h"
 #include "model/model.h"
 
+struct options;
+
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
 
@@ -69,6 +71,8 @@ void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawl
 /* Is the name one of a list, separated by commas, or the list "all"? */
 bool claim_is_listed(const char *list, const char *name);
 
+/* `scallop claims` */
+enum exit_code claims_table(const struct options *options);
 /* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
 struct options;
 enum exit_code claims_check(const struct options *options, const char *ledger);

@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_qrng.h>
 
+#include "compare/answers/halfway.h"
 #include "compare/answers/rational.h"
 #include "compare/text/table.h"
 
@@ -214,8 +215,8 @@ int random_crawlers(struct scallop_crawler *c, int count, const struct scallop_g
 
 double last_positive(function_of *f, const void *context, double low, double high)
 {
-  for (double mid; (mid = 0.5 * (low + high)) > low && mid < high;)
-    *(f(context, mid) > 0 ? &low : &high) = mid;
+  for (double x; halfway(&x, low, high);)
+    *(f(context, x) > 0 ? &low : &high) = x;
   return low;
 }
 

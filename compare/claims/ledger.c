@@ -32,7 +32,7 @@ bool claim_is_listed(const char *list, const char *name)
 
 void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
-  struct claim_row *rows = grown(ledger->rows, ledger->count, sizeof *rows);
+  struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);
   if (!rows) {
     snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
     return;

@@ -5,7 +5,6 @@
 #include "compare/answers/rational.h"
 #include "compare/claims/claims.h"
 #include "compare/command/compare.h"
-#include "compare/command/with_flint.h"
 #include "compare/text/grow.h"
 #include "compare/text/shipped.h"
 #include "compare/text/tsv.h"
@@ -178,7 +177,7 @@ static const char *read_committed(struct check *check, const char *ledger)
     if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
       return tsv_at(t, "there is no column '%s'", kept_columns[k]);
   while (tsv_next(t)) {
-    struct committed *rows = grown(check->rows, check->count, sizeof *rows);
+    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
     if (!rows)
       return "out of memory";
     check->rows = rows;

@@ -25,8 +25,7 @@ const char *read_formula(const struct reading *r, struct formula *formula, const
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r, at, "there is no quantity '%s'%s%s%s (docs/scenes.md lists them)", name,
-                   near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
+  return refuse_at(r, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
 }
 
 /* Does a scene like this one have the quantity? */

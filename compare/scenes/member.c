@@ -148,9 +148,10 @@ static bool refuse_member(const struct reading *r, const config_setting_t *at, c
   for (int i = 0; i < MOST && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
-  return refuse_at(r, at, "there is no '%s' in %s: %s%s%s", config_setting_name(at), what,
-                   near ? "did you mean '" : "it can have ", near ? near : joined(known, sizeof known, names, false),
-                   near ? "'?" : "");
+  if (near)
+    return refuse_at(r, at, "there is no '%s' in %s%s", config_setting_name(at), what, did_you_mean(near));
+  return refuse_at(r, at, "there is no '%s' in %s: it can have %s", config_setting_name(at), what,
+                   joined(known, sizeof known, names, false));
 }
 
 bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what)

@@ -6,6 +6,7 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
+#include "compare/answers/halfway.h"
 #include "compare/scenes/flint.h"
 
 void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
@@ -13,7 +14,11 @@ void state_init(struct scene_state *s, const struct scene *scene, const struct s
   *s = (struct scene_state){ .scene = scene, .needs = *needs, .at = scene->base };
 }
 
-void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }
+void state_clear(struct scene_state *s)
+{
+  if (s->flint)
+    scene_flint.free(s->flint);
+}
 
 double state_fail(struct scene_state *s, const char *why)
 {
@@ -116,7 +121,7 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   memset(s->label, 0, sizeof s->label);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
-    scene_flint_forget(s->flint);
+    scene_flint.forget(s->flint);
   s->F1_over_F2 = s->m1_over_m2 = s->froude = NAN;
   for (int g = 0; g < product->groups; g++) {
     for (int v = 0; v < product->group[g].variables; v++)
@@ -196,7 +201,7 @@ static double onset_of_sticking(struct scene_state *s)
   int doublings = 0;
   while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
+  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides(s, mid) ? &sliding : &sticking) = mid;
   s->has_onset = true;
   s->onset_of = s->at.crawler;
@@ -250,7 +255,7 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
   struct scene_comparison *c = &s->comparison[place];
   long before = s->failures;
   if (!c->done && s->needs.certified_errors)
-    c->error = scene_flint_error(s, series, &c->value, &c->exact);
+    c->error = scene_flint.error(s, series, &c->value, &c->exact);
   else if (!c->done) {
     c->exact = exact_in_double(s, series);
     c->value = state_number(s, place);
@@ -296,7 +301,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return scene_flint_sum(s, q);
+  case QUANTITY_LIMIT: return scene_flint.sum(s, q);
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
   case QUANTITY_RELATIVE: return about_series(s, q);
@@ -339,7 +344,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return answer_text(s, q);
-  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
+  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint.certified(s, q, digits);
   default: return status_text(s);
   }
 }
