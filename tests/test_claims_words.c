@@ -98,6 +98,7 @@ static void verdicts(void **state)
     { "contraction_loses_least_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
     { "start_velocity_is_forward_at_high_Froude", "", CLAIM_HOLDS, CLAIM_HOLDS },
     { "start_velocity_opposes_motion_at_low_Froude", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "start_velocity_has_two_regimes", "", CLAIM_HOLDS, CLAIM_HOLDS },
     { "t1_is_small", "v0 = 1", CLAIM_HOLDS, CLAIM_HOLDS },
     { "t1_is_small", "v_start", CLAIM_REFUTED, CLAIM_REFUTED },
     { "B_x2_first_switch_exceeds_its_remainder", "", CLAIM_REFUTED, CLAIM_REFUTED },
@@ -190,6 +191,28 @@ static void figures_of_steady_states(void **state)
       CHECK_NEAR(number_after(row, "v_start T/L = "), s.period.v_start * c.T / c.L, 1e-6);
       CHECK_NEAR(number_after(row, "displacement/L = "), s.period.displacement / c.L, 1e-6);
     }
+}
+
+/* The start velocity along the translation at F1/F2 = 4, and against it at 40 */
+static void two_regimes(void **state)
+{
+  (void)state;
+  for (int g = 0; g < 2; g++) {
+    const struct claim_row *row = find("start_velocity_has_two_regimes", g, "4 and 40");
+    double v[2], moved[2];
+    assert_int_equal(sscanf(after(row, "v_start T/L = "), "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40",
+                            &v[0], &moved[0], &v[1], &moved[1]),
+                     4);
+    for (int i = 0; i < 2; i++) {
+      struct scallop_crawler c = paper(g);
+      c.F1 = i ? 40 : 4;
+      struct scallop_steady_result s = steady(&c);
+      assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+      CHECK_NEAR(v[i], s.period.v_start * c.T / c.L, 1e-6);
+      CHECK_NEAR(moved[i], s.period.displacement / c.L, 1e-6);
+    }
+    assert_true(v[0] > 0 && v[1] < 0 && moved[0] > 0 && moved[1] > 0);
+  }
 }
 
 /* For the quadratic gait, from rest and sliding, with s = (F1-F2) T^2/(4 m2 L), dT = T s/(1 + s) and
@@ -358,6 +381,7 @@ int main(void)
     cmocka_unit_test(verdicts),
     cmocka_unit_test(both_asymmetries_and_no_displacement),
     cmocka_unit_test(figures_of_steady_states),
+    cmocka_unit_test(two_regimes),
     cmocka_unit_test(slope_of_figure_4B),
     cmocka_unit_test(boundary_from_trajectories),
     cmocka_unit_test(by_hand),

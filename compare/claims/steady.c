@@ -97,6 +97,25 @@ void starts_back(struct question *q)
   example(q, "the paper's crawler, F1 = 90, alpha = 0.55", WITH(.F1 = 90, .alpha = 0.55), starts_and_moves_back, true);
 }
 
+/* Two regimes of sliding: v_start in the direction of translation at a small ratio of forces, and against it at a large one */
+void two_regimes_exist(struct question *q)
+{
+  const struct scallop_certified_steady *s[2];
+  for (int i = 0; i < 2; i++) {
+    struct scallop_crawler c = paper_crawler(q);
+    c.F1 = i ? 40 : 4;
+    s[i] = certified_steady(q, &c);
+  }
+  const double L = q->crawler.L, unit = L / q->crawler.T;
+  bool along = slides_and_moves(s[0]) && arb_is_positive(s[0]->displacement) && arb_is_positive(s[0]->v_start);
+  bool against = slides_and_moves(s[1]) && arb_is_positive(s[1]->displacement) && arb_is_negative(s[1]->v_start);
+  under(q, "the paper's crawler, F1/F2 = 4 and 40");
+  measured(q, "certified: sliding, v_start T/L = %.6f and displacement/L = %.6f at F1/F2 = 4, %.6f and %.6f at 40",
+           middle(s[0]->v_start) / unit, middle(s[0]->displacement) / L, middle(s[1]->v_start) / unit,
+           middle(s[1]->displacement) / L);
+  settle(q, along && against, false);
+}
+
 /* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */
 
 static double displacement_at(const void *crawler, double F1)

@@ -77,6 +77,7 @@ static const struct claim {
   { loss, "4.4", "dx_C", EACH_GAIT, contraction_loses_by_forces },
   { loss, "4.4", "dx_C", EACH_GAIT, contraction_loses_by_period },
   { "start_velocity_opposes_motion_at_low_Froude", "5", "v_start", EACH_GAIT, starts_back },
+  { "start_velocity_has_two_regimes", "4.5, 5", "v_start", EACH_GAIT, two_regimes_exist },
 
   { "t1_is_small", "(A.6)", "t1", EACH_GAIT, t1_from_1 },
   { "t1_is_small", "(A.6), 4.3.3", "t1", EACH_GAIT, t1_from_steady_state },

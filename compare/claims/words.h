@@ -21,8 +21,8 @@ decide equal_forces_centre, still_centre, falling_velocity, heavy_front, steady_
 /* steady.c: steady states */
 decide reversible_kinematics, unique_with_jumps, body_2_sticks, low_froude, lower_froude, lowest_froude, sliding_moves,
     stick_slip_moves, standstill, stays_at_rest, equal_coefficients_move, kinematic_length, forward_where_dv_rises,
-    backward_where_dv_falls, starts_back, velocity_of_longer_extension, velocity_of_longer_contraction, velocity_mirrored,
-    reached_at_T_2, reached_at_T_4;
+    backward_where_dv_falls, starts_back, two_regimes_exist, velocity_of_longer_extension, velocity_of_longer_contraction,
+    velocity_mirrored, reached_at_T_2, reached_at_T_4;
 /* boundary.c: where the start velocity vanishes */
 decide peak_at_random, sign_changes_by_ratio, sign_changes_by_forces, sign_changes_by_period, peaks_by_ratio,
     peaks_by_forces, peaks_by_period, one_maximum, decays_by_ratio, decays_by_forces, decays_by_period, peak_for_alphas,
