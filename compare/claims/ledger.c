@@ -1,10 +1,12 @@
-#include "compare/claims/book.h"
+#include "compare/claims/ledger.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "compare/text/decimal.h"
+#include "compare/text/memory.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12, DIGITS = 12 };
@@ -28,12 +30,27 @@ bool claim_is_listed(const char *list, const char *name)
   return false;
 }
 
-static char contradiction[300]; /* the last one */
-
-static void contradict(struct book *book, const struct claim_row *row, const char *what)
+void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
-  snprintf(contradiction, sizeof contradiction, "%s, %s, %s: %s", row->claim, row->gait, row->conditions, what);
-  book->contradiction = contradiction;
+  struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);
+  if (!rows) {
+    snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
+    return;
+  }
+  ledger->rows = rows;
+  rows[ledger->count++] = *row;
+}
+
+void ledger_free(struct ledger *ledger)
+{
+  free(ledger->rows);
+  *ledger = (struct ledger){ .rows = NULL };
+}
+
+static void contradict(struct ledger *ledger, const struct claim_row *row, const char *what)
+{
+  snprintf(ledger->contradiction, sizeof ledger->contradiction, "%s, %s, %s: %s", row->claim, row->gait, row->conditions,
+           what);
 }
 
 static void set_coefficient(struct claim_row *row, const struct series *coefficient)
@@ -59,7 +76,16 @@ static void set_coefficient(struct claim_row *row, const struct series *coeffici
   arb_clear(x);
 }
 
-void claim_judge(struct claim_row *row, const struct ledger_proof *proof)
+static void judge_exact(struct claim_row *row, const struct proof *proof)
+{
+  row->verdict = isinf(row->claimed_order) ? CLAIM_HOLDS : CLAIM_SHARPER;
+  if (proof->known >= SERIES_ALL)
+    snprintf(row->reason, sizeof row->reason, "every coefficient vanishes");
+  else
+    snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
+}
+
+void ledger_judge(struct claim_row *row, const struct proof *proof)
 {
   row->proven = !proof->undecided;
   row->exact = !proof->undecided && !proof->found;
@@ -70,11 +96,7 @@ void claim_judge(struct claim_row *row, const struct ledger_proof *proof)
     return;
   }
   if (row->exact) {
-    row->verdict = isinf(row->claimed_order) ? CLAIM_HOLDS : CLAIM_SHARPER;
-    if (proof->known >= SERIES_ALL)
-      snprintf(row->reason, sizeof row->reason, "every coefficient vanishes");
-    else
-      snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
+    judge_exact(row, proof);
     return;
   }
   set_coefficient(row, &proof->coefficient);
@@ -101,8 +123,9 @@ static bool agrees(const struct claim_row *row)
   return row->exact ? row->count > 0 : fabs(row->slope - (double)row->derived_order) <= AGREEMENT;
 }
 
-void book_enter(struct book *book, struct claim_row *row, struct order_point *points)
+static void fit(struct claim_row *row)
 {
+  struct order_point *points = row->points;
   int tail = row->count < FITTED ? row->count : FITTED;
   for (int i = 0; i < row->count; i++) {
     points[i].pairwise = i + 1 < row->count
@@ -111,44 +134,40 @@ void book_enter(struct book *book, struct claim_row *row, struct order_point *po
     points[i].use = row->exact ? ORDER_ZERO : ORDER_COARSE;
   }
   row->fit = order_estimate(points + row->count - tail, tail);
-  row->points = points;
+}
+
+void ledger_enter(struct ledger *ledger, struct claim_row *row)
+{
+  fit(row);
   if (!agrees(row)) {
     char what[120];
     if (isnan(row->slope) && !row->exact)
       snprintf(what, sizeof what, "the derived order is %ld, and no slope could be measured", row->derived_order);
     else
       snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
-    contradict(book, row, what);
+    contradict(ledger, row, what);
   }
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
-  if (book->count < MOST_ROWS) {
-    struct entry *e = &book->entries[book->count++];
-    memcpy(e->claim, row->claim, sizeof e->claim);
-    memcpy(e->corrected, row->corrected, sizeof e->corrected);
-    e->conditions = row->conditions;
-    e->stands = row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER;
-    /* the corrections are for the gaits of the paper: with others there may be none */
-    if (row->verdict == CLAIM_REFUTED && !*row->corrected && scallop_gait_named(row->gait))
-      contradict(book, row, "refuted, and nothing is named that holds");
-  } else
-    contradict(book, row, "more rows than there is room for: their corrections are not checked");
-  book->sink(book->context, row);
+  /* the corrections are for the gaits of the paper: with others there may be none */
+  else if (!*row->corrected && scallop_gait_named(row->gait))
+    contradict(ledger, row, "refuted, and nothing is named that holds");
+  ledger_add(ledger, row);
 }
 
-/* Every formula named as right where another is wrong has its row for the same conditions, and holds. */
-void book_check_corrections(struct book *book)
+void ledger_check_corrections(struct ledger *ledger, int first)
 {
-  for (int i = 0; i < book->count; i++) {
-    const struct entry *wrong = &book->entries[i];
+  for (int i = first; i < ledger->count; i++) {
+    const struct claim_row *wrong = &ledger->rows[i];
     bool stands = !*wrong->corrected;
-    for (int j = 0; j < book->count && !stands; j++)
-      stands = book->entries[j].stands && strcmp(book->entries[j].claim, wrong->corrected) == 0
-               && strcmp(book->entries[j].conditions, wrong->conditions) == 0;
-    if (!stands) {
-      snprintf(contradiction, sizeof contradiction, "%s, %s: %s, which is to take its place, has no row that holds",
-               wrong->claim, wrong->conditions, wrong->corrected);
-      book->contradiction = contradiction;
+    for (int j = first; j < ledger->count && !stands; j++) {
+      const struct claim_row *row = &ledger->rows[j];
+      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER) && strcmp(row->claim, wrong->corrected) == 0
+               && strcmp(row->conditions, wrong->conditions) == 0;
     }
+    if (!stands)
+      snprintf(ledger->contradiction, sizeof ledger->contradiction,
+               "%s, %s: %s, which is to take its place, has no row that holds", wrong->claim, wrong->conditions,
+               wrong->corrected);
   }
 }
