@@ -23,7 +23,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 # (compare/command/with_flint.h).
 flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,text/decimal answers/written_gait answers/rational answers/answer_flint answers/series_derived scenes/flint command/flint_end) \
+               $(addprefix compare/,text/decimal answers/written_gait answers/rational answers/answer_flint command/series_derived scenes/flint command/flint_end) \
                $(filter-out compare/workprec/stopwatch,$(patsubst %.c,%,$(foreach r,claims breakdown maps stress workprec,$(wildcard compare/$(r)/*.c))))
 flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3

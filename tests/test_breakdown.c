@@ -69,8 +69,8 @@ static void check_certified(const struct subject *s, double T, const struct scal
   scallop_rational_of(&exact, &c);
   scallop_certified_steady_init(&steady);
   assert_int_equal(scallop_certified_steady(&exact, 6, &steady, NULL), SCALLOP_OK);
-  subject_modes_text(s, modes, wanted);
-  subject_modes_text(s, steady.modes, got);
+  motion_modes_text(wanted, s->steady ? OF_STEADY : OF_PHASE, modes);
+  motion_modes_text(got, s->steady ? OF_STEADY : OF_PHASE, steady.modes);
   assert_string_equal(got, wanted);
   scallop_certified_steady_clear(&steady);
   scallop_rational_clear(&exact);
@@ -184,7 +184,7 @@ static void setting_clear(struct setting *s)
   expansions_clear(&s->expansions);
 }
 
-static struct comparison comparison_named(struct setting *s, enum breakdown_quantity quantity, const char *name, long order)
+static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name, long order)
 {
   struct comparison c = { &s->subject, &s->expansions, { .name = NULL }, s->cache };
   do
@@ -205,11 +205,11 @@ static void reach_of_a_known_error(void **state)
     struct setting s;
     subject.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
     setting_init(&s, &subject, 8);
-    struct comparison short_form = comparison_named(&s, OF_T1, "A_t1", 8);
+    struct comparison short_form = comparison_named(&s, Q_T1, "A_t1", 8);
     for (int k = 2; k <= 12; k += 2)
       CHECK_RELATIVE(comparison_reach(&short_form, pow(10, -k)),
                      sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0), 8 * 0x1p-53);
-    struct comparison whole = comparison_named(&s, OF_T1, "A_t1_unexpanded", 8);
+    struct comparison whole = comparison_named(&s, Q_T1, "A_t1_unexpanded", 8);
     CHECK_AT_MOST(fabs(comparison_error(&whole, 0.1)), 1e-30);
     setting_clear(&s);
   }
@@ -228,7 +228,7 @@ static void reach_against_brute_force(void **state)
     struct setting s;
     setting_init(&s, &subject, 8);
     struct comparison c = { &s.subject, &s.expansions, { .name = NULL }, s.cache };
-    enum breakdown_quantity quantity = (enum breakdown_quantity)(i % STEADY_QUANTITIES);
+    enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
     while (series_item_next(&c.item, &s.expansions, quantity, 8)) {
       double tolerance = random_decades(&r, 3e-2, 0.5), T = comparison_reach(&c, tolerance), before = tolerance;
       if (!(T > 0 && isfinite(T)))
@@ -236,12 +236,12 @@ static void reach_against_brute_force(void **state)
       found++;
       assert_int_equal(comparison_certified_side(&c, T * (1 - 0x1p-50), tolerance, 40), -1);
       assert_int_equal(comparison_certified_side(&c, T * (1 + 0x1p-50), tolerance, 40), 1);
-      struct exact exact;
+      struct answer exact;
       for (int k = 1; k < 2 * points; k++) {
         double t = T * exp2((k - points) * 12.0 / points), value = NAN;
         if (k == points)
           continue;
-        exact_in_double(&s.subject, t, &exact);
+        subject_in_double(&s.subject, t, &exact);
         arb_t x;
         arb_init(x);
         series_item_value(x, &c.item, &s.expansions, t, 64);
@@ -264,14 +264,14 @@ static void reach_against_brute_force(void **state)
 static double first_above(const struct comparison *c, double T, double tolerance)
 {
   enum { POINTS = 1500, OCTAVES = 20 };
-  enum breakdown_quantity quantity = c->item.which.quantity;
+  enum quantity_id quantity = c->item.which.quantity;
   double first = T;
   arb_t value;
   arb_init(value);
   for (int k = 0; k < POINTS && first == T; k++) {
     double t = T * exp2((double)OCTAVES * (k - POINTS) / POINTS);
-    struct exact exact;
-    exact_in_double(c->subject, t, &exact);
+    struct answer exact;
+    subject_in_double(c->subject, t, &exact);
     series_item_value(value, &c->item, c->expansions, t, 64);
     if (!(fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / exact.value[quantity].high - 1) < tolerance))
       first = t;
@@ -315,10 +315,10 @@ static void reach_about_the_limit_of_the_error(void **state)
     subject.v0 = subject.steady ? 0 : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
     struct setting s;
     setting_init(&s, &subject, 8);
-    for (int q = 0; q < BREAKDOWN_QUANTITIES; q++) {
+    for (int q = 0; q < QUANTITIES; q++) {
       struct comparison c = { &s.subject, &s.expansions, { .name = NULL }, s.cache };
-      while (subject_has(&subject, (enum breakdown_quantity)q)
-             && series_item_next(&c.item, &s.expansions, (enum breakdown_quantity)q, 8)) {
+      while (subject_has(&subject, (enum quantity_id)q)
+             && series_item_next(&c.item, &s.expansions, (enum quantity_id)q, 8)) {
         double limit = fabs(comparison_error(&c, 1e-9 * subject_natural_time(&subject)));
         for (int k = 0; k < 3 && limit > 1e-5 && limit < 1e5; k++)
           check_about_limit(&c, limit, shares[k], found);
@@ -336,7 +336,7 @@ static void a_sharp_peak_counts(void **state)
   struct scallop_crawler c = scallop_crawler_default();
   c.F1 = 100;
   c.alpha = 0.99;
-  struct breakdown_series published = { FROM_PUBLISHED, 0, OF_DISPLACEMENT };
+  struct breakdown_series published = { FROM_PUBLISHED, 0, Q_DISPLACEMENT };
   double T = breakdown_reach(&c, &published, 1e-2);
   assert_true(T > 0.632 && T < 0.633);
   c.T = 0.6328;
@@ -351,7 +351,7 @@ static void a_wrong_limit_reaches_nowhere(void **state)
   (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   c.alpha = 0.3;
-  struct breakdown_series published = { FROM_PUBLISHED, 0, OF_DISPLACEMENT }, derived = { FROM_DERIVED, 8, OF_DISPLACEMENT };
+  struct breakdown_series published = { FROM_PUBLISHED, 0, Q_DISPLACEMENT }, derived = { FROM_DERIVED, 8, Q_DISPLACEMENT };
   CHECK_EQUAL(breakdown_reach(&c, &published, 1e-2), 0);
   assert_true(breakdown_reach(&c, &derived, 1e-2) > 1);
   /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 - alpha */
@@ -369,12 +369,12 @@ static void what_is_0_is_0_for_every_T(void **state)
   equal.F1 = equal.F2;
   even.alpha = 0.5;
   for (int i = 0; i < 3; i++) {
-    struct breakdown_series series = { sources[i], 8, OF_DISPLACEMENT };
+    struct breakdown_series series = { sources[i], 8, Q_DISPLACEMENT };
     CHECK_EQUAL(breakdown_reach(&equal, &series, 1e-6), INFINITY);
     CHECK_EQUAL(breakdown_reach(&even, &series, 1e-6), INFINITY);
     CHECK_EQUAL(breakdown_error(&even, &series), 0);
   }
-  struct breakdown_series none = { FROM_PUBLISHED, 0, OF_V_MID };
+  struct breakdown_series none = { FROM_PUBLISHED, 0, Q_V_MID };
   CHECK_EQUAL(breakdown_reach(&even, &none, 1e-6), NAN);
 }
 
@@ -395,11 +395,11 @@ static void the_branch_ends_at_its_poles(void **state)
     expansions_init(&e, &s, TERMS, BITS);
     scallop_singularity_init(&found);
     assert_true(singularity_of(&found, &e, false));
-    for (int q = 0; q < STEADY_QUANTITIES; q++) {
+    for (int q = Q_V_START; q <= Q_MEAN_VELOCITY; q++) {
       struct radius poles, bound;
-      assert_true(radius_from_poles(&poles, expansions_of(&e, (enum breakdown_quantity)q), TERMS));
+      assert_true(radius_from_poles(&poles, expansions_of(&e, (enum quantity_id)q), TERMS));
       assert_true(poles.high - poles.low <= 1e-14 * poles.T && poles.T >= poles.low);
-      radius_from_singularity(&bound, &found, (enum breakdown_quantity)q);
+      radius_from_singularity(&bound, &found, (enum quantity_id)q);
       assert_string_equal(bound.method, "bound");
       assert_true(bound.T <= poles.high && bound.T >= 0.99 * poles.low);
     }

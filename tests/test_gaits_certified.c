@@ -144,7 +144,7 @@ static void judge(const struct stress_case *s, int pieces)
       continue;
     print_crawler(&s->crawler);
     fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
-             stress_quantities[s->kind][q], j.error[q] / j.unit[q], j.rounding[q] / j.unit[q], (int)s->phase, s->v0);
+             stress_quantity_name(s->kind, q), j.error[q] / j.unit[q], j.rounding[q] / j.unit[q], (int)s->phase, s->v0);
   }
 }
 

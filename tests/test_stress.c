@@ -181,7 +181,7 @@ static void check_promises(const struct stress_case *c)
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     const char *broken = stress_broken(&j, q);
     if (broken)
-      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantities[c->kind][q], j.error[q] / j.unit[q],
+      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantity_name(c->kind, q), j.error[q] / j.unit[q],
                arguments);
   }
   assert_true(j.outcome == STRESS_SOLVED || j.outcome == STRESS_UNDECIDED);

@@ -152,9 +152,9 @@ const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of,
   return text;
 }
 
-bool same_modes(enum quantity_of of, const struct scallop_modes a[2], const struct scallop_modes b[2])
+bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
 {
-  for (int phase = 0; phase < (of == OF_PHASE ? 1 : 2); phase++) {
+  for (int phase = 0; phase < 2; phase++) {
     int kept = a[phase].count < SCALLOP_MODES_KEPT ? (int)a[phase].count : SCALLOP_MODES_KEPT;
     if (a[phase].count != b[phase].count || memcmp(a[phase].kept, b[phase].kept, (size_t)kept * sizeof *a[phase].kept) != 0)
       return false;

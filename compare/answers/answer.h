@@ -41,7 +41,8 @@ void decimals_free(char *texts[QUANTITIES]);
 /* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
 enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };
 const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of, const struct scallop_modes modes[2]);
-bool same_modes(enum quantity_of of, const struct scallop_modes a[2], const struct scallop_modes b[2]);
+/* Of a phase modes[1] is empty. */
+bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 
 /* What the column status says of an answer: ok, which interval of steady states there is, or why there is none. Returns text or a
  * text that lives for ever. */

@@ -45,10 +45,10 @@ static bool is_wanted(const struct report *r, const char *what)
   return !r->options->only || strcmp(r->options->only, what) == 0;
 }
 
-static bool is_wanted_quantity(const struct report *r, enum breakdown_quantity quantity)
+static bool is_wanted_quantity(const struct report *r, enum quantity_id quantity)
 {
   const char *only = r->options->quantity;
-  return subject_has(&r->subject, quantity) && (!only || strcmp(only, breakdown_quantity_text(quantity)) == 0);
+  return subject_has(&r->subject, quantity) && (!only || strcmp(only, quantity_rows[quantity].name) == 0);
 }
 
 static bool is_wanted_source(const struct report *r, enum breakdown_source source)
@@ -71,7 +71,7 @@ static void write_row(struct report *r, const struct row *row)
   struct table *t = &r->table;
   char modes[2 * SCALLOP_MODES_TEXT + 4] = "-";
   if (row->modes)
-    subject_modes_text(&r->subject, row->modes, modes);
+    motion_modes_text(modes, r->subject.steady ? OF_STEADY : OF_PHASE, row->modes);
   table_text(t, row->what);
   table_text(t, row->quantity ? row->quantity : "-");
   table_text(t, row->series ? row->series : "-");
@@ -181,7 +181,7 @@ static void write_reach(struct report *r, const struct comparison *c, double tol
   char text[160];
   double T = comparison_reach(c, tolerance), limit = T == 0 ? comparison_limit(c) : NAN;
   struct row row = { .what = "reach",
-                     .quantity = breakdown_quantity_text(c->item.which.quantity),
+                     .quantity = quantity_rows[c->item.which.quantity].name,
                      .series = c->item.name,
                      .order = c->item.which.source == FROM_DERIVED ? (double)c->item.which.order : NAN,
                      .tolerance = tolerance,
@@ -208,7 +208,7 @@ static void write_reach(struct report *r, const struct comparison *c, double tol
   write_row(r, &row);
 }
 
-static void write_reaches(struct report *r, enum breakdown_quantity quantity)
+static void write_reaches(struct report *r, enum quantity_id quantity)
 {
   static const double tolerances[] = { BREAKDOWN_TOLERANCES };
   enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
@@ -234,18 +234,18 @@ static const char *which_first(const struct report *r, double radius)
 }
 
 /* The singularity that the quantity depends on: looked for once */
-static const struct scallop_singularity *singularity_for(struct report *r, enum breakdown_quantity quantity)
+static const struct scallop_singularity *singularity_for(struct report *r, enum quantity_id quantity)
 {
-  struct sought *sought = &r->sought[quantity == OF_T1];
+  struct sought *sought = &r->sought[quantity == Q_T1];
   if (!sought->done) {
     show(r, "singularities");
-    sought->found = singularity_of(&sought->singularity, &r->many, quantity == OF_T1);
+    sought->found = singularity_of(&sought->singularity, &r->many, quantity == Q_T1);
     sought->done = true;
   }
   return sought->found ? &sought->singularity : NULL;
 }
 
-static bool find_radius(struct radius *radius, struct report *r, enum breakdown_quantity quantity)
+static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
 {
   const struct series *s = expansions_of(&r->many, quantity);
   if (s && radius_from_poles(radius, s, MANY))
@@ -256,7 +256,7 @@ static bool find_radius(struct radius *radius, struct report *r, enum breakdown_
   return found;
 }
 
-static void write_radius(struct report *r, enum breakdown_quantity quantity)
+static void write_radius(struct report *r, enum quantity_id quantity)
 {
   struct radius radius = {
     .method = NULL, .T = NAN, .low = NAN, .high = NAN, .status = "-", .note = "there is no derived series"
@@ -265,7 +265,7 @@ static void write_radius(struct report *r, enum breakdown_quantity quantity)
   bool found = find_radius(&radius, r, quantity);
   snprintf(text, sizeof text, "%s%s%s", radius.note, found ? "; " : "", found ? which_first(r, radius.T) : "");
   write_row(r, &(struct row){ .what = "radius",
-                              .quantity = breakdown_quantity_text(quantity),
+                              .quantity = quantity_rows[quantity].name,
                               .series = radius.method,
                               .order = NAN,
                               .tolerance = NAN,
@@ -278,7 +278,7 @@ static void write_radius(struct report *r, enum breakdown_quantity quantity)
 /* ---- the best order ---- */
 
 /* The order with the least |error| at T, of those below MANY; *error: that. False: the motion has no such value. */
-static bool best_order(const struct report *r, enum breakdown_quantity quantity, double T, const arb_t exact, slong *order,
+static bool best_order(const struct report *r, enum quantity_id quantity, double T, const arb_t exact, slong *order,
                        double *error)
 {
   const struct series *s = expansions_of(&r->many, quantity);
@@ -320,7 +320,7 @@ static double best_time(const struct report *r, int i)
 }
 
 /* exact: the certified values at these times. */
-static void write_best(struct report *r, enum breakdown_quantity quantity, arb_ptr const exact[BEST])
+static void write_best(struct report *r, enum quantity_id quantity, arb_ptr const exact[BEST])
 {
   const struct series *s = expansions_of(&r->many, quantity);
   for (int i = 0; s && i < BEST; i++) {
@@ -329,7 +329,7 @@ static void write_best(struct report *r, enum breakdown_quantity quantity, arb_p
     if (!best_order(r, quantity, T, exact[i] + quantity, &order, &error))
       continue;
     write_row(r, &(struct row){ .what = "best",
-                                .quantity = breakdown_quantity_text(quantity),
+                                .quantity = quantity_rows[quantity].name,
                                 .series = "derived",
                                 .order = (double)order,
                                 .tolerance = NAN,
@@ -348,24 +348,24 @@ static void write_rows(struct report *r)
   enum { DIGITS = 200 };
   arb_ptr exact[BEST];
   for (int i = 0; i < BEST; i++) {
-    exact[i] = _arb_vec_init(BREAKDOWN_QUANTITIES);
+    exact[i] = _arb_vec_init(QUANTITIES);
     if (is_wanted(r, "best"))
-      exact_certified(&r->subject, best_time(r, i), DIGITS, exact[i]);
+      subject_in_balls(&r->subject, best_time(r, i), DIGITS, exact[i]);
   }
   if (is_wanted(r, "event") && !r->options->quantity)
     write_events(r);
-  for (int q = 0; q < BREAKDOWN_QUANTITIES; q++)
-    if (is_wanted_quantity(r, (enum breakdown_quantity)q)) {
-      show(r, breakdown_quantity_text((enum breakdown_quantity)q));
+  for (int q = 0; q < QUANTITIES; q++)
+    if (is_wanted_quantity(r, (enum quantity_id)q)) {
+      show(r, quantity_rows[q].name);
       if (is_wanted(r, "reach"))
-        write_reaches(r, (enum breakdown_quantity)q);
+        write_reaches(r, (enum quantity_id)q);
       if (is_wanted(r, "radius"))
-        write_radius(r, (enum breakdown_quantity)q);
+        write_radius(r, (enum quantity_id)q);
       if (is_wanted(r, "best"))
-        write_best(r, (enum breakdown_quantity)q, exact);
+        write_best(r, (enum quantity_id)q, exact);
     }
   for (int i = 0; i < BEST; i++)
-    _arb_vec_clear(exact[i], BREAKDOWN_QUANTITIES);
+    _arb_vec_clear(exact[i], QUANTITIES);
 }
 
 static bool begin(struct report *r)
@@ -384,9 +384,9 @@ static bool begin(struct report *r)
     table_note(t, "%s from v0 = %s; T: its duration", r->subject.kind == SCALLOP_EXTENSION ? "extension" : "contraction",
                v0);
   }
-  if (r->expansions.status != SCALLOP_OK)
+  if (r->expansions.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s",
-               r->expansions.why ? r->expansions.why : scallop_status_text(r->expansions.status));
+               r->expansions.derived.why ? r->expansions.derived.why : scallop_status_text(r->expansions.derived.status));
   table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
              r->events.from, r->events.until);
   table_columns(t, columns);
@@ -413,11 +413,11 @@ static bool is_one_of(const char *option, const char *given, const char *const *
 static bool options_are_sound(const struct options *o, bool steady)
 {
   static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
-  const char *names[BREAKDOWN_QUANTITIES + 1] = { NULL };
+  const char *names[QUANTITIES + 1] = { NULL };
   int n = 0;
-  for (int q = 0; q < BREAKDOWN_QUANTITIES; q++)
-    if ((q < STEADY_QUANTITIES) == steady)
-      names[n++] = breakdown_quantity_text((enum breakdown_quantity)q);
+  for (int q = 0; q < QUANTITIES; q++)
+    if (quantity_rows[q].has_series && (quantity_rows[q].of == OF_STEADY) == steady)
+      names[n++] = quantity_rows[q].name;
   if (!is_one_of("only", o->only, kinds) || !is_one_of("quantity", o->quantity, names))
     return false;
   if (o->has_order && o->has_source && strcmp(o->source, "derived") != 0) {
@@ -464,9 +464,9 @@ enum exit_code breakdown_table(const struct options *o)
   };
   expansions_init(&r.expansions, &r.subject, o->order, BREAKDOWN_BITS);
   bool only_derived = o->only && (strcmp(o->only, "radius") == 0 || strcmp(o->only, "best") == 0);
-  if (r.expansions.status != SCALLOP_OK && only_derived) {
+  if (r.expansions.derived.status != SCALLOP_OK && only_derived) {
     complain("breakdown", "no derived series: %s",
-             r.expansions.why ? r.expansions.why : scallop_status_text(r.expansions.status));
+             r.expansions.derived.why ? r.expansions.derived.why : scallop_status_text(r.expansions.derived.status));
     expansions_clear(&r.expansions);
     return EXIT_UNSOLVED;
   }
@@ -485,8 +485,8 @@ enum exit_code breakdown_table(const struct options *o)
     code = !table_close(&r.table) ? EXIT_FILE : r.rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
     if (code == EXIT_UNSOLVED)
       complain("breakdown", "no row: %s",
-               r.expansions.status != SCALLOP_OK && r.expansions.why
-                   ? r.expansions.why
+               r.expansions.derived.status != SCALLOP_OK && r.expansions.derived.why
+                   ? r.expansions.derived.why
                    : "there is no such series of this quantity, or all of it is 0");
   }
   events_clear(&r.events);

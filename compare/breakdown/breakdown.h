@@ -3,32 +3,17 @@
 #define SCALLOP_BREAKDOWN_H
 
 #include "compare/command/compare.h"
+#include "compare/answers/quantities.h"
 
 /* ---- series beside the exact value ---- */
 
 /* Of the steady state, and of one phase from a start velocity that does not depend on T. */
-enum breakdown_quantity {
-  OF_V_START,
-  OF_V_MID,
-  OF_DISPLACEMENT,
-  OF_MEAN_VELOCITY,
-  STEADY_QUANTITIES,
-  OF_T1 = STEADY_QUANTITIES,
-  OF_DT,
-  OF_V_END,
-  OF_DX1,
-  OF_DX2,
-  OF_DXC,
-  BREAKDOWN_QUANTITIES
-};
-const char *breakdown_quantity_text(enum breakdown_quantity quantity);
-
 enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
 
 struct breakdown_series {
   enum breakdown_source source;
   long order; /* derived: terms below T^order; of no meaning for the others                   */
-  enum breakdown_quantity quantity;
+  enum quantity_id quantity;
 };
 
 /* One series of the steady state of a crawler, for one value of T or for a search: thread-safe. T of the crawler is the period.

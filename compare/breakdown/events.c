@@ -78,14 +78,14 @@ static void collect(void *context, const struct scallop_interval *interval)
 static bool signature_at(struct signature *out, const struct finder *f, double T)
 {
   const struct subject *s = f->subject;
-  struct exact e;
+  struct answer e;
   memset(out, 0, sizeof *out); /* signatures are compared byte by byte */
-  exact_in_double(s, T, &e);
+  subject_in_double(s, T, &e);
   if (e.status < 0)
     return false;
   out->regime = e.regime;
-  out->v_start = s->steady ? e.value[OF_V_START].high : s->v0;
-  out->v_mid = s->steady ? e.value[OF_V_MID].high : s->v0;
+  out->v_start = s->steady ? e.value[Q_V_START].high : s->v0;
+  out->v_mid = s->steady ? e.value[Q_V_MID].high : s->v0;
   struct scallop_crawler c = subject_crawler(s, T);
   for (int phase = 0; phase < (s->steady ? 2 : 1); phase++) {
     enum scallop_phase_kind kind = s->steady ? (enum scallop_phase_kind)phase : s->kind;
@@ -98,7 +98,7 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
 
 static bool same(const struct signature *a, const struct signature *b)
 {
-  return subject_same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->part, b->part, sizeof a->part) == 0;
+  return same_modes(a->modes, b->modes) && a->regime == b->regime && memcmp(a->part, b->part, sizeof a->part) == 0;
 }
 
 /* ---- one event ---- */
@@ -106,8 +106,8 @@ static bool same(const struct signature *a, const struct signature *b)
 /* Modes in binary128. Once kept, at most SCALLOP_MODES_KEPT are compared. */
 static bool modes_in_wide(struct scallop_modes modes[2], const struct subject *s, double T)
 {
-  struct exact e;
-  exact_in_wide(s, T, &e);
+  struct answer e;
+  subject_in_wide(s, T, &e);
   modes[0] = e.modes[0];
   modes[1] = e.modes[1];
   return e.status >= 0;
@@ -118,13 +118,13 @@ static bool settle(double *low, double *high, const struct subject *s, const str
                    const struct signature *after)
 {
   struct scallop_modes modes[2];
-  if (!modes_in_wide(modes, s, *low) || !subject_same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
-      || !subject_same_modes(modes, after->modes))
+  if (!modes_in_wide(modes, s, *low) || !same_modes(modes, before->modes) || !modes_in_wide(modes, s, *high)
+      || !same_modes(modes, after->modes))
     return false;
   for (double T; (T = *low + (*high - *low) / 2) > *low && T < *high;) {
     if (!modes_in_wide(modes, s, T))
       return false;
-    *(subject_same_modes(modes, before->modes) ? low : high) = T;
+    *(same_modes(modes, before->modes) ? low : high) = T;
   }
   return true;
 }
@@ -164,8 +164,8 @@ static bool certified_modes(struct scallop_modes modes[2], const struct subject 
 static bool is_certified(const struct subject *s, double T, const struct signature *before, const struct signature *after)
 {
   struct scallop_modes modes[2];
-  return certified_modes(modes, s, T * (1 - PROVEN)) && subject_same_modes(modes, before->modes)
-         && certified_modes(modes, s, T * (1 + PROVEN)) && subject_same_modes(modes, after->modes);
+  return certified_modes(modes, s, T * (1 - PROVEN)) && same_modes(modes, before->modes)
+         && certified_modes(modes, s, T * (1 + PROVEN)) && same_modes(modes, after->modes);
 }
 
 /* A body turns in another piece than before: which one, in which phase. */
@@ -185,7 +185,7 @@ static void tell_place(char *text, size_t size, const struct subject *s, const s
 
 static void describe(struct event *e, const struct subject *s, const struct signature *before, const struct signature *after)
 {
-  if (subject_same_modes(before->modes, after->modes) && before->regime == after->regime) {
+  if (same_modes(before->modes, after->modes) && before->regime == after->regime) {
     tell_place(e->what, sizeof e->what, s, before, after);
     return;
   }
@@ -241,7 +241,7 @@ static void enter(struct finder *f, double low, double high)
   e->modes[1] = after.modes[1];
   e->regime = after.regime;
   describe(e, s, &before, &after);
-  if (subject_same_modes(before.modes, after.modes)) {
+  if (same_modes(before.modes, after.modes)) {
     e->T = settle_place(f, low, high, &before);
     return;
   }
@@ -274,7 +274,7 @@ static bool begin(struct finder *f, const char *limit_modes, struct signature *l
   for (int i = 0; i < 8; i++) {
     if (!signature_at(low, f, events->from))
       return false;
-    subject_modes_text(f->subject, low->modes, text);
+    motion_modes_text(text, f->subject->steady ? OF_STEADY : OF_PHASE, low->modes);
     if (*limit_modes == '\0' || strcmp(text, limit_modes) == 0)
       break;
     events->from = ldexp(events->from, -OCTAVES_BELOW);

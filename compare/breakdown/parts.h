@@ -2,12 +2,12 @@
 #ifndef SCALLOP_BREAKDOWN_PARTS_H
 #define SCALLOP_BREAKDOWN_PARTS_H
 
-#include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
 #include "asymptotics/singularity.h"
 #include "compare/breakdown/breakdown.h"
+#include "compare/answers/answer_flint.h"
 #include "compare/answers/mode_change.h"
-#include "numerics/wide.h"
+#include "compare/answers/quantity.h"
 
 enum { BREAKDOWN_BITS = 256 }; /* of the balls that errors are formed in                            */
 
@@ -24,23 +24,14 @@ struct subject {
 /* The crawler at T. A phase is the half of a period: its duration is then exactly T. */
 struct scallop_crawler subject_crawler(const struct subject *subject, double T);
 
-struct exact { /* at one T                                                                         */
-  enum scallop_status status;
-  struct scallop_wide value[BREAKDOWN_QUANTITIES]; /* high + low; nan where the subject has no such quantity      */
-  enum scallop_regime regime;
-  struct scallop_modes modes[2]; /* of a phase: the first                                            */
-};
-/* In double (low = 0), or in binary128: 25 us to 0.4 ms. */
-void exact_in_double(const struct subject *subject, double T, struct exact *exact);
-void exact_in_wide(const struct subject *subject, double T, struct exact *exact);
-/* All of them as balls with so many digits: values[BREAKDOWN_QUANTITIES], not finite where there is none. False: they cannot be
+/* The answer at one T: in double (low = 0), or in binary128: 25 us to 0.4 ms. */
+void subject_in_double(const struct subject *subject, double T, struct answer *answer);
+void subject_in_wide(const struct subject *subject, double T, struct answer *answer);
+/* All of them as balls with so many digits: values[QUANTITIES], not finite where there is none. False: they cannot be
  * certified. */
-bool exact_certified(const struct subject *subject, double T, long digits, arb_ptr values);
+bool subject_in_balls(const struct subject *subject, double T, long digits, arb_ptr values);
 
-bool subject_has(const struct subject *subject, enum breakdown_quantity quantity);
-/* "++ -+ ++ | ++ +- ++"; text must hold 2 * SCALLOP_MODES_TEXT + 4 bytes. */
-void subject_modes_text(const struct subject *subject, const struct scallop_modes modes[2], char *text);
-bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
+bool subject_has(const struct subject *subject, enum quantity_id quantity);
 /* The duration at which the Froude number is 1, and the Froude number. */
 double subject_natural_time(const struct subject *subject);
 double subject_froude(const struct subject *subject, double T);
@@ -61,10 +52,7 @@ struct series_item { /* one series for one quantity                             
 struct expansions {
   const struct subject *subject;
   struct scallop_rational_crawler crawler;
-  enum scallop_status status; /* of the derivation; *why it failed                                    */
-  const char *why;
-  struct scallop_steady_expansion steady;
-  struct scallop_phase_expansion phase;
+  struct series_answer derived;
   struct scallop_symbols symbols;
 };
 /* Derives all terms below T^order, in balls of so many bits where they are not rational. */
@@ -72,10 +60,10 @@ void expansions_init(struct expansions *e, const struct subject *subject, slong 
 void expansions_clear(struct expansions *e);
 /* Of the limit T -> 0, or "" where there is none. */
 const char *expansions_modes(const struct expansions *e);
-const struct series *expansions_of(const struct expansions *e, enum breakdown_quantity quantity);
+const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity);
 
 /* The next series of a quantity after item->name (NULL: the first); order: of the derived one. False: there is none left. */
-bool series_item_next(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity, long order);
+bool series_item_next(struct series_item *item, const struct expansions *e, enum quantity_id quantity, long order);
 /* Value at T; nan or not finite where there is none. */
 void series_item_value(arb_t value, const struct series_item *item, struct expansions *e, double T, slong precision);
 
@@ -137,6 +125,6 @@ struct radius {
 bool radius_from_poles(struct radius *r, const struct series *series, slong order);
 /* Of the branch that the series expand, or of its first crossing alone, which t1 depends on. False: there is none. */
 bool singularity_of(struct scallop_singularity *s, const struct expansions *e, bool first_crossing);
-void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum breakdown_quantity quantity);
+void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity);
 
 #endif

@@ -197,19 +197,19 @@ bool radius_from_poles(struct radius *r, const struct series *series, slong orde
 
 /* ---- singularities of the branch ---- */
 
-static enum continued_value continued(enum breakdown_quantity quantity)
+static enum continued_value continued(enum quantity_id quantity)
 {
   switch (quantity) {
-  case OF_V_START: return AT_START;
-  case OF_V_MID:
-  case OF_V_END: return AFTER_FIRST_PHASE;
-  case OF_T1:
-  case OF_DT: return LAST_CROSSING;
+  case Q_V_START: return AT_START;
+  case Q_V_MID:
+  case Q_V_END: return AFTER_FIRST_PHASE;
+  case Q_T1:
+  case Q_DT: return LAST_CROSSING;
   default: return TRAVEL;
   }
 }
 
-void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum breakdown_quantity quantity)
+void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity)
 {
   char place[PLACE] = "";
   if (s->found)

@@ -11,7 +11,7 @@ struct exact_cache {
   const struct subject *subject;
   double natural;
   int last; /* the place beyond which nothing changes                                         */
-  struct exact *place[PLACES];
+  struct answer *place[PLACES];
   bool is_wide[PLACES];
 };
 
@@ -80,7 +80,7 @@ double comparison_error_beside(const struct comparison *c, double T, const arb_t
   return error_beside(c, T, exact, 0, precision).value;
 }
 
-static struct error error_of(const struct comparison *c, double T, const struct exact *e, double tolerance)
+static struct error error_of(const struct comparison *c, double T, const struct answer *e, double tolerance)
 {
   const struct scallop_wide *value = &e->value[c->item.which.quantity];
   arb_t exact, low;
@@ -99,8 +99,8 @@ static struct error error_of(const struct comparison *c, double T, const struct 
 
 static struct error error_in_wide(const struct comparison *c, double T, double tolerance)
 {
-  struct exact e;
-  exact_in_wide(c->subject, T, &e);
+  struct answer e;
+  subject_in_wide(c->subject, T, &e);
   return error_of(c, T, &e, tolerance);
 }
 
@@ -108,13 +108,13 @@ double comparison_error(const struct comparison *c, double T) { return error_in_
 
 int comparison_certified_side(const struct comparison *c, double T, double tolerance, long digits)
 {
-  arb_ptr exact = _arb_vec_init(BREAKDOWN_QUANTITIES);
+  arb_ptr exact = _arb_vec_init(QUANTITIES);
   arb_t error, limit;
   int side = 0;
   arb_init(error);
   arb_init(limit);
   arb_set_d(limit, tolerance);
-  if (exact_certified(c->subject, T, digits, exact)) {
+  if (subject_in_balls(c->subject, T, digits, exact)) {
     arb_ptr value = exact + c->item.which.quantity;
     series_item_value(error, &c->item, c->expansions, T, BREAKDOWN_BITS);
     arb_sub(error, error, value, BREAKDOWN_BITS);
@@ -125,14 +125,14 @@ int comparison_certified_side(const struct comparison *c, double T, double toler
   }
   arb_clear(error);
   arb_clear(limit);
-  _arb_vec_clear(exact, BREAKDOWN_QUANTITIES);
+  _arb_vec_clear(exact, QUANTITIES);
   return side;
 }
 
 struct look { /* at the error from afar                                                          */
   double T;
   struct error error;
-  struct exact exact;
+  struct answer exact;
 };
 
 /* A double leaves many digits of the error, and of its distance from the tolerance. */
@@ -146,11 +146,11 @@ static bool is_plain(const struct error *e)
 static bool look_at(struct look *look, const struct comparison *c, double T, double tolerance)
 {
   look->T = T;
-  exact_in_double(c->subject, T, &look->exact);
+  subject_in_double(c->subject, T, &look->exact);
   look->error = error_of(c, T, &look->exact, tolerance);
   if (is_plain(&look->error))
     return false;
-  exact_in_wide(c->subject, T, &look->exact);
+  subject_in_wide(c->subject, T, &look->exact);
   look->error = error_of(c, T, &look->exact, tolerance);
   return true;
 }
@@ -255,19 +255,19 @@ static bool peaks_above(const struct comparison *c, const struct look *before, c
 /* Does the exact value change its sign between the two? There it is 0, and the relative error without bound. */
 static bool passes_zero(const struct comparison *c, const struct look *a, const struct look *b)
 {
-  enum breakdown_quantity q = c->item.which.quantity;
+  enum quantity_id q = c->item.which.quantity;
   return a->exact.value[q].high * b->exact.value[q].high < 0;
 }
 
 /* The last T before the exact value is 0, to a double. */
 static double zero_between(const struct comparison *c, double low, double high)
 {
-  struct exact e;
-  enum breakdown_quantity q = c->item.which.quantity;
-  exact_in_wide(c->subject, low, &e);
+  struct answer e;
+  enum quantity_id q = c->item.which.quantity;
+  subject_in_wide(c->subject, low, &e);
   bool positive = e.value[q].high > 0;
   for (double T; (T = low + (high - low) / 2) > low && T < high;) {
-    exact_in_wide(c->subject, T, &e);
+    subject_in_wide(c->subject, T, &e);
     *(e.value[q].high != 0 && (e.value[q].high > 0) == positive ? &low : &high) = T;
   }
   return low;
@@ -360,7 +360,7 @@ static void go_over(struct search *s, const struct look *there)
     return;
   double T = sqrt(s->here.T) * sqrt(there->T);
   bool close = there->T - s->here.T <= narrow * there->T || !(T > s->here.T && T < there->T);
-  if (close || subject_same_modes(s->here.exact.modes, there->exact.modes)) {
+  if (close || same_modes(s->here.exact.modes, there->exact.modes)) {
     go_on(s, there);
     return;
   }

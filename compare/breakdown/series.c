@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "asymptotics/derived.h"
 #include "compare/answers/exact.h"
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };
@@ -15,15 +14,12 @@ void expansions_init(struct expansions *e, const struct subject *subject, slong 
   fmpq_init(v0);
   *e = (struct expansions){ .subject = subject };
   scallop_rational_init(&e->crawler);
-  scallop_steady_expansion_init(&e->steady);
-  scallop_phase_expansion_init(&e->phase);
+  series_answer_init(&e->derived);
   scallop_symbols_init(&e->symbols);
   crawler.T = 1; /* not used */
   scallop_rational_of(&e->crawler, &crawler);
   scallop_rational_set_double(v0, subject->v0);
-  e->status = subject->steady
-                  ? scallop_expand_steady(&e->crawler, order, precision, &e->steady, &e->why)
-                  : scallop_expand_phase(&e->crawler, subject->kind, v0, order, precision, NULL, &e->phase, &e->why);
+  answer_in_series(&e->derived, &e->crawler, subject->steady ? OF_STEADY : OF_PHASE, subject->kind, v0, order, precision);
   enum scallop_phase_kind kind = subject->steady ? SCALLOP_EXTENSION : subject->kind;
   scallop_symbols_set(&e->symbols, &e->crawler, kind, subject->steady ? NULL : v0, NULL, &ring);
   fmpq_clear(v0);
@@ -32,60 +28,44 @@ void expansions_init(struct expansions *e, const struct subject *subject, slong 
 void expansions_clear(struct expansions *e)
 {
   scallop_symbols_clear(&e->symbols);
-  scallop_phase_expansion_clear(&e->phase);
-  scallop_steady_expansion_clear(&e->steady);
+  series_answer_clear(&e->derived);
   scallop_rational_clear(&e->crawler);
 }
 
-const char *expansions_modes(const struct expansions *e)
-{
-  return e->status != SCALLOP_OK ? "" : e->subject->steady ? e->steady.modes : e->phase.modes;
-}
+const char *expansions_modes(const struct expansions *e) { return e->derived.status == SCALLOP_OK ? e->derived.modes : ""; }
 
-const struct series *expansions_of(const struct expansions *e, enum breakdown_quantity quantity)
+const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity)
 {
-  const struct series *const all[] = {
-    &e->steady.v_start, &e->steady.v_mid, &e->steady.displacement, &e->steady.mean_velocity,
-    &e->phase.t1,       &e->phase.dT,     &e->phase.v_end,         &e->phase.dx1,
-    &e->phase.dx2,      &e->phase.dxC
-  };
-  bool none = e->status != SCALLOP_OK || (!e->phase.switches && (quantity == OF_T1 || quantity == OF_DT));
-  return none ? NULL : all[quantity];
+  return e->derived.status == SCALLOP_OK ? e->derived.value[quantity] : NULL;
 }
 
 /* ---- which there are ---- */
 
-/* A formula that takes t1, dT or a position at a switch as given is not a function of T alone. */
-static bool takes_given(const struct scallop_formula *f)
-{
-  return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
-}
-
 /* Whether the formula is about the quantity, itself or (*by_T) its product with T, or what it gains (*change). */
-static bool is_about(const struct scallop_formula *f, const struct subject *s, enum breakdown_quantity quantity, bool *by_T,
+static bool is_about(const struct scallop_formula *f, const struct subject *s, enum quantity_id quantity, bool *by_T,
                      bool *change)
 {
-  static const enum breakdown_quantity of_extension[] = {
-    OF_DT, OF_T1, BREAKDOWN_QUANTITIES, BREAKDOWN_QUANTITIES, OF_DX1, OF_DX2, OF_DXC, OF_V_END, OF_V_END
+  static const enum quantity_id of_extension[] = {
+    Q_DT, Q_T1, QUANTITIES, QUANTITIES, Q_DX1, Q_DX2, Q_DXC, Q_V_END, Q_V_END
   };
   *by_T = *change = false;
   if (s->steady) {
-    *by_T = f->quantity == SCALLOP_STEADY_DISPLACEMENT && quantity == OF_MEAN_VELOCITY;
+    *by_T = f->quantity == SCALLOP_STEADY_DISPLACEMENT && quantity == Q_MEAN_VELOCITY;
     return f->setting == SCALLOP_STEADY
-           && (*by_T || (f->quantity == SCALLOP_STEADY_VELOCITY ? quantity == OF_V_START : quantity == OF_DISPLACEMENT));
+           && (*by_T || (f->quantity == SCALLOP_STEADY_VELOCITY ? quantity == Q_V_START : quantity == Q_DISPLACEMENT));
   }
   bool extension = s->kind == SCALLOP_EXTENSION;
   enum scallop_setting moving = extension ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
-  if (f->setting != (s->v0 == 0 ? SCALLOP_AT_REST_START : moving) || takes_given(f))
+  if (f->setting != (s->v0 == 0 ? SCALLOP_AT_REST_START : moving) || formula_takes_given(f))
     return false;
-  enum breakdown_quantity about = of_extension[f->quantity];
-  if (!extension && (about == OF_DX1 || about == OF_DX2))
-    about = about == OF_DX1 ? OF_DX2 : OF_DX1;
+  enum quantity_id about = of_extension[f->quantity];
+  if (!extension && (about == Q_DX1 || about == Q_DX2))
+    about = about == Q_DX1 ? Q_DX2 : Q_DX1;
   *change = f->quantity == SCALLOP_VELOCITY_CHANGE;
   return about == quantity;
 }
 
-static bool next_published(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity)
+static bool next_published(struct series_item *item, const struct expansions *e, enum quantity_id quantity)
 {
   const struct scallop_formula *f = item->name ? item->formula + 1 : scallop_published;
   for (; f->name; f++)
@@ -107,7 +87,7 @@ static slong first_power(const struct series *s)
   return k;
 }
 
-bool series_item_next(struct series_item *item, const struct expansions *e, enum breakdown_quantity quantity, long order)
+bool series_item_next(struct series_item *item, const struct expansions *e, enum quantity_id quantity, long order)
 {
   bool begin = !item->name;
   if ((begin || item->which.source == FROM_PUBLISHED) && next_published(item, e, quantity))

@@ -1,23 +1,11 @@
 /* The exact motion as a function of T. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "compare/breakdown/parts.h"
-#include "numerics/numerics.h"
-#include "compare/answers/exact.h"
-#include "numerics/certified.h"
 
-const char *breakdown_quantity_text(enum breakdown_quantity quantity)
+bool subject_has(const struct subject *subject, enum quantity_id quantity)
 {
-  static const char *const text[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1",
-                                      "dT",      "v_end", "dx1",          "dx2",           "dxC" };
-  return text[quantity];
-}
-
-bool subject_has(const struct subject *subject, enum breakdown_quantity quantity)
-{
-  return (quantity < STEADY_QUANTITIES) == subject->steady;
+  return quantity_rows[quantity].has_series && (quantity_rows[quantity].of == OF_STEADY) == subject->steady;
 }
 
 struct scallop_crawler subject_crawler(const struct subject *s, double T)
@@ -28,140 +16,42 @@ struct scallop_crawler subject_crawler(const struct subject *s, double T)
   return c;
 }
 
-static void forget(struct exact *e)
+static struct motion subject_at(const struct subject *s, double T)
 {
-  for (int i = 0; i < BREAKDOWN_QUANTITIES; i++)
-    e->value[i] = (struct scallop_wide){ NAN, 0 };
-  e->modes[0].count = e->modes[1].count = 0;
+  return (struct motion){
+    .of = s->steady ? OF_STEADY : OF_PHASE, .crawler = subject_crawler(s, T), .phase = s->kind, .v0 = s->v0
+  };
 }
 
-void exact_in_double(const struct subject *s, double T, struct exact *e)
+void subject_in_double(const struct subject *s, double T, struct answer *a)
 {
-  struct scallop_crawler c = subject_crawler(s, T);
-  forget(e);
-  if (s->steady) {
-    struct scallop_steady_result r;
-    e->status = scallop_steady(&c, &r);
-    if (e->status < 0)
-      return;
-    e->value[OF_V_START].high = r.period.v_start;
-    e->value[OF_V_MID].high = r.period.v_mid;
-    e->value[OF_DISPLACEMENT].high = r.period.displacement;
-    e->value[OF_MEAN_VELOCITY].high = r.mean_velocity;
-    e->regime = r.period.regime;
-    e->modes[0] = r.period.modes[0];
-    e->modes[1] = r.period.modes[1];
-    return;
-  }
-  struct scallop_phase_result r;
-  e->status = scallop_phase(&c, s->kind, s->v0, &r);
-  if (e->status < 0)
-    return;
-  const double values[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
-  for (int i = OF_T1; i <= OF_DXC; i++)
-    e->value[i].high = values[i - OF_T1];
-  e->regime = r.regime;
-  e->modes[0] = r.modes;
+  const struct motion m = subject_at(s, T);
+  answer_in_double(a, &m);
 }
 
 /* A displacement that vanishes by symmetry is exactly 0 in double, and in binary128 what rounding leaves of it. */
-static void keep_zeros(const struct scallop_crawler *c, struct exact *e)
+void subject_in_wide(const struct subject *s, double T, struct answer *a)
 {
-  struct scallop_steady_result r;
-  if (scallop_steady(c, &r) >= 0 && r.period.displacement == 0)
-    e->value[OF_DISPLACEMENT] = e->value[OF_MEAN_VELOCITY] = (struct scallop_wide){ 0, 0 };
+  const struct motion m = subject_at(s, T);
+  struct answer rounded;
+  if (answer_in_wide(a, &m, SCALLOP_BINARY128) && s->steady && answer_in_double(&rounded, &m)
+      && rounded.value[Q_DISPLACEMENT].high == 0)
+    a->value[Q_DISPLACEMENT] = a->value[Q_MEAN_VELOCITY] = (struct scallop_wide){ 0, 0 };
 }
 
-void exact_in_wide(const struct subject *s, double T, struct exact *e)
+bool subject_in_balls(const struct subject *s, double T, long digits, arb_ptr values)
 {
-  struct scallop_crawler c = subject_crawler(s, T);
-  forget(e);
-  if (s->steady) {
-    struct scallop_wide_steady r;
-    e->status = scallop_wide_steady(SCALLOP_BINARY128, &c, &r);
-    if (e->status < 0)
-      return;
-    e->value[OF_V_START] = r.period.v_start;
-    e->value[OF_V_MID] = r.period.v_mid;
-    e->value[OF_DISPLACEMENT] = r.period.displacement;
-    e->value[OF_MEAN_VELOCITY] = r.mean_velocity;
-    e->regime = r.period.regime;
-    e->modes[0] = r.period.modes[0];
-    e->modes[1] = r.period.modes[1];
-    keep_zeros(&c, e);
-    return;
-  }
-  struct scallop_wide_phase r;
-  e->status = scallop_wide_phase(SCALLOP_BINARY128, &c, s->kind, s->v0, &r);
-  if (e->status < 0)
-    return;
-  const struct scallop_wide values[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
-  for (int i = OF_T1; i <= OF_DXC; i++)
-    e->value[i] = values[i - OF_T1];
-  e->regime = r.regime;
-  e->modes[0] = r.modes;
-}
-
-static bool certified_steady(const struct scallop_rational_crawler *c, long digits, arb_ptr values)
-{
-  struct scallop_certified_steady r;
-  scallop_certified_steady_init(&r);
-  bool done = scallop_certified_steady(c, digits, &r, NULL) == SCALLOP_OK;
-  const arb_struct *const all[] = { r.v_start, r.v_mid, r.displacement, r.mean_velocity };
-  for (int i = 0; done && i < STEADY_QUANTITIES; i++)
-    arb_set(values + i, all[i]);
-  scallop_certified_steady_clear(&r);
+  const struct motion m = subject_at(s, T);
+  struct ball_answer a;
+  ball_answer_init(&a);
+  bool done = answer_of_doubles(&a, &m, digits);
+  for (int q = 0; q < QUANTITIES; q++)
+    if (done && a.value[q])
+      arb_set(values + q, a.value[q]);
+    else
+      arb_indeterminate(values + q);
+  ball_answer_clear(&a);
   return done;
-}
-
-static bool certified_phase(const struct scallop_rational_crawler *c, const struct subject *s, long digits, arb_ptr values)
-{
-  struct scallop_certified_phase r;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_set_double(v0, s->v0);
-  scallop_certified_phase_init(&r);
-  bool done = scallop_certified_phase(c, s->kind, v0, digits, &r, NULL) == SCALLOP_OK;
-  const arb_struct *const all[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
-  for (int i = OF_T1; done && i < BREAKDOWN_QUANTITIES; i++)
-    if (r.switches || i > OF_DT)
-      arb_set(values + i, all[i - OF_T1]);
-  scallop_certified_phase_clear(&r);
-  fmpq_clear(v0);
-  return done;
-}
-
-bool exact_certified(const struct subject *s, double T, long digits, arb_ptr values)
-{
-  struct scallop_crawler c = subject_crawler(s, T);
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
-  scallop_rational_of(&exact, &c);
-  for (int i = 0; i < BREAKDOWN_QUANTITIES; i++)
-    arb_indeterminate(values + i);
-  bool done = s->steady ? certified_steady(&exact, digits, values) : certified_phase(&exact, s, digits, values);
-  scallop_rational_clear(&exact);
-  return done;
-}
-
-void subject_modes_text(const struct subject *s, const struct scallop_modes modes[2], char *text)
-{
-  if (s->steady)
-    period_modes_text(text, modes);
-  else
-    scallop_modes_text(&modes[0], text);
-}
-
-bool subject_same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
-{
-  for (int phase = 0; phase < 2; phase++)
-    if (a[phase].count != b[phase].count
-        || memcmp(a[phase].kept, b[phase].kept,
-                  (size_t)(a[phase].count < SCALLOP_MODES_KEPT ? a[phase].count : SCALLOP_MODES_KEPT)
-                      * sizeof *a[phase].kept)
-               != 0)
-      return false;
-  return true;
 }
 
 double subject_froude(const struct subject *s, double T)

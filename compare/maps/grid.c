@@ -39,16 +39,19 @@ struct map {
 
 /* ---- what is asked for ---- */
 
-static bool choose_quantity(struct map *m, enum breakdown_quantity *quantity)
+static bool choose_quantity(struct map *m, enum quantity_id *quantity)
 {
-  const char *name = m->options->quantity, *names[STEADY_QUANTITIES + 1] = { NULL };
-  *quantity = OF_DISPLACEMENT;
-  for (int q = 0; q < STEADY_QUANTITIES; q++) {
-    names[q] = breakdown_quantity_text((enum breakdown_quantity)q);
-    if (name && strcmp(name, names[q]) == 0)
-      *quantity = (enum breakdown_quantity)q;
+  const char *name = m->options->quantity, *names[QUANTITIES + 1] = { NULL };
+  int n = 0;
+  *quantity = Q_DISPLACEMENT;
+  for (int q = 0; q < QUANTITIES; q++) {
+    if (quantity_rows[q].of != OF_STEADY || !quantity_rows[q].has_series)
+      continue;
+    names[n++] = quantity_rows[q].name;
+    if (name && strcmp(name, quantity_rows[q].name) == 0)
+      *quantity = (enum quantity_id)q;
   }
-  if (!name || strcmp(name, names[*quantity]) == 0)
+  if (!name || strcmp(name, quantity_rows[*quantity].name) == 0)
     return true;
   const char *near = nearest(name, names);
   complain("breakdown",
@@ -83,7 +86,7 @@ static bool choose_series(struct map *m)
 {
   static const char *const sources[] = { "published", "derived", "limit" };
   const struct options *o = m->options;
-  enum breakdown_quantity quantity;
+  enum quantity_id quantity;
   if (!choose_quantity(m, &quantity))
     return false;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
@@ -234,7 +237,7 @@ static void make_title(const struct map *m, char title[TITLE])
   used += snprintf(title + used, (size_t)(TITLE - used),
                    " m1 %a m2 %a F1 %a F2 %a L %a T %a alpha %a gait %.200s (%08lx) %s", c->m1, c->m2, c->F1, c->F2, c->L,
                    c->T, c->alpha, c->gait->name, (unsigned long)gait_checksum(c->gait),
-                   breakdown_quantity_text(m->series[0].quantity));
+                   quantity_rows[m->series[0].quantity].name);
   for (int i = 0; i < m->series_count * (1 + m->tolerance_count); i++)
     used += snprintf(title + used, (size_t)(TITLE - used), " %s", m->names[i]);
   if (m->tolerance_count == 1)
@@ -307,7 +310,7 @@ static void begin_table(struct map *m, struct table *t)
   map_begin(t, m->options, m->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
-      breakdown_quantity_text(m->series[0].quantity));
+      quantity_rows[m->series[0].quantity].name);
   table_columns(t, first);
   for (const char *const *p = parameters; *p; p++)
     if (!is_axis(m, *p))

@@ -5,87 +5,53 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "numerics/numerics.h"
+#include "compare/answers/answer_flint.h"
 #include "compare/stress/stress.h"
-#include "numerics/certified.h"
 
-const char *const stress_quantities[3][STRESS_QUANTITIES] = {
-  { "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier" },
-  { "t1", "dT", "v_end", "dx1", "dx2", "dxC" },
-  { "x", "v" },
-};
+static const char *const at_the_end[STRESS_QUANTITIES] = { "x", "v" }; /* of a trajectory */
 
 enum { PARAMETERS = 8, CERTIFIED_DIGITS = 36 };
 
-/* The six numbers of a case, from whatever solver; nan where there is no such number. */
-struct numbers {
-  struct scallop_wide n[STRESS_QUANTITIES];
-  struct scallop_modes modes[2]; /* of a phase the first; not of the certified solver */
-};
-
 static bool is_phase(const struct stress_case *s) { return s->kind == STRESS_PHASE; }
+
+static enum quantity_id first_of(const struct stress_case *s) { return quantity_first(is_phase(s) ? OF_PHASE : OF_STEADY); }
+
+const char *stress_quantity_name(enum stress_kind kind, int q)
+{
+  return kind == STRESS_TRAJECTORY
+             ? at_the_end[q]
+             : quantity_rows[(int)quantity_first(kind == STRESS_PHASE ? OF_PHASE : OF_STEADY) + q].name;
+}
+
+static struct motion motion(const struct stress_case *s)
+{
+  return (struct motion){ is_phase(s) ? OF_PHASE : OF_STEADY, s->crawler, s->phase, s->v0 };
+}
+
+/* The six numbers of a case */
+static const struct scallop_wide *numbers(const struct stress_case *s, const struct answer *a)
+{
+  return a->value + first_of(s);
+}
 
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
 static bool may_jump(const struct stress_case *s, int q) { return is_phase(s) ? q < 2 : q == STRESS_QUANTITIES - 1; }
-
-static bool same_modes(const struct stress_case *s, const struct numbers *a, const struct numbers *b)
-{
-  bool same = true;
-  for (int i = 0; i < (is_phase(s) ? 1 : 2); i++) {
-    char text[2][SCALLOP_MODES_TEXT];
-    scallop_modes_text(&a->modes[i], text[0]);
-    scallop_modes_text(&b->modes[i], text[1]);
-    same = same && strcmp(text[0], text[1]) == 0;
-  }
-  return same;
-}
 
 double stress_difference(const struct scallop_wide *a, const struct scallop_wide *b)
 {
   return fabs((a->high - b->high) + (a->low - b->low));
 }
 
-/* ---- the solvers ---- */
-
-static enum scallop_status solve_double(const struct stress_case *s, struct numbers *out,
-                                        struct scallop_steady_result *steady, struct scallop_phase_result *phase)
+static bool solve_double(const struct stress_case *s, struct answer *a)
 {
-  enum scallop_status status = is_phase(s) ? scallop_phase(&s->crawler, s->phase, s->v0, phase)
-                                           : scallop_steady(&s->crawler, steady);
-  if (status < 0)
-    return status;
-  const struct scallop_period_result *p = &steady->period;
-  const double of_phase[] = { phase->t1, phase->dT, phase->v_end, phase->dx1, phase->dx2, phase->dxC };
-  const double of_steady[] = { steady->froude, p->v_start, p->v_mid, p->displacement, steady->mean_velocity, p->multiplier };
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    out->n[q] = (struct scallop_wide){ is_phase(s) ? of_phase[q] : of_steady[q], 0 };
-  for (int i = 0; i < 2; i++)
-    out->modes[i] = is_phase(s) ? phase->modes : p->modes[i];
-  return status;
+  const struct motion m = motion(s);
+  return answer_in_double(a, &m);
 }
 
-static enum scallop_status solve_plainly(const struct stress_case *s, struct numbers *out)
+static bool solve_wide(const struct stress_case *s, enum scallop_width width, struct answer *a)
 {
-  struct scallop_steady_result steady = { 0 };
-  struct scallop_phase_result phase = { 0 };
-  return solve_double(s, out, &steady, &phase);
-}
-
-static enum scallop_status solve_wide(const struct stress_case *s, enum scallop_width width, struct numbers *out)
-{
-  struct scallop_wide_steady steady;
-  struct scallop_wide_phase phase;
-  enum scallop_status status = is_phase(s) ? scallop_wide_phase(width, &s->crawler, s->phase, s->v0, &phase)
-                                           : scallop_wide_steady(width, &s->crawler, &steady);
-  if (status < 0)
-    return status;
-  const struct scallop_wide_period *p = &steady.period;
-  *out = is_phase(s) ? (struct numbers){ .n = { phase.t1, phase.dT, phase.v_end, phase.dx1, phase.dx2, phase.dxC } }
-                     : (struct numbers){ .n = { steady.froude, p->v_start, p->v_mid, p->displacement, steady.mean_velocity,
-                                                p->multiplier } };
-  for (int i = 0; i < 2; i++)
-    out->modes[i] = is_phase(s) ? phase.modes : p->modes[i];
-  return status;
+  const struct motion m = motion(s);
+  return answer_in_wide(a, &m, width);
 }
 
 static struct scallop_wide middle(const arb_t x)
@@ -101,45 +67,17 @@ static struct scallop_wide middle(const arb_t x)
   return arb_contains_zero(x) ? (struct scallop_wide){ 0, 0 } : w;
 }
 
-static enum scallop_status certify_steady(const struct scallop_rational_crawler *crawler, struct numbers *out,
-                                          const char **why)
+static bool certify(const struct stress_case *s, struct answer *a, const char **why)
 {
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
-  enum scallop_status status = scallop_certified_steady(crawler, CERTIFIED_DIGITS, &c, why);
-  if (status >= 0)
-    *out = (struct numbers){ .n = { middle(c.froude), middle(c.v_start), middle(c.v_mid), middle(c.displacement),
-                                    middle(c.mean_velocity), middle(c.multiplier) } };
-  scallop_certified_steady_clear(&c);
-  return status;
-}
-
-static enum scallop_status certify_phase(const struct scallop_rational_crawler *crawler, const struct stress_case *s,
-                                         struct numbers *out, const char **why)
-{
-  const struct scallop_wide none = { NAN, 0 };
-  struct scallop_certified_phase c;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_certified_phase_init(&c);
-  scallop_rational_set_double(v0, s->v0);
-  enum scallop_status status = scallop_certified_phase(crawler, s->phase, v0, CERTIFIED_DIGITS, &c, why);
-  if (status >= 0)
-    *out = (struct numbers){ .n = { c.switches ? middle(c.t1) : none, c.switches ? middle(c.dT) : none, middle(c.v_end),
-                                    middle(c.dx1), middle(c.dx2), middle(c.dxC) } };
-  scallop_certified_phase_clear(&c);
-  fmpq_clear(v0);
-  return status;
-}
-
-static enum scallop_status certify(const struct stress_case *s, struct numbers *out, const char **why)
-{
-  struct scallop_rational_crawler crawler;
-  scallop_rational_init(&crawler);
-  scallop_rational_of(&crawler, &s->crawler);
-  enum scallop_status status = is_phase(s) ? certify_phase(&crawler, s, out, why) : certify_steady(&crawler, out, why);
-  scallop_rational_clear(&crawler);
-  return status;
+  const struct motion m = motion(s);
+  struct ball_answer proven;
+  ball_answer_init(&proven);
+  bool done = answer_of_doubles(&proven, &m, CERTIFIED_DIGITS);
+  for (int q = 0; q < QUANTITIES && done; q++)
+    a->value[q] = proven.value[q] ? middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
+  *why = proven.why;
+  ball_answer_clear(&proven);
+  return done;
 }
 
 static void fail(struct stress_judgement *j, enum stress_outcome outcome, const char *why)
@@ -147,8 +85,6 @@ static void fail(struct stress_judgement *j, enum stress_outcome outcome, const 
   j->outcome = outcome;
   j->why = why;
 }
-
-/* ---- an ulp up or down ---- */
 
 bool stress_neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
 {
@@ -163,45 +99,45 @@ bool stress_neighbour(const struct stress_case *s, int parameter, double towards
 }
 
 /* What the changes of one parameter do to the result, in binary128 and in double. */
-static void disturb(const struct stress_case *s, int parameter, const struct numbers *wide, const struct numbers *got,
+static void disturb(const struct stress_case *s, int parameter, const struct answer *wide, const struct answer *got,
                     struct stress_judgement *j)
 {
   double most[STRESS_QUANTITIES] = { 0 };
   for (int side = -1; side <= 1; side += 2) {
     struct stress_case next;
-    struct numbers there;
+    struct answer there;
     if (!stress_neighbour(s, parameter, side * INFINITY, 1, &next))
       continue;
-    if (solve_wide(&next, SCALLOP_BINARY128, &there) >= 0)
+    if (solve_wide(&next, SCALLOP_BINARY128, &there))
       for (int q = 0; q < STRESS_QUANTITIES; q++)
-        most[q] = fmax(most[q], stress_difference(&there.n[q], &wide->n[q]));
-    enum scallop_status status = solve_plainly(&next, &there);
-    if (status < 0 && status != SCALLOP_ERANGE)
+        most[q] = fmax(most[q], stress_difference(&numbers(s, &there)[q], &numbers(s, wide)[q]));
+    bool solved = solve_double(&next, &there);
+    if (!solved && there.status != SCALLOP_ERANGE)
       fail(j, STRESS_LIED, "no solution where a parameter is an ulp off");
-    if (status < 0)
+    if (!solved)
       continue;
-    bool same = same_modes(s, &there, got);
+    bool same = same_modes(there.modes, got->modes);
     for (int q = 0; q < STRESS_QUANTITIES; q++)
       if (same || !may_jump(s, q))
-        j->perturbed[q] = fmax(j->perturbed[q], stress_difference(&there.n[q], &got->n[q]));
+        j->perturbed[q] = fmax(j->perturbed[q], stress_difference(&numbers(s, &there)[q], &numbers(s, got)[q]));
   }
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->unit[q] += most[q];
 }
 
 /* A kink that is further than an ulp away, and not more than as many as are promised, counts in proportion. */
-static void look_further(const struct stress_case *s, const struct numbers *wide, struct stress_judgement *j)
+static void look_further(const struct stress_case *s, const struct answer *wide, struct stress_judgement *j)
 {
   double unit[STRESS_QUANTITIES] = { 0 };
   for (int parameter = 0; parameter < PARAMETERS; parameter++) {
     double most[STRESS_QUANTITIES] = { 0 };
     for (int side = -1; side <= 1; side += 2) {
       struct stress_case next;
-      struct numbers there;
+      struct answer there;
       if (stress_neighbour(s, parameter, side * INFINITY, STRESS_PROMISE, &next)
-          && solve_wide(&next, SCALLOP_BINARY128, &there) >= 0)
+          && solve_wide(&next, SCALLOP_BINARY128, &there))
         for (int q = 0; q < STRESS_QUANTITIES; q++)
-          most[q] = fmax(most[q], stress_difference(&there.n[q], &wide->n[q]));
+          most[q] = fmax(most[q], stress_difference(&numbers(s, &there)[q], &numbers(s, wide)[q]));
     }
     for (int q = 0; q < STRESS_QUANTITIES; q++)
       unit[q] += most[q] / STRESS_PROMISE;
@@ -210,53 +146,31 @@ static void look_further(const struct stress_case *s, const struct numbers *wide
     j->unit[q] = fmax(j->unit[q], unit[q]);
 }
 
-/* ---- the four roundings ---- */
-
-static void round_otherwise(const struct stress_case *s, const struct numbers *got, struct stress_judgement *j)
+static void round_otherwise(const struct stress_case *s, const struct answer *got, struct stress_judgement *j)
 {
   static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
   double low[STRESS_QUANTITIES], high[STRESS_QUANTITIES];
   for (int q = 0; q < STRESS_QUANTITIES; q++)
-    low[q] = high[q] = got->n[q].high;
+    low[q] = high[q] = numbers(s, got)[q].high;
   for (int i = 0; i < 3; i++) {
-    struct numbers there;
+    struct answer there;
     int before = fegetround();
     fesetround(directions[i]);
-    enum scallop_status status = solve_plainly(s, &there);
+    bool solved = solve_double(s, &there);
     fesetround(before);
-    if (status < 0 && status != SCALLOP_ERANGE)
+    if (!solved && there.status != SCALLOP_ERANGE)
       fail(j, STRESS_LIED, "no solution in a directed rounding");
-    bool same = status >= 0 && same_modes(s, &there, got);
-    for (int q = 0; status >= 0 && q < STRESS_QUANTITIES; q++) {
+    bool same = solved && same_modes(there.modes, got->modes);
+    for (int q = 0; solved && q < STRESS_QUANTITIES; q++) {
       if (!same && may_jump(s, q))
         continue;
-      low[q] = fmin(low[q], there.n[q].high);
-      high[q] = fmax(high[q], there.n[q].high);
+      low[q] = fmin(low[q], numbers(s, &there)[q].high);
+      high[q] = fmax(high[q], numbers(s, &there)[q].high);
     }
   }
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->rounding[q] = high[q] - low[q];
 }
-
-/* ---- what a solve says of its own error ---- */
-
-static bool estimates(const struct stress_case *s, const struct scallop_steady_result *steady,
-                      const struct scallop_phase_result *phase, struct stress_judgement *j)
-{
-  struct scallop_steady_error e;
-  struct scallop_phase_error p;
-  enum scallop_status status = is_phase(s) ? scallop_phase_error(&s->crawler, s->phase, s->v0, phase, &p)
-                                           : scallop_steady_error(&s->crawler, steady, &e);
-  if (status < 0)
-    return false;
-  const double of_phase[] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
-  const double of_steady[] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->estimate[q] = is_phase(s) ? of_phase[q] : of_steady[q];
-  return true;
-}
-
-/* ---- all of it ---- */
 
 /* tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1: at 2^-960 of these, about 1e-289, digits may be
  * lost. */
@@ -270,20 +184,20 @@ static double floor_of(const struct stress_case *s, int q)
   return 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
 }
 
-static void measure(const struct stress_case *s, const struct numbers *exact, const struct numbers *got,
-                    const struct numbers wide[2], struct stress_judgement *j)
+static void measure(const struct stress_case *s, const struct answer *exact, const struct answer *got,
+                    const struct answer wide[2], struct stress_judgement *j)
 {
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    double y = exact->n[q].high;
+    double y = numbers(s, exact)[q].high;
     j->exact[q] = y;
-    j->got[q] = got->n[q].high;
-    j->has[q] = !isnan(y) || !isnan(got->n[q].high);
+    j->got[q] = numbers(s, got)[q].high;
+    j->has[q] = !isnan(y) || !isnan(numbers(s, got)[q].high);
     j->ulp[q] = fabs(y) > 0x1p53 * floor_of(s, q) && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
     double floor = floor_of(s, q);
     j->unit[q] = fmax(fmax(j->unit[q], j->ulp[q]), fmax(floor, DBL_MIN));
-    j->error[q] = stress_difference(&got->n[q], &exact->n[q]);
+    j->error[q] = stress_difference(&numbers(s, got)[q], &numbers(s, exact)[q]);
     for (int w = 0; w < 2; w++)
-      j->wide_error[w][q] = stress_difference(&wide[w].n[q], &exact->n[q]);
+      j->wide_error[w][q] = stress_difference(&numbers(s, &wide[w])[q], &numbers(s, exact)[q]);
     if (fabs(y) > floor && !isnormal(y) && j->has[q]) {
       j->outcome = STRESS_LIED;
       j->why = "a number beyond the range of doubles was not refused, or one is there that is not";
@@ -293,38 +207,39 @@ static void measure(const struct stress_case *s, const struct numbers *exact, co
 
 void stress_judge(const struct stress_case *s, struct stress_judgement *j)
 {
-  struct numbers got, exact, wide[2];
-  struct scallop_steady_result steady = { 0 };
-  struct scallop_phase_result phase = { 0 };
+  const struct motion m = motion(s);
+  struct answer got, exact, wide[2];
+  double errors[QUANTITIES];
   if (s->kind == STRESS_TRAJECTORY) {
     stress_judge_trajectory(s, j);
     return;
   }
   *j = (struct stress_judgement){ .outcome = STRESS_SOLVED };
-  enum scallop_status status = solve_double(s, &got, &steady, &phase);
-  if (status < 0) {
-    fail(j, status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_LIED, scallop_status_text(status));
+  if (!answer_with_errors(&got, &m, errors)) {
+    fail(j, got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_LIED, scallop_status_text(got.status));
     return;
   }
   for (int w = 0; w < 2; w++)
-    if (solve_wide(s, (enum scallop_width)w, &wide[w]) < 0) {
+    if (!solve_wide(s, (enum scallop_width)w, &wide[w])) {
       fail(j, STRESS_LIED, "wider arithmetic finds no solution");
       return;
     }
   const char *why = NULL;
-  if (certify(s, &exact, &why) < 0) { /* then wider arithmetic has to do */
+  if (!certify(s, &exact, &why)) { /* then wider arithmetic has to do */
     fail(j, STRESS_UNDECIDED, why);
     exact = wide[SCALLOP_BINARY128];
   }
   for (int parameter = 0; parameter < PARAMETERS; parameter++)
     disturb(s, parameter, &wide[SCALLOP_BINARY128], &got, j);
   measure(s, &exact, &got, wide, j);
-  j->other_modes = !same_modes(s, &got, &wide[SCALLOP_BINARY128]);
+  j->other_modes = !same_modes(got.modes, wide[SCALLOP_BINARY128].modes);
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->has[q] = j->has[q] && !(j->other_modes && may_jump(s, q));
   round_otherwise(s, &got, j);
-  if (!estimates(s, &steady, &phase, j))
+  if (isnan(errors[is_phase(s) ? Q_V_END : Q_V_START]))
     fail(j, STRESS_LIED, "there is no estimate of the error");
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    j->estimate[q] = errors[(int)first_of(s) + q];
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     if (stress_broken(j, q)) {
       look_further(s, &wide[SCALLOP_BINARY128], j);

@@ -47,8 +47,8 @@ void stress_arguments(const struct stress_case *stressed, char *text);
 /* ---- judgement ---- */
 
 enum { STRESS_QUANTITIES = 6 };
-/* froude v_start v_mid displacement mean_velocity multiplier; of a phase t1 dT v_end dx1 dx2 dxC; of a trajectory x and v at its end */
-extern const char *const stress_quantities[3][STRESS_QUANTITIES];
+/* Those of answers/quantities.h of the motion, in order; of a trajectory x and v at its end. */
+const char *stress_quantity_name(enum stress_kind kind, int quantity);
 
 enum stress_outcome {
   STRESS_SOLVED,

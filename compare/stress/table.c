@@ -181,7 +181,7 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
   table_number(t, r->refused);
   table_number(t, r->undecided);
   table_number(t, r->other_modes);
-  table_text(t, r->worst >= 0 ? stress_quantities[r->family->kind][q] : "-");
+  table_text(t, r->worst >= 0 ? stress_quantity_name(r->family->kind, q) : "-");
   table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
   table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
   table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
@@ -225,7 +225,7 @@ static void report(const struct row *r, const struct run *run)
         continue;
       stress_arguments(&run->stressed[i], arguments);
       complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
-               stress_quantities[r->family->kind][q], r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
+               stress_quantity_name(r->family->kind, q), r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
                arguments);
       said++;
     }
@@ -348,7 +348,7 @@ static void write_number(struct table *t, const struct stress_case *s, const str
   const char *broken = stress_broken(j, q);
   bool judged = is_judged(j, q), has_ulp = judged && j->ulp[q] > 0;
   all_lost(j, q, lost);
-  table_text(t, stress_quantities[s->kind][q]);
+  table_text(t, stress_quantity_name(s->kind, q));
   table_number(t, judged ? j->got[q] : NAN);
   table_number(t, judged ? j->exact[q] : NAN);
   table_rounded(t, judged ? over(j->error[q], j->unit[q]) : NAN, "%.3g");

@@ -3,12 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/derived.h"
+#include "compare/answers/answer_flint.h"
 #include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
-#include "compare/answers/exact.h"
 #include "compare/command/with_flint.h"
-#include "numerics/certified.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 
@@ -25,26 +23,13 @@ static const char *const bound_columns[] = { "quantity", "order", "C", "power", 
 
 static bool is_limit(const struct options *o) { return !o->bound && strcmp(o->source, "limit") == 0; }
 
-/* ---- one motion: its expansion and its certified values ---- */
-
-struct quantity {
-  const char *name;
-  const struct series *series;
-  const arb_struct *exact;
-};
-enum { MOST_QUANTITIES = 8 };
-
-struct motion {
+struct motion_report { /* of one motion: its expansion and its certified values */
   const char *phase, *start;
-  bool steady;
+  enum quantity_of of;
   enum scallop_phase_kind kind;
-  fmpq_t v0, T; /* T: of the phase, or the period                                                */
-  struct scallop_phase_expansion phase_expansion;
-  struct scallop_steady_expansion steady_expansion;
-  struct scallop_certified_phase phase_exact;
-  struct scallop_certified_steady steady_exact;
-  struct quantity quantities[MOST_QUANTITIES];
-  int count;
+  fmpq_t v0, T; /* T: of the phase, or the period */
+  struct series_answer derived;
+  struct ball_answer exact;
   char status[2 * SCALLOP_MODES_TEXT + 60];
 };
 
@@ -56,63 +41,32 @@ struct report {
   struct table table;
 };
 
-static void motion_init(struct motion *m)
+static void motion_init(struct motion_report *m)
 {
-  *m = (struct motion){ .phase = "period", .start = "steady", .steady = true };
+  *m = (struct motion_report){ .phase = "period", .start = "steady", .of = OF_STEADY };
   fmpq_init(m->v0);
   fmpq_init(m->T);
-  scallop_phase_expansion_init(&m->phase_expansion);
-  scallop_steady_expansion_init(&m->steady_expansion);
-  scallop_certified_phase_init(&m->phase_exact);
-  scallop_certified_steady_init(&m->steady_exact);
+  series_answer_init(&m->derived);
+  ball_answer_init(&m->exact);
 }
 
-static void motion_clear(struct motion *m)
+static void motion_clear(struct motion_report *m)
 {
   fmpq_clear(m->v0);
   fmpq_clear(m->T);
-  scallop_phase_expansion_clear(&m->phase_expansion);
-  scallop_steady_expansion_clear(&m->steady_expansion);
-  scallop_certified_phase_clear(&m->phase_exact);
-  scallop_certified_steady_clear(&m->steady_exact);
-}
-
-static void add_quantity(struct motion *m, const char *name, const struct series *series, const arb_struct *exact)
-{
-  m->quantities[m->count++] = (struct quantity){ name, series, exact };
-}
-
-static void list_quantities(struct motion *m)
-{
-  const struct scallop_steady_expansion *s = &m->steady_expansion;
-  const struct scallop_phase_expansion *p = &m->phase_expansion;
-  m->count = 0;
-  if (m->steady) {
-    add_quantity(m, "v_start", &s->v_start, m->steady_exact.v_start);
-    add_quantity(m, "v_mid", &s->v_mid, m->steady_exact.v_mid);
-    add_quantity(m, "displacement", &s->displacement, m->steady_exact.displacement);
-    add_quantity(m, "mean_velocity", &s->mean_velocity, m->steady_exact.mean_velocity);
-    return;
-  }
-  if (p->switches) {
-    add_quantity(m, "t1", &p->t1, m->phase_exact.t1);
-    add_quantity(m, "dT", &p->dT, m->phase_exact.dT);
-  }
-  add_quantity(m, "v_end", &p->v_end, m->phase_exact.v_end);
-  add_quantity(m, "dx1", &p->dx1, m->phase_exact.dx1);
-  add_quantity(m, "dx2", &p->dx2, m->phase_exact.dx2);
-  add_quantity(m, "dxC", &p->dxC, m->phase_exact.dxC);
+  series_answer_clear(&m->derived);
+  ball_answer_clear(&m->exact);
 }
 
 /* Whether every coefficient below T^order is exact or has the digits. */
-static bool is_precise(const struct motion *m, long order, long digits)
+static bool is_precise(const struct motion_report *m, long order, long digits)
 {
   bool precise = true;
   arb_t x;
   arb_init(x);
-  for (int i = 0; i < m->count; i++)
-    for (slong k = m->quantities[i].series->first; k < order && precise; k++) {
-      const struct series *s = m->quantities[i].series;
+  for (int q = 0; q < QUANTITIES; q++)
+    for (slong k = m->derived.value[q] ? m->derived.value[q]->first : order; k < order && precise; k++) {
+      const struct series *s = m->derived.value[q];
       if (s->exact || series_coefficient_is_zero(s, k))
         continue;
       series_coefficient(x, s, k, 64);
@@ -123,49 +77,40 @@ static bool is_precise(const struct motion *m, long order, long digits)
 }
 
 /* With so many bits, or as many more as the digits of the coefficients take. */
-static enum scallop_status expand(struct motion *m, const struct report *r, long order, slong precision, const char **why)
+static enum scallop_status expand(struct motion_report *m, const struct report *r, long order, slong precision,
+                                  const char **why)
 {
   enum { TRIES = 6 };
-  enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
-    status = m->steady ? scallop_expand_steady(&r->crawler, order, precision, &m->steady_expansion, why)
-                       : scallop_expand_phase(&r->crawler, m->kind, m->v0, order, precision, NULL, &m->phase_expansion, why);
-    list_quantities(m);
-    if (status == SCALLOP_EDOMAIN || (status == SCALLOP_OK && is_precise(m, order, r->digits)))
+    bool done = answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision);
+    *why = m->derived.why;
+    if (m->derived.status == SCALLOP_EDOMAIN || (done && is_precise(m, order, r->digits)))
       break;
   }
-  return status;
+  return m->derived.status;
 }
 
-static void compare_modes(struct motion *m)
+static void compare_modes(struct motion_report *m)
 {
-  char both[PERIOD_MODES_TEXT];
-  const char *limit = m->steady ? m->steady_expansion.modes : m->phase_expansion.modes;
-  if (m->steady)
-    period_modes_text(both, m->steady_exact.modes);
-  else
-    scallop_modes_text(&m->phase_exact.modes, both);
-  if (strcmp(both, limit) == 0)
+  char both[MOTION_MODES_TEXT];
+  motion_modes_text(both, m->of, m->exact.modes);
+  if (strcmp(both, m->derived.modes) == 0)
     snprintf(m->status, sizeof m->status, "ok");
   else
     snprintf(m->status, sizeof m->status, "not of this motion: its modes are %s", both);
 }
 
 /* Certified values with so many digits; without an answer the errors are nan. */
-static bool solve(struct motion *m, const struct report *r, long digits)
+static bool solve(struct motion_report *m, const struct report *r, long digits)
 {
-  const char *why = NULL;
-  enum scallop_status status = m->steady
-                                   ? scallop_certified_steady(&r->crawler, digits, &m->steady_exact, &why)
-                                   : scallop_certified_phase(&r->crawler, m->kind, m->v0, digits, &m->phase_exact, &why);
-  if (status == SCALLOP_OK)
+  bool solved = answer_in_balls(&m->exact, &r->crawler, m->of, m->kind, m->v0, digits);
+  if (solved)
     compare_modes(m);
   else
-    snprintf(m->status, sizeof m->status, "not certified: %s", why ? why : scallop_status_text(status));
-  return status == SCALLOP_OK;
+    snprintf(m->status, sizeof m->status, "not certified: %s",
+             m->exact.why ? m->exact.why : scallop_status_text(m->exact.status));
+  return solved;
 }
-
-/* ---- rows ---- */
 
 static void write_coefficient(struct table *t, const struct report *r, const struct series *s, slong power)
 {
@@ -187,14 +132,15 @@ static void write_coefficient(struct table *t, const struct report *r, const str
 }
 
 /* sum - exact. With too few digits of the exact value for this, false. */
-static bool error_of(arb_t error, const arb_t sum, const struct quantity *q, slong precision)
+static bool error_of(arb_t error, const arb_t sum, const arb_t exact, slong precision)
 {
-  arb_sub(error, sum, q->exact, precision);
+  arb_sub(error, sum, exact, precision);
   return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
 }
 
-static void write_term(struct report *r, const struct motion *m, const struct quantity *q, slong power, const arb_t sum,
-                       bool solved, slong precision)
+/* exact: NULL where the motion has no such quantity, or could not be certified. */
+static void write_term(struct report *r, const struct motion_report *m, int q, slong power, const arb_t sum,
+                       const arb_struct *exact, slong precision)
 {
   struct table *t = &r->table;
   char number[24], *text;
@@ -203,14 +149,14 @@ static void write_term(struct report *r, const struct motion *m, const struct qu
   snprintf(number, sizeof number, "%ld", (long)power);
   table_text(t, m->phase);
   table_text(t, m->start);
-  table_text(t, q->name);
+  table_text(t, quantity_rows[q].name);
   table_digits(t, number);
-  write_coefficient(t, r, q->series, power);
+  write_coefficient(t, r, m->derived.value[q], power);
   text = decimal_text(sum, r->digits);
   table_digits(t, text);
   flint_free(text);
-  if (solved) {
-    error_of(error, sum, q, precision);
+  if (exact) {
+    error_of(error, sum, exact, precision);
     text = decimal_text(error, ERROR_DIGITS);
     table_digits(t, text);
     flint_free(text);
@@ -221,12 +167,14 @@ static void write_term(struct report *r, const struct motion *m, const struct qu
 }
 
 /* One row for each term that is not 0; if all are, one row says so. */
-static void write_terms(struct report *r, const struct motion *m, const struct quantity *q, long order, bool solved)
+static void write_terms(struct report *r, const struct motion_report *m, int q, long order, bool solved)
 {
-  slong accuracy = solved ? arb_rel_accuracy_bits(q->exact) : 0, precision = (slong)(3.33 * (double)r->digits) + 128;
+  const struct series *series = m->derived.value[q];
+  const arb_struct *exact = solved ? m->exact.value[q] : NULL;
+  slong accuracy = exact ? arb_rel_accuracy_bits(exact) : 0, precision = (slong)(3.33 * (double)r->digits) + 128;
   if (accuracy < WORD_MAX / 4 && accuracy + 64 > precision)
     precision = accuracy + 64;
-  slong first = q->series->first < 0 ? q->series->first : 0;
+  slong first = series->first < 0 ? series->first : 0;
   bool any = false;
   arb_t T, power, term, sum;
   arb_init(T);
@@ -238,12 +186,12 @@ static void write_terms(struct report *r, const struct motion *m, const struct q
   for (slong k = first; k < 0; k++)
     arb_div(power, power, T, precision);
   for (slong k = first; k < order; k++, arb_mul(power, power, T, precision)) {
-    bool zero = series_coefficient_is_zero(q->series, k), say_zero = zero && k == order - 1 && !any;
+    bool zero = series_coefficient_is_zero(series, k), say_zero = zero && k == order - 1 && !any;
     if (zero && !say_zero)
       continue;
-    series_coefficient(term, q->series, k, precision);
+    series_coefficient(term, series, k, precision);
     arb_addmul(sum, term, power, precision);
-    write_term(r, m, q, say_zero ? 0 : k, sum, solved, precision);
+    write_term(r, m, q, say_zero ? 0 : k, sum, exact, precision);
     any = true;
   }
   arb_clear(T);
@@ -253,7 +201,7 @@ static void write_terms(struct report *r, const struct motion *m, const struct q
 }
 
 /* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within reason. */
-static bool solve_well(struct motion *m, const struct report *r, long order)
+static bool solve_well(struct motion_report *m, const struct report *r, long order)
 {
   enum { TRIES = 9, MOST = 10000 };
   long digits = r->digits + 20;
@@ -265,12 +213,15 @@ static bool solve_well(struct motion *m, const struct report *r, long order)
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
     slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
     solved = enough = solve(m, r, digits < MOST ? digits : MOST);
-    if (i > 0 && !m->quantities[0].series->exact && expand(m, r, order, precision, NULL) != SCALLOP_OK)
+    if (i > 0 && !m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->exact
+        && !answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision))
       break;
     arb_set_fmpq(T, m->T, precision);
-    for (int k = 0; solved && k < m->count; k++) {
-      series_value(sum, m->quantities[k].series, T, order, precision);
-      enough = error_of(error, sum, &m->quantities[k], precision) && enough;
+    for (int q = 0; solved && q < QUANTITIES; q++) {
+      if (!m->derived.value[q] || !m->exact.value[q])
+        continue;
+      series_value(sum, m->derived.value[q], T, order, precision);
+      enough = error_of(error, sum, m->exact.value[q], precision) && enough;
     }
     enough |= !solved || digits >= MOST;
   }
@@ -281,7 +232,7 @@ static bool solve_well(struct motion *m, const struct report *r, long order)
 }
 
 /* A motion without a series has its reason in status. */
-static void write_failure(struct report *r, const struct motion *m)
+static void write_failure(struct report *r, const struct motion_report *m)
 {
   struct table *t = &r->table;
   char status[240];
@@ -296,7 +247,7 @@ static void write_failure(struct report *r, const struct motion *m)
   table_text(t, status);
 }
 
-static bool report_motion(struct report *r, struct motion *m)
+static bool report_motion(struct report *r, struct motion_report *m)
 {
   bool limit = is_limit(r->options);
   long order = limit ? 1 : r->options->order;
@@ -309,16 +260,17 @@ static bool report_motion(struct report *r, struct motion *m)
     return false;
   }
   bool solved = solve_well(m, r, order);
-  for (int i = 0; i < m->count; i++)
-    write_terms(r, m, &m->quantities[i], limit && m->quantities[i].series->first < 0 ? 0 : order, solved);
+  for (int q = 0; q < QUANTITIES; q++)
+    if (m->derived.value[q])
+      write_terms(r, m, q, limit && m->derived.value[q]->first < 0 ? 0 : order, solved);
   return true;
 }
 
 static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool from_rest)
 {
-  struct motion m;
+  struct motion_report m;
   motion_init(&m);
-  m.steady = false;
+  m.of = OF_PHASE;
   m.kind = kind;
   m.phase = kind == SCALLOP_EXTENSION ? "extension" : "contraction";
   m.start = from_rest ? "rest" : "v0";
@@ -336,7 +288,7 @@ static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool fr
 
 static bool report_steady(struct report *r)
 {
-  struct motion m;
+  struct motion_report m;
   motion_init(&m);
   fmpq_set(m.T, r->crawler.T);
   bool reported = report_motion(r, &m);
@@ -379,8 +331,6 @@ static bool begin(struct report *r)
   table_begin_rows(&r->table);
   return true;
 }
-
-/* ---- bounds ---- */
 
 /* Four digits, rounded away from what is claimed: C and the bound up, times down. */
 static void write_rounded(struct table *t, const arb_t x, int direction)
@@ -456,8 +406,6 @@ static enum exit_code report_series(struct report *r)
     complain("series", "a motion has no series in powers of T: %s", r->why);
   return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
-
-/* ---- the command ---- */
 
 enum exit_code series_derived(const struct options *options)
 {
