@@ -58,6 +58,6 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
     if (!is_among(name, own) && !add_option(r, member, w))
       return false;
   }
-  return r->scene->run_command(r->scene, w, r->options, NULL) == EXIT_DONE
+  return r->scene->run_command(r->scene, w, r->options, true) == EXIT_DONE
          || refuse_at(r, at, "the command behind what = \"%s\" refuses these options", w->what);
 }

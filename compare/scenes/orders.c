@@ -27,7 +27,7 @@ bool orders_begin(const struct running *r, struct output *o)
 static double noise(const struct running *r, const struct quantity *error)
 {
   const struct scene_comparison *c = &r->state->comparison[error->of];
-  return r->plan->needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
+  return r->scene->plan.needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
 void orders_collect(const struct running *r, struct output *o)

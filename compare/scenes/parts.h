@@ -80,6 +80,9 @@ const char *gait_beside(const struct reading *r, const char *gait);
  * noted in the scene. */
 bool check_text(const struct reading *r, const char *text);
 
+/* plan.c: fills in scene->plan, from the kinds of its quantities. Nothing is solved. */
+void make_plan(struct scene *scene);
+
 /* vary.c, want.c: vary = ... and want = ... */
 bool read_vary(const struct reading *r, const config_setting_t *vary);
 bool read_wants(const struct reading *r, const config_setting_t *want);
@@ -111,7 +114,6 @@ bool refuse_quantity(const struct reading *r, const config_setting_t *at, const 
 /* A table that is being made */
 struct output {
   const struct scene_want *want;
-  const char *file;
   struct options options; /* of the table */
   struct table table;
   bool is_open, tells_steady;
@@ -122,7 +124,6 @@ struct output {
 
 struct running {
   const struct scene *scene;
-  const struct plan *plan;
   const struct options *options;
   struct scene_state *state;
   struct output *output;

@@ -254,8 +254,9 @@ static void plan_product(struct planning *p, const struct scene_product *product
     add(p, COUNT_ONSETS, runs, "the ends of a range");
 }
 
-void plan_make(struct plan *plan, const struct scene *scene)
+void make_plan(struct scene *scene)
 {
+  struct plan *plan = &scene->plan;
   struct planning p = { .scene = scene, .plan = plan, .points = (double)scene_points(scene) };
   char text[sizeof plan->stage->reason] = "";
   *plan = (struct plan){ .needs_flint = false };
@@ -265,7 +266,8 @@ void plan_make(struct plan *plan, const struct scene *scene)
   for (int i = 0; i < scene->wants; i++)
     plan_want(&p, &scene->want[i]);
   add(&p, COUNT_POINTS, p.points, *text ? text : "nothing varies");
-  plan->stage[COUNT_ONSETS].is_at_most = plan->stage[COUNT_EXPANSIONS].is_at_most = plan->stage[COUNT_PLOTS].is_at_most = true;
+  plan->stage[COUNT_ONSETS].is_at_most = plan->stage[COUNT_EXPANSIONS].is_at_most = plan->stage[COUNT_PLOTS].is_at_most =
+      true;
   plan->stage[COUNT_STEADY].is_at_most = scene->varies_v0;
   plan->needs_flint = plan->stage[COUNT_CERTIFIED].count > 0 || plan->stage[COUNT_EXPANSIONS].count > 0
                       || plan->stage[COUNT_COMMANDS].count > 0;

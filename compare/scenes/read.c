@@ -140,7 +140,9 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
     code = parse(&r, source, file);
   if (code == EXIT_DONE && !read_root(&r, config_root_setting(file)))
     code = EXIT_USAGE;
-  if (code != EXIT_DONE)
+  if (code == EXIT_DONE)
+    make_plan(s);
+  else
     scene_free(s);
   return code;
 }

@@ -167,12 +167,11 @@ static void each_point(struct running *r, const struct scene_product *product)
   }
 }
 
-static bool open_tables(struct running *r, const struct scene_outputs *outputs)
+static bool open_tables(struct running *r)
 {
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
     o->want = &r->scene->want[i];
-    o->file = outputs->file[i];
     o->options = *r->options;
     o->options.point = r->scene->base;
     o->options.format = o->want->format;
@@ -180,7 +179,7 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     o->tells_steady = tells_steady(r, o->want);
     if (o->want->kind == WANT_COMMAND) /* which opens its table itself */
       continue;
-    if (!table_open_at(&o->table, &o->options, o->file))
+    if (!table_open_at(&o->table, &o->options, o->want->file))
       return false;
     o->is_open = true;
     head_write(r, o);
@@ -205,7 +204,7 @@ static enum exit_code run_commands(const struct running *r)
     if (o->want->kind != WANT_COMMAND)
       continue;
     count_add(COUNT_COMMANDS, 1);
-    code = worse(code, r->scene->run_command(r->scene, o->want, r->options, &o->file));
+    code = worse(code, r->scene->run_command(r->scene, o->want, r->options, false));
   }
   return code;
 }
@@ -230,20 +229,21 @@ static enum exit_code close_tables(struct running *r, bool keep)
       table_abandon(&o->table);
     else if (o->is_open && !table_close(&o->table))
       code = EXIT_FILE;
-    else if (keep && o->file && !r->options->quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->file);
+    else if (keep && o->want->file && !r->options->quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->want->file);
     free(o->errors);
   }
   return code;
 }
 
-static enum exit_code draw_plots(const struct running *r, const struct scene_outputs *outputs)
+static enum exit_code draw_plots(const struct running *r)
 {
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants; i++) {
-    const struct scene_plot *p = &r->output[i].want->plot;
-    const struct plot plot = { .table = r->output[i].file,
-                               .file = outputs->plot[i],
+    const struct scene_want *w = &r->scene->want[i];
+    const struct scene_plot *p = &w->plot;
+    const struct plot plot = { .table = w->file,
+                               .file = p->file,
                                .script = p->script,
                                .program = p->program,
                                .title = r->scene->title,
@@ -252,7 +252,7 @@ static enum exit_code draw_plots(const struct running *r, const struct scene_out
                                .by = p->by,
                                .log_x = p->log_x,
                                .log_y = p->log_y };
-    if (!plot.file)
+    if (!w->has_plot)
       continue;
     if (!plot_draw(&plot, r->options->command->name)) {
       code = EXIT_FILE;
@@ -277,9 +277,9 @@ static void tell(const struct running *r)
 }
 
 /* Visits all points. The exit code of what is then in its place. */
-static enum exit_code run_points(struct running *r, const struct scene_outputs *outputs)
+static enum exit_code run_points(struct running *r)
 {
-  bool opened = open_tables(r, outputs);
+  bool opened = open_tables(r);
   for (int i = 0; opened && i < r->scene->products; i++)
     each_point(r, &r->scene->product[i]);
   enum exit_code code = opened && flush_tables(r) ? run_commands(r) : EXIT_FILE;
@@ -289,25 +289,24 @@ static enum exit_code run_points(struct running *r, const struct scene_outputs *
   if (!keep)
     return code;
   tell(r);
-  if (draw_plots(r, outputs) != EXIT_DONE)
+  if (draw_plots(r) != EXIT_DONE)
     return EXIT_FILE;
   if (r->unsolved > 0)
     return EXIT_UNSOLVED;
   return r->failed_checks > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
 }
 
-enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
-                         const struct options *options)
+enum exit_code scene_run(const struct scene *scene, const struct options *options)
 {
-  struct running r = { .scene = scene, .plan = plan, .options = options };
+  struct running r = { .scene = scene, .options = options };
   enum exit_code code = EXIT_UNSOLVED;
   r.state = malloc(sizeof *r.state);
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
   if (!r.state || !r.output)
     complain(options->command->name, "out of memory");
   else {
-    state_init(r.state, scene, &plan->needs);
-    code = run_points(&r, outputs);
+    state_init(r.state, scene);
+    code = run_points(&r);
     state_clear(r.state);
   }
   free(r.state);

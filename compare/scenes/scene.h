@@ -83,7 +83,7 @@ struct scene_plot {
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written */
-  const char *file; /* NULL: standard output */
+  const char *file; /* as the command line has it, and NULL: standard output */
   enum format format;
   long digits;
   int columns;
@@ -101,61 +101,6 @@ struct scene_want {
   bool has_plot;
   struct scene_plot plot;
 };
-
-enum scene_start { START_REST, START_STEADY, START_VELOCITY };
-
-struct scene;
-/* Makes the table of a want that is another command's; file NULL: reads its options, and no more. The command line hands this in, as
- * scenes know no command. */
-typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
-                                     const char *const *file);
-
-struct scene {
-  char *name;       /* of the file, without folder and .cfg */
-  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
-  int included;     /* files that it includes */
-  const char *include[SCENE_INCLUDED];
-  const char *title; /* or NULL */
-  int notes;
-  const char *note[SCENE_NOTES];
-  struct point base; /* the crawler where nothing varies */
-  enum scallop_phase_kind phase;
-  enum scene_start start;
-  bool varies_v0;
-  int products; /* one after the other; at least one, which may have no groups: one point */
-  struct scene_product *product;
-  struct quantities quantities; /* all that are used */
-  int wants;
-  struct scene_want want[SCENE_WANTS];
-  scene_command *run_command;
-  struct config_t *file; /* libconfig's, whose texts the above points to */
-  struct kept *kept;     /* and other texts */
-};
-
-/* Where a scene comes from: a file, or a text that has no folder. */
-struct scene_source {
-  const char *path; /* for messages, and to read if text is NULL */
-  const char *text;
-};
-
-/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code scene_text_read(const char *command, const char *path, char **text);
-
-/* Reads and checks a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
- * EXIT_DONE, or the exit code, the message being on stderr. */
-enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
-                          scene_command *run_command);
-void scene_free(struct scene *scene);
-
-/* The quantities of a column: that one, or those of its formula. Returns how many. */
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
-/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
-const char *scene_variable_sets(const struct scene_variable *variable);
-/* The variables of all products, one after another: number i, or NULL after the last. */
-const struct scene_variable *scene_variable(const struct scene *scene, int i);
-/* Points of the scene: the products of its groups, one after the other. */
-long scene_points(const struct scene *scene);
-long scene_product_points(const struct scene_product *product);
 
 /* What all points have in common, found before the first: what certified values must be good for. */
 struct scene_needs {
@@ -177,21 +122,82 @@ struct plan {
   struct plan_stage stage[COUNT_PLANNED];
 };
 
-/* The plan of a scene, from the kinds of its quantities. Nothing is solved. */
-void plan_make(struct plan *plan, const struct scene *scene);
+enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
-/* Where a want's table goes: the file, or NULL for standard output. It lives as long as the scene and the options. */
-struct scene_outputs {
-  const char *file[SCENE_WANTS];
-  const char *plot[SCENE_WANTS]; /* likewise; NULL: none */
+struct scene;
+/* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as scenes know no
+ * command. */
+typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
+                                     bool only_read);
+
+struct scene {
+  char *name;       /* of the file, without folder and .cfg */
+  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
+  int included;     /* files that it includes */
+  const char *include[SCENE_INCLUDED];
+  const char *title; /* or NULL */
+  int notes;
+  const char *note[SCENE_NOTES];
+  struct point base; /* the crawler where nothing varies */
+  enum scallop_phase_kind phase;
+  enum scene_start start;
+  bool varies_v0;
+  int products; /* one after the other; at least one, which may have no groups: one point */
+  struct scene_product *product;
+  struct quantities quantities; /* all that are used */
+  int wants;
+  struct scene_want want[SCENE_WANTS];
+  struct plan plan;
+  scene_command *run_command;
+  struct config_t *file; /* libconfig's, whose texts the above points to */
+  struct kept *kept;     /* and other texts */
 };
 
-/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
-enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
-                         const struct options *options);
+/* Where a scene comes from: a file, or a text that has no folder. */
+struct scene_source {
+  const char *path; /* for messages, and to read if text is NULL */
+  const char *text;
+};
 
-/* command/run.c: reads all scenes, and only then runs them. to_output: their tables go to options->output or standard output, whatever
- * files they name, and nothing is drawn. */
-enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count, bool to_output);
+/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
+enum exit_code scene_text_read(const char *command, const char *path, char **text);
+
+/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
+ * EXIT_DONE, or the exit code, the message being on stderr. */
+enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
+                          scene_command *run_command);
+void scene_free(struct scene *scene);
+
+/* The quantities of a column: that one, or those of its formula. Returns how many. */
+int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
+/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
+const char *scene_variable_sets(const struct scene_variable *variable);
+/* The variables of all products, one after another: number i, or NULL after the last. */
+const struct scene_variable *scene_variable(const struct scene *scene, int i);
+/* Points of the scene: the products of its groups, one after the other. */
+long scene_points(const struct scene *scene);
+long scene_product_points(const struct scene_product *product);
+
+/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
+enum exit_code scene_run(const struct scene *scene, const struct options *options);
+
+/* The files that scenes read and write, by what they are and not by how a path is spelled */
+enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };
+struct scene_places {
+  int count;
+  struct scene_place {
+    bool is_output;
+    char key[PLACE_KEY];
+  } place[SCENE_PLACES];
+};
+/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard input, where that is a
+ * file. */
+void places_reads(struct scene_places *places, const struct scene *scene);
+/* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
+ * pipes take any number. */
+bool places_writes(struct scene_places *places, const char *command, const char *path);
+
+/* command/run.c: reads all scenes, and only then runs them. */
+enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count);
 
 #endif

@@ -8,9 +8,9 @@
 #include "compare/answers/gaits.h"
 #include "compare/scenes/flint.h"
 
-void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
+void state_init(struct scene_state *s, const struct scene *scene)
 {
-  *s = (struct scene_state){ .scene = scene, .needs = *needs, .at = scene->base };
+  *s = (struct scene_state){ .scene = scene, .needs = scene->plan.needs, .at = scene->base };
 }
 
 void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }

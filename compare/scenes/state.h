@@ -38,7 +38,7 @@ struct scene_state {
   struct scene_flint *flint;                    /* made when it is first needed                                     */
 };
 
-void state_init(struct scene_state *state, const struct scene *scene, const struct scene_needs *needs);
+void state_init(struct scene_state *state, const struct scene *scene);
 void state_clear(struct scene_state *state);
 
 /* Goes to a point: index[g] is the place in group g of the product. */

@@ -309,6 +309,26 @@ static bool read_output(const struct reading *r, const config_setting_t *at, str
                       w->file);
 }
 
+static bool put_into(const struct reading *r, const char *folder, const char **file)
+{
+  if (!folder || !*file || **file == '/')
+    return true;
+  const char *head = keep_text(r, folder, (int)strlen(folder), "/");
+  *file = head ? keep_text(r, head, (int)strlen(head), *file) : NULL;
+  return *file != NULL;
+}
+
+/* Where the table and its plot go in the end: the command line may name the file, or a folder. */
+static bool place(const struct reading *r, struct scene_want *w)
+{
+  const struct options *o = r->options;
+  bool is_named = o->has_output && !o->explain; /* else -o names the plan's */
+  if (is_named)
+    w->file = o->output;
+  w->has_plot = w->has_plot && w->file && !o->no_plots;
+  return is_named || (put_into(r, o->folder, &w->file) && put_into(r, o->folder, &w->plot.file));
+}
+
 static bool read_want(const struct reading *r, const config_setting_t *at)
 {
   struct scene_want *w = &r->scene->want[r->scene->wants++];
@@ -327,7 +347,8 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
     return false;
   w->kind = kinds[kind].kind;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
-  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w));
+  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w))
+         && place(r, w);
 }
 
 bool read_wants(const struct reading *r, const config_setting_t *want)
