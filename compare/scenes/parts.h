@@ -116,7 +116,7 @@ struct output {
   const struct scene_want *want;
   struct options options; /* of the table */
   struct table table;
-  bool is_open, tells_steady;
+  bool is_open;
   /* orders: the errors of each series at each T so far */
   struct order_point *errors;
   long times;

@@ -7,64 +7,37 @@
 #include "compare/command/plot.h"
 #include "compare/scenes/parts.h"
 
-static bool is_of_steady(const struct quantities *all, const struct quantity *q)
+/* A cell; only_find: the value is found, and not written. */
+static void put_column(const struct running *r, struct output *o, const struct scene_column *c, bool only_find)
 {
-  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(all, q));
-}
-
-/* What a row says of its status is of all its columns, wherever it stands: they are found first. */
-static void find_columns(const struct running *r, const struct scene_want *w)
-{
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
-    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-    if (!q)
-      state_formula(r->state, &c->formula);
-    else if (!quantity_is_text(q))
-      state_number(r->state, c->quantity);
-    else if (q->kind != QUANTITY_STATUS)
-      state_text(r->state, c->quantity, 1);
+  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+  if (!q || !quantity_is_text(q)) {
+    double x = q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula);
+    if (!only_find)
+      table_number(&o->table, x);
+    return;
   }
-}
-
-static bool tells_steady(const struct running *r, const struct scene_want *w)
-{
-  const struct quantities *all = &r->scene->quantities;
-  for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
-    for (int k = 0; k < count; k++)
-      if (is_of_steady(all, &all->item[places[k]]))
-        return true;
-  }
-  return false;
-}
-
-static void write_certified(const struct running *r, struct output *o, int quantity)
-{
-  const char *digits = state_text(r->state, quantity, o->options.digits > 0 ? o->options.digits : 17);
-  if (strcmp(digits, "nan") == 0)
+  if (only_find && q->kind == QUANTITY_STATUS)
+    return;
+  const char *text = state_text(r->state, c->quantity, o->options.digits > 0 ? o->options.digits : DIGITS_OF_DOUBLE);
+  if (only_find)
+    return;
+  if (q->kind != QUANTITY_CERTIFIED)
+    table_text(&o->table, text);
+  else if (strcmp(text, "nan") == 0)
     table_number(&o->table, NAN);
   else
-    table_digits(&o->table, digits);
+    table_digits(&o->table, text);
 }
 
-static void write_columns(struct running *r, struct output *o)
+/* The status of a row is that of all its columns, wherever it stands: they are found first. */
+static void write_columns(const struct running *r, struct output *o)
 {
   const struct scene_want *w = o->want;
-  if (w->kind == WANT_ROWS)
-    find_columns(r, w);
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
-    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-    if (!q)
-      table_number(&o->table, state_formula(r->state, &c->formula));
-    else if (q->kind == QUANTITY_CERTIFIED)
-      write_certified(r, o, c->quantity);
-    else if (quantity_is_text(q))
-      table_text(&o->table, state_text(r->state, c->quantity, 0));
-    else
-      table_number(&o->table, state_number(r->state, c->quantity));
-  }
+  for (int i = 0; i < w->columns && w->kind == WANT_ROWS; i++)
+    put_column(r, o, &w->column[i], true);
+  for (int i = 0; i < w->columns; i++)
+    put_column(r, o, &w->column[i], false);
   count_add(COUNT_ROWS, 1);
 }
 
@@ -137,7 +110,7 @@ static void at_point(struct running *r, bool last_of_times)
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
-    state_begin_row(r->state, o->tells_steady);
+    state_begin_row(r->state);
     at_want(r, o, last_of_times);
     if (*why != '\0' && r->unsolved == 0 && !unsolved)
       snprintf(r->why, sizeof r->why, "%s", why);
@@ -176,7 +149,6 @@ static bool open_tables(struct running *r)
     o->options.point = r->scene->base;
     o->options.format = o->want->format;
     o->options.digits = o->want->digits;
-    o->tells_steady = tells_steady(r, o->want);
     if (o->want->kind == WANT_COMMAND) /* which opens its table itself */
       continue;
     if (!table_open_at(&o->table, &o->options, o->want->file))

@@ -31,12 +31,21 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .products = 0 };
 }
 
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS])
+int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])
 {
-  if (column->quantity < 0)
-    return arithmetic_places(&column->formula, places);
-  places[0] = column->quantity;
-  return 1;
+  int count = 0;
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    if (c->quantity >= 0)
+      places[count++] = c->quantity;
+    else
+      count += arithmetic_places(&c->formula, places + count);
+  }
+  if (w->until.is_formula && count <= WANT_QUANTITIES - ARITHMETIC_STEPS)
+    count += arithmetic_places(&w->until.formula, places + count);
+  for (int i = 0; i < w->series && count < WANT_QUANTITIES; i++)
+    places[count++] = w->of[i];
+  return count;
 }
 
 const char *scene_variable_sets(const struct scene_variable *v)

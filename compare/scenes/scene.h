@@ -168,8 +168,9 @@ enum exit_code scene_read(struct scene *scene, const struct scene_source *source
                           scene_command *run_command);
 void scene_free(struct scene *scene);
 
-/* The quantities of a column: that one, or those of its formula. Returns how many. */
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
+/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
+enum { WANT_QUANTITIES = SCENE_COLUMNS * ARITHMETIC_STEPS };
+int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
 /* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
 const char *scene_variable_sets(const struct scene_variable *variable);
 /* The variables of all products, one after another: number i, or NULL after the last. */

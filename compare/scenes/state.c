@@ -131,9 +131,9 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   count_add(COUNT_POINTS, 1);
 }
 
-void state_begin_row(struct scene_state *s, bool tells_steady)
+void state_begin_row(struct scene_state *s)
 {
-  s->tells_steady = tells_steady;
+  s->tells_steady = false;
   if (!s->is_outside)
     s->why[0] = '\0';
 }
@@ -344,11 +344,18 @@ static double compute(struct scene_state *s, const struct quantity *q)
   }
 }
 
+static bool is_of_steady(const struct scene_state *s, const struct quantity *q)
+{
+  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(&s->scene->quantities, q));
+}
+
 double state_number(struct scene_state *s, int quantity)
 {
+  const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   if (!s->has[quantity]) {
     long before = s->failures;
-    s->value[quantity] = compute(s, &s->scene->quantities.item[quantity]);
+    s->value[quantity] = compute(s, q);
     s->has[quantity] = s->failures == before; /* a failure is told in each row that it is of; solutions are kept */
   }
   return s->value[quantity];
@@ -386,6 +393,7 @@ static const char *status_text(struct scene_state *s)
 const char *state_text(struct scene_state *s, int quantity, long digits)
 {
   const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   switch (q->kind) {
   case QUANTITY_GAIT: return s->at.crawler.gait->name;
   case QUANTITY_LABEL: return s->label[q->which] ? s->label[q->which] : "-";

@@ -44,8 +44,8 @@ void state_clear(struct scene_state *state);
 /* Goes to a point: index[g] is the place in group g of the product. */
 void state_move(struct scene_state *state, const struct scene_product *product, const long *index);
 
-/* Before each row: what failed for another table is no matter of this one. tells_steady: its status is that of the steady state too. */
-void state_begin_row(struct scene_state *state, bool tells_steady);
+/* Before each row: what failed for another table is no matter of this one. */
+void state_begin_row(struct scene_state *state);
 
 /* A quantity by its place in the scene's list: nan where it cannot be had, and state->why then says why. */
 double state_number(struct scene_state *state, int quantity);
