@@ -225,7 +225,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o)
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->quiet; i++)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
-              scene_points(all->scene[i]), all->scene[i]->wants);
+              sweep_points(&all->scene[i]->sweep), all->scene[i]->wants);
     return EXIT_DONE;
   }
   if (needs_flint(all) && !hand_over(all, o))

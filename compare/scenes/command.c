@@ -40,7 +40,7 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
 bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const own[] = { "what", "file", "format", "plot", NULL };
-  const struct scene_variable *varied = scene_variable(r->scene, 0);
+  const struct sweep_variable *varied = sweep_variable(&r->scene->sweep, 0);
   w->kind = WANT_COMMAND;
   if (varied)
     return refuse_at(r, at,

@@ -6,9 +6,9 @@
 
 static bool varies(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
-  for (int i = 0; (v = scene_variable(s, i)); i++)
-    if (v->target != TARGET_LABEL && strcmp(scene_variable_sets(v), parameter) == 0)
+  const struct sweep_variable *v;
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
+    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
       return true;
   return false;
 }
@@ -16,10 +16,10 @@ static bool varies(const struct scene *s, const char *parameter)
 /* A measured gait among several brings L, T and alpha of its own. */
 static bool goes_with_gait(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
+  const struct sweep_variable *v;
   int place = crawler_place(parameter);
   bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
-  for (int i = 0; own && (v = scene_variable(s, i)); i++)
+  for (int i = 0; own && (v = sweep_variable(&s->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       measured |= strncmp(v->texts[k], "measured:", 9) == 0;
   return measured;

@@ -51,7 +51,7 @@ static void write_order(struct running *r, struct output *o, int series)
   enum order_verdict verdict = fit.state == ORDER_EXACT ? ORDER_VERDICT_FLOOR_LIMITED
                                                         : order_judge(&fit, w->expect, w->tolerance);
   for (int i = 0; i < all->labels; i++)
-    table_text(t, r->state->label[i] ? r->state->label[i] : "-");
+    table_text(t, r->state->swept.label[i] ? r->state->swept.label[i] : "-");
   for (const char *const *name = crawler_parameters; *name; name++)
     if (strcmp(*name, "gait") == 0)
       table_text(t, r->state->at.crawler.gait->name);

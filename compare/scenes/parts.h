@@ -63,7 +63,7 @@ const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
 /* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
-bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end, bool *onset);
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;

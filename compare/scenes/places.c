@@ -45,12 +45,12 @@ static void reads_gait(struct scene_places *all, const char *gait)
 
 void places_reads(struct scene_places *all, const struct scene *scene)
 {
-  const struct scene_variable *v;
+  const struct sweep_variable *v;
   reads(all, strcmp(scene->name, "-") == 0 ? "/dev/stdin" : scene->path);
   for (int i = 0; i < scene->included; i++)
     reads(all, scene->include[i]);
   reads_gait(all, scene->base.crawler.gait->name);
-  for (int i = 0; (v = scene_variable(scene, i)); i++)
+  for (int i = 0; (v = sweep_variable(&scene->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       reads_gait(all, v->texts[k]);
   for (int w = 0; w < scene->wants; w++)

@@ -184,9 +184,9 @@ static void plan_want(struct planning *p, const struct scene_want *w)
     p->plan->stage[COUNT_ROWS].is_at_most |= ends_early;
   } else if (w->kind == WANT_ORDERS) {
     rows = 0;
-    for (int k = 0; k < p->scene->products; k++) {
-      const struct scene_product *product = &p->scene->product[k];
-      rows += (double)w->series * (double)scene_product_points(product) / (double)product->group[product->groups - 1].count;
+    for (int k = 0; k < p->scene->sweep.products; k++) {
+      const struct sweep_product *product = &p->scene->sweep.product[k];
+      rows += (double)w->series * (double)sweep_product_points(product) / (double)product->group[product->groups - 1].count;
     }
     add(p, COUNT_ORDERS, rows, w->what);
   } else if (w->kind == WANT_COMMAND)
@@ -197,25 +197,25 @@ static void plan_want(struct planning *p, const struct scene_want *w)
     add(p, COUNT_PLOTS, 1, w->plot.file);
 }
 
-static bool is_free_of_T(const struct scene_variable *v)
+static bool is_free_of_T(const struct sweep_variable *v)
 {
   return v->target == TARGET_FROUDE || v->target == TARGET_LABEL
          || (v->target == TARGET_NUMBER && strcmp(v->name, "T") == 0);
 }
 
 /* Looks at what varies in a product: "3 F1_over_F2 x 200 T"; the runs; and onsets that a range needs. */
-static void plan_product(struct planning *p, const struct scene_product *product, char *text, size_t size)
+static void plan_product(struct planning *p, const struct sweep_product *product, char *text, size_t size)
 {
   size_t used = strlen(text);
   double runs = 1, points = 1;
   bool needs_onset = false, sets_v0 = false;
   for (int g = 0; g < product->groups; g++) {
-    const struct scene_group *group = &product->group[g];
+    const struct sweep_group *group = &product->group[g];
     points *= (double)group->count;
     if (used < size)
       used += (size_t)snprintf(text + used, size - used, "%s%ld", g > 0 ? " x " : used > 0 ? " + " : "", group->count);
     for (int v = 0; v < group->variables; v++) {
-      const struct scene_variable *variable = &group->variable[v];
+      const struct sweep_variable *variable = &group->variable[v];
       if (used < size)
         used += (size_t)snprintf(text + used, size - used, "%s%s", v > 0 ? ", " : " ", variable->name);
       needs_onset |= variable->needs_onset;
@@ -233,11 +233,11 @@ static void plan_product(struct planning *p, const struct scene_product *product
 void make_plan(struct scene *scene)
 {
   struct plan *plan = &scene->plan;
-  struct planning p = { .scene = scene, .plan = plan, .points = (double)scene_points(scene) };
+  struct planning p = { .scene = scene, .plan = plan, .points = (double)sweep_points(&scene->sweep) };
   char text[sizeof plan->stage->reason] = "";
   *plan = (struct plan){ .needs_flint = false };
-  for (int i = 0; i < scene->products; i++)
-    plan_product(&p, &scene->product[i], text, sizeof text);
+  for (int i = 0; i < scene->sweep.products; i++)
+    plan_product(&p, &scene->sweep.product[i], text, sizeof text);
   find_accuracy(scene, &plan->needs);
   for (int i = 0; i < scene->wants; i++)
     plan_want(&p, &scene->want[i]);

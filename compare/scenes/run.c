@@ -127,17 +127,14 @@ static bool failed(const struct running *r)
   return false;
 }
 
-static void each_point(struct running *r, const struct scene_product *product)
+static void each_point(struct running *r, const struct sweep_product *product)
 {
-  long index[SCENE_GROUPS] = { 0 };
-  int g = 0;
-  while (g >= 0 && !failed(r)) {
-    int last = product->groups - 1;
+  long index[SWEEP_GROUPS] = { 0 };
+  int last = product->groups - 1;
+  do {
     state_move(r->state, product, index);
     at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
-    for (g = last; g >= 0 && ++index[g] == product->group[g].count; g--)
-      index[g] = 0;
-  }
+  } while (sweep_next(product, index) && !failed(r));
 }
 
 static bool open_tables(struct running *r)
@@ -252,8 +249,8 @@ static void tell(const struct running *r)
 static enum exit_code run_points(struct running *r)
 {
   bool opened = open_tables(r);
-  for (int i = 0; opened && i < r->scene->products; i++)
-    each_point(r, &r->scene->product[i]);
+  for (int i = 0; opened && i < r->scene->sweep.products; i++)
+    each_point(r, &r->scene->sweep.product[i]);
   enum exit_code code = opened && flush_tables(r) ? run_commands(r) : EXIT_FILE;
   bool keep = code != EXIT_FILE && code != EXIT_USAGE;
   if (close_tables(r, keep) != EXIT_DONE)

@@ -11,58 +11,16 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/quantity.h"
+#include "compare/answers/sweep.h"
 #include "compare/command/compare.h"
 #include "compare/text/formula.h"
 
 enum {
-  SCENE_GROUPS = 8,
-  SCENE_VARIABLES = 8,
-  SCENE_PRODUCTS = 16,
   SCENE_WANTS = 32,
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
   SCENE_INCLUDED = 64,
-  SCENE_RAMP = 1000000, /* most values of a range */
-  SCENE_TIMES = 4096    /* most periods of an order */
-};
-
-/* What a variable sets. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T when all else is set. */
-enum scene_target {
-  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
-  TARGET_GAIT,
-  TARGET_V0,
-  TARGET_F1_OVER_F2,
-  TARGET_M1_OVER_M2,
-  TARGET_FROUDE,
-  TARGET_LABEL /* no parameter: a text of its own, for a column */
-};
-
-struct scene_end { /* of a range */
-  bool is_formula; /* of parameters that are set further out, and sticking_onset */
-  double number;
-  struct arithmetic formula;
-};
-
-struct scene_variable {
-  enum scene_target target;
-  int place; /* of a number among the crawler's, of a label among the scene's */
-  const char *name;
-  long count;         /* values; 1: the same throughout its group */
-  double *numbers;    /* a list of numbers, or NULL */
-  const char **texts; /* a list of texts: labels, gaits, numbers as they were written (NULL: as a double), or NULL */
-  bool is_log;        /* a range */
-  bool needs_onset;   /* to know its ends */
-  struct scene_end from, to;
-};
-
-struct scene_group {
-  int variables;
-  struct scene_variable variable[SCENE_VARIABLES];
-  long count;
-};
-struct scene_product {
-  int groups; /* the first advances slowest */
-  struct scene_group group[SCENE_GROUPS];
+  SCENE_TIMES = 4096 /* most periods of an order */
 };
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
@@ -91,7 +49,7 @@ struct scene_want {
   bool is_certified;           /* errors against certified values, whatever the accuracy */
   double accuracy;             /* errors below this part of the exact value are 0 */
   long periods, samples;       /* trajectory */
-  struct scene_end until;      /* and no further than this time */
+  struct sweep_end until;      /* and no further than this time */
   int series;                  /* orders: of the errors of these */
   int of[SCENE_COLUMNS];       /* the errors, as quantities */
   bool has_expect;
@@ -142,8 +100,7 @@ struct scene {
   enum scallop_phase_kind phase;
   enum scene_start start;
   bool varies_v0;
-  int products; /* one after the other; at least one, which may have no groups: one point */
-  struct scene_product *product;
+  struct sweep sweep;
   struct quantities quantities; /* all that are used */
   int wants;
   struct scene_want want[SCENE_WANTS];
@@ -171,14 +128,6 @@ void scene_free(struct scene *scene);
 /* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
 enum { WANT_QUANTITIES = SCENE_COLUMNS * ARITHMETIC_STEPS };
 int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
-/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
-const char *scene_variable_sets(const struct scene_variable *variable);
-/* The variables of all products, one after another: number i, or NULL after the last. */
-const struct scene_variable *scene_variable(const struct scene *scene, int i);
-/* Points of the scene: the products of its groups, one after the other. */
-long scene_points(const struct scene *scene);
-long scene_product_points(const struct scene_product *product);
-
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
 enum exit_code scene_run(const struct scene *scene, const struct options *options);
 

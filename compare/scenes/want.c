@@ -71,15 +71,15 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
   static const char *const usual[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
   const config_setting_t *until = config_setting_get_member(at, "until");
   bool onset = false;
-  w->until = (struct scene_end){ .number = INFINITY };
+  w->until = (struct sweep_end){ .number = INFINITY };
   if (until && !read_end(r, until, &w->until, &onset))
     return false;
   if (wanted->count > 0)
     return read_columns(r, at, w, wanted);
   if (!add_labels(r, at, w))
     return false;
-  const struct scene_variable *v;
-  for (int k = 0; (v = scene_variable(r->scene, k)); k++) { /* what varies tells the curves apart */
+  const struct sweep_variable *v;
+  for (int k = 0; (v = sweep_variable(&r->scene->sweep, k)); k++) { /* what varies tells the curves apart */
     bool there = v->target == TARGET_LABEL;
     for (int i = 0; i < w->columns; i++)
       there |= strcmp(w->column[i].name, v->name) == 0;
@@ -93,9 +93,9 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
   const struct scene *s = r->scene;
-  for (int p = 0; p < s->products; p++) {
-    const struct scene_product *product = &s->product[p];
-    const struct scene_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
+  for (int p = 0; p < s->sweep.products; p++) {
+    const struct sweep_product *product = &s->sweep.product[p];
+    const struct sweep_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
     bool is_T = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER
                 && strcmp(last->variable[0].name, "T") == 0;
     if (!is_T || last->count < 3 || last->count > SCENE_TIMES)

@@ -8,9 +8,9 @@
 
 static void judge(const struct scene *scene)
 {
-  if (scene->wants < 1 || scene->products < 1 || !(scene_points(scene) >= 1))
-    fuzz_fail("a scene of %d wants, %d products and %ld points was taken", scene->wants, scene->products,
-              scene_points(scene));
+  if (scene->wants < 1 || scene->sweep.products < 1 || !(sweep_points(&scene->sweep) >= 1))
+    fuzz_fail("a scene of %d wants, %d products and %ld points was taken", scene->wants, scene->sweep.products,
+              sweep_points(&scene->sweep));
   for (int i = 0; i < COUNT_PLANNED; i++) {
     const struct plan_stage *s = &scene->plan.stage[i];
     if (!(s->count >= 0) || !isfinite(s->count) || (s->count > 0) != (s->reason[0] != '\0'))
