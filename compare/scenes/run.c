@@ -169,11 +169,11 @@ static enum exit_code run_commands(const struct running *r)
 {
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++) {
-    const struct output *o = &r->output[i];
-    if (o->want->kind != WANT_COMMAND)
+    const struct scene_want *w = &r->scene->want[i];
+    if (w->kind != WANT_COMMAND)
       continue;
     count_add(COUNT_COMMANDS, 1);
-    code = worse(code, r->scene->run_command(r->scene, o->want, r->options, false));
+    code = worse(code, r->scene->run_command(r->scene, w, r->options, false));
   }
   return code;
 }
