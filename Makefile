@@ -39,8 +39,8 @@ SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
 folders  = model asymptotics numerics compare/* tests tests/fuzz bench
-rooms    = $(wildcard $(1)/*.c)
-parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call rooms,$(r))))
+units    = $(wildcard $(1)/*.c)
+parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call units,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
 core    := $(call objects,$(filter-out compare/command/main compare/command/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
 alone   := $(core) $(call objects,compare/command/hand_over)
@@ -63,7 +63,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check check-report reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage gates clean setup-build setup-check setup-plots
+.PHONY: all help check check-report reproduce bench instructions rooms size lint format asan fuzz fuzz-programs valgrind matrix coverage gates clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -171,7 +171,7 @@ instructions: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@sh scripts/instructions.sh $(B)
 
-$(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call rooms,bench)))) $(alone)
+$(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call units,bench)))) $(alone)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 
@@ -210,6 +210,15 @@ matrix:
 coverage:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests coverage
 	+@MAKE="$(MAKE)" sh scripts/coverage.sh $(B)/coverage
+
+## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/rooms.txt; circles, and what is too long
+rooms: setup-build
+	@$(MAKE) --no-print-directory $(at_once) $(programs)
+	@/usr/bin/python3 scripts/rooms.py $(B)
+
+## size:       files, lines and functions of each folder; the median and the longest function, in lines
+size:
+	@/usr/bin/python3 scripts/rooms.py $(B) --size
 
 sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(folders),$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format

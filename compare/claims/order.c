@@ -5,7 +5,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/claims/book.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 
 static const double SPEED = 0.37;
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/samples.h"
 #include "numerics/certified.h"
 
@@ -20,11 +20,11 @@ struct ledger_sample {
 /* Of a term c T^p with p <= 9 or so, c of size 1, ten digits are left. decades: by which T0 has been made smaller. */
 static long digits_at(int k, double decades) { return 40 + (long)(10 * (0.602 * k + 1.5 * decades)); }
 
-static bool same_modes(const struct ledger_sample *s, const struct ledger_case *c)
+static bool has_its_modes(const struct ledger_sample *s, const struct ledger_case *c)
 {
-  char text[PERIOD_MODES_TEXT];
+  char text[MOTION_MODES_TEXT];
   if (c->setting == SCALLOP_STEADY)
-    return strcmp(period_modes_text(text, s->steady.modes), c->motion->steady.modes) == 0;
+    return strcmp(motion_modes_text(text, OF_STEADY, s->steady.modes), c->motion->steady.modes) == 0;
   scallop_modes_text(&s->phase.modes, text);
   return strcmp(text, c->motion->phase.modes) == 0;
 }
@@ -44,7 +44,7 @@ static void take_sample(struct ledger_sample *s, const struct ledger_case *c)
     fmpq_div(crawler.T, s->T, fraction);
     s->solved = scallop_certified_phase(&crawler, c->kind, c->v0, s->digits, &s->phase, NULL) == SCALLOP_OK;
   }
-  s->solved = s->solved && same_modes(s, c);
+  s->solved = s->solved && has_its_modes(s, c);
   scallop_rational_clear(&crawler);
   fmpq_clear(fraction);
 }

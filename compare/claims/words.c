@@ -3,10 +3,11 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <gsl/gsl_qrng.h>
 
-#include "compare/breakdown/parts.h"
+#include "compare/breakdown/events.h"
 #include "compare/claims/words.h"
 #include "numerics/numerics.h"
 
@@ -98,13 +99,13 @@ static struct scallop_phase_result extension(const struct scallop_crawler *crawl
 /* The longest extension from rest without sticking, to neighbouring doubles; nan if there is none */
 static double onset_of_sticking(const struct scallop_crawler *crawler, double ratio)
 {
-  struct subject s = { .crawler = *crawler, .kind = SCALLOP_EXTENSION };
+  struct motion s = { .of = OF_PHASE, .crawler = *crawler };
   struct events events;
   double onset = NAN;
   s.crawler.F1 = ratio * s.crawler.F2;
   events_find(&events, &s, "");
-  for (int i = 0; i < events.count && isnan(onset); i++)
-    if (events.event[i].regime == SCALLOP_STICK_SLIP)
+  for (long i = 0; i < events.count && isnan(onset); i++)
+    if (strstr(events.event[i].what, "onset of sticking"))
       onset = events.event[i].T;
   events_clear(&events);
   return onset;

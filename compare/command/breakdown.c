@@ -1,6 +1,8 @@
 #include <stddef.h>
 
+#include "compare/breakdown/breakdown.h"
 #include "compare/maps/axis.h"
+#include "compare/maps/maps.h"
 #include "compare/command/compare.h"
 #include "compare/command/with_flint.h"
 

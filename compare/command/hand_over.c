@@ -12,7 +12,9 @@
 
 #include "compare/answers/answer.h"
 #include "compare/scenes/flint.h"
+#include "compare/breakdown/breakdown.h"
 #include "compare/command/with_flint.h"
+#include "compare/maps/maps.h"
 
 /* The path of this program, through any link; false if it is not known. */
 static bool own_path(char path[PATH_MAX])

@@ -37,12 +37,4 @@ enum exit_code stress_table(const struct options *options);
 enum exit_code stress_point(const struct options *options);
 enum exit_code stress_stiff(const struct options *options);
 
-/* Where the expansion breaks down: for one crawler; with --map; with --boundaries. The errors that series reach to unless --tol is
- * given, and those of maps */
-#define BREAKDOWN_TOLERANCES 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12
-#define BREAKDOWN_MAP_TOLERANCES 1e-2, 1e-6
-enum exit_code breakdown_table(const struct options *options);
-enum exit_code breakdown_map(const struct options *options);
-enum exit_code breakdown_boundaries(const struct options *options);
-
 #endif

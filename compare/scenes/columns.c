@@ -43,7 +43,7 @@ bool check_quantity(const struct reading *r, const config_setting_t *at, const s
                        setting == SCALLOP_MOVING_EXTENSION ? "an extension" : "a contraction",
                        setting == SCALLOP_MOVING_EXTENSION ? "extension" : "contraction");
   }
-  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && series->which >= STEADY_VALUES
+  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && quantity_rows[series->which].of == OF_PHASE
       && s->start == START_STEADY && !s->varies_v0)
     return refuse_at(r, at, "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
                      q->name);

@@ -76,7 +76,7 @@ static void need_formula(struct planning *p, const struct quantity *q, bool cert
 
 static void need_derived(struct planning *p, const struct quantity *q)
 {
-  bool of_phase = q->which >= STEADY_VALUES;
+  bool of_phase = quantity_rows[q->which].of == OF_PHASE;
   long order = q->kind == QUANTITY_DERIVED ? q->order : of_phase ? 8 : 1; /* some begin with T^3 */
   long *most = of_phase ? &p->plan->needs.phase_order : &p->plan->needs.steady_order;
   *most = order > *most ? order : *most;
@@ -124,8 +124,9 @@ static void need_quantity(struct planning *p, int place)
   switch (q->kind) {
   case QUANTITY_V0: need_v0(p, q->name); break;
   case QUANTITY_ONSET: need(p, ONSET, q->name); break;
-  case QUANTITY_STEADY: need(p, STEADY, q->name); break;
-  case QUANTITY_PHASE: need_phase(p, false, q->name); break;
+  case QUANTITY_ANSWER:
+  case QUANTITY_REGIME:
+  case QUANTITY_MODES: need_solution(p, quantity_is_of_phase(&p->scene->quantities, q), false, q->name); break;
   case QUANTITY_PUBLISHED:
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT:
@@ -134,7 +135,7 @@ static void need_quantity(struct planning *p, int place)
     else
       need_value(p, q, false);
     break;
-  case QUANTITY_CERTIFIED: need_solution(p, q->which >= STEADY_VALUES, true, q->name); break;
+  case QUANTITY_CERTIFIED: need_solution(p, quantity_rows[q->which].of == OF_PHASE, true, q->name); break;
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
   case QUANTITY_RELATIVE: need_comparison(p, q->of); break;

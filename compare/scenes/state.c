@@ -43,7 +43,7 @@ void state_move(struct scene_state *s, const struct sweep_product *product, cons
   s->at.has_v0 = scene->start != START_STEADY;
   s->why[0] = '\0';
   s->is_outside = false;
-  s->has_steady = s->has_phase = s->has_turnings = false;
+  s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = false;
   memset(s->has, 0, sizeof s->has);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
@@ -64,39 +64,29 @@ void state_begin_row(struct scene_state *s)
     s->why[0] = '\0';
 }
 
-static const struct scallop_steady_result *steady(struct scene_state *s)
+/* The answer in double; NULL: there is none, and s->why says why. */
+static const struct answer *solved(struct scene_state *s, enum quantity_of of)
 {
-  if (!s->has_steady) {
-    s->steady_status = scallop_steady(&s->at.crawler, &s->steady);
-    s->has_steady = true;
-    count_add(COUNT_STEADY, 1);
-    if (s->steady_status >= 0)
-      count_work(&s->steady.work);
+  struct answer *a = &s->answer[of];
+  double v0 = of == OF_PHASE ? state_v0(s) : 0;
+  if (isnan(v0))
+    return NULL;
+  if (!s->has_answer[of]) {
+    s->motion[of] = (struct motion){ of, s->at.crawler, s->scene->phase, v0 };
+    s->has_answer[of] = true;
+    count_add(of == OF_PHASE ? COUNT_PHASES : COUNT_STEADY, 1);
+    if (answer_in_double(a, &s->motion[of]))
+      count_work(&a->work);
   }
-  return check(s, s->steady_status, 0) == 0 ? &s->steady : NULL;
+  return check(s, a->status, 0) == 0 ? a : NULL;
 }
 
 double state_v0(struct scene_state *s)
 {
   if (s->at.has_v0)
     return s->at.v0;
-  const struct scallop_steady_result *r = steady(s);
-  return !r ? NAN : s->scene->phase == SCALLOP_EXTENSION ? r->period.v_start : r->period.v_mid;
-}
-
-static const struct exact_phase *phase(struct scene_state *s)
-{
-  double v0 = state_v0(s);
-  if (isnan(v0))
-    return NULL;
-  if (!s->has_phase) {
-    s->phase_status = exact_phase_start(&s->at.crawler, s->scene->phase, v0, &s->phase);
-    s->has_phase = true;
-    count_add(COUNT_PHASES, 1);
-    if (s->phase_status >= 0)
-      count_work(&s->phase.phase.work);
-  }
-  return check(s, s->phase_status, 0) == 0 ? &s->phase : NULL;
+  const struct answer *a = solved(s, OF_STEADY);
+  return a ? a->value[s->scene->phase == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
 
 /* Where the rear body turns takes a second walk through the phase. */
@@ -104,7 +94,7 @@ static void find_turnings(struct scene_state *s)
 {
   if (s->has_turnings)
     return;
-  s->has_turnings = exact_phase_turnings(&s->at.crawler, &s->phase) >= 0;
+  s->has_turnings = answer_turnings(&s->answer[OF_PHASE], &s->motion[OF_PHASE]);
   count_add(COUNT_PHASES, 1);
 }
 
@@ -151,60 +141,32 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
     count_add(COUNT_FORMULAS, 1);
     value = f->steady(&s->at.crawler);
   } else {
-    double v0 = state_v0(s);
-    struct exact_phase given = {
-      .kind = s->scene->phase, .phase = { .t1 = NAN, .dT = NAN }, .at_first = NAN, .at_last = NAN
-    };
-    if (formula_takes_given(f)) {
-      const struct exact_phase *solved = phase(s);
-      if (!solved)
-        return NAN;
-      if (strstr(f->text, "x_switch"))
-        find_turnings(s);
-      given = s->phase;
-    }
-    const struct scallop_phase_point point = scallop_phase_point(&s->at.crawler, s->scene->phase, v0);
+    const struct motion m = { OF_PHASE, s->at.crawler, s->scene->phase, state_v0(s) };
+    const struct answer none = { .value = { [Q_T1] = { NAN, 0 }, [Q_DT] = { NAN, 0 }, [Q_AT_LAST] = { NAN, 0 } } };
+    const struct answer *given = formula_takes_given(f) ? solved(s, OF_PHASE) : &none;
+    if (!given)
+      return NAN;
+    if (strstr(f->text, "x_switch"))
+      find_turnings(s);
+    const struct scallop_phase_point point = scallop_phase_point(&m.crawler, m.phase, m.v0);
     count_add(COUNT_FORMULAS, 1);
-    value = published_value(f, &point, &given);
+    value = published_value(f, &point, &m, given);
   }
   if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
     return state_fail(s, no_ends);
   return isfinite(value) ? value : NAN;
 }
 
-static double steady_number(const struct scallop_steady_result *r, int which)
-{
-  const double all[STEADY_NUMBERS] = { r->period.v_start, r->period.v_mid, r->period.displacement, r->mean_velocity,
-                                       r->period.multiplier };
-  return all[which];
-}
-
-static double phase_number(const struct exact_phase *p, int which)
-{
-  const double all[PHASE_NUMBERS] = { p->phase.t1, p->phase.dT, p->phase.v_end, p->phase.dx1, p->phase.dx2, p->phase.dxC };
-  return all[which];
-}
-
 /* What the series is said to be, by the double solver */
 static double exact_in_double(struct scene_state *s, const struct quantity *series)
 {
-  if (!quantity_is_of_phase(&s->scene->quantities, series)) {
-    const struct scallop_steady_result *r = steady(s);
-    if (!r)
-      return NAN;
-    if (series->kind == QUANTITY_PUBLISHED)
-      return series->formula->quantity == SCALLOP_STEADY_VELOCITY ? r->period.v_start : r->period.displacement;
-    return steady_number(r, series->which);
-  }
-  const struct exact_phase *p = phase(s);
-  if (!p)
+  const struct answer *a = solved(s, quantity_is_of_phase(&s->scene->quantities, series) ? OF_PHASE : OF_STEADY);
+  int q = series->kind == QUANTITY_PUBLISHED ? (int)quantity_of_formula(series->formula, s->scene->phase) : series->which;
+  if (!a)
     return NAN;
-  if (series->kind != QUANTITY_PUBLISHED)
-    return phase_number(p, series->which - STEADY_VALUES);
-  enum scallop_quantity what = series->formula->quantity;
-  if (what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST)
+  if (q == Q_AT_FIRST || q == Q_AT_LAST)
     find_turnings(s);
-  return exact_quantity(&s->phase, what);
+  return a->value[q].high;
 }
 
 /* A series beside what it should be. */
@@ -244,8 +206,7 @@ static double froude(struct scene_state *s)
 static double compute(struct scene_state *s, const struct quantity *q)
 {
   const struct scallop_crawler *c = &s->at.crawler;
-  const struct scallop_steady_result *r;
-  const struct exact_phase *p;
+  const struct answer *a;
   double numbers[CRAWLER_NUMBERS];
   if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
@@ -258,8 +219,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_F1_OVER_F2: return isnan(s->swept.F1_over_F2) ? c->F1 / c->F2 : s->swept.F1_over_F2;
   case QUANTITY_M1_OVER_M2: return isnan(s->swept.m1_over_m2) ? c->m1 / c->m2 : s->swept.m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_STEADY: return (r = steady(s)) ? steady_number(r, q->which) : NAN;
-  case QUANTITY_PHASE: return (p = phase(s)) ? phase_number(p, q->which) : NAN;
+  case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT: return scene_flint_sum(s, q);
@@ -272,7 +232,8 @@ static double compute(struct scene_state *s, const struct quantity *q)
 
 static bool is_of_steady(const struct scene_state *s, const struct quantity *q)
 {
-  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(&s->scene->quantities, q));
+  bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+  return (answered || q->of >= 0) && !quantity_is_of_phase(&s->scene->quantities, q);
 }
 
 double state_number(struct scene_state *s, int quantity)
@@ -287,33 +248,20 @@ double state_number(struct scene_state *s, int quantity)
   return s->value[quantity];
 }
 
-static const char *steady_text(struct scene_state *s, int which)
+static const char *answer_text(struct scene_state *s, const struct quantity *q)
 {
-  const struct scallop_steady_result *r = s->is_outside ? NULL : steady(s);
-  if (!r)
+  enum quantity_of of = (enum quantity_of)q->which;
+  const struct answer *a = s->is_outside ? NULL : solved(s, of);
+  if (!a)
     return "-";
-  if (which == STEADY_REGIME)
-    return scallop_regime_text(r->period.regime);
-  return period_modes_text(s->text, r->period.modes);
-}
-
-static const char *phase_text(struct scene_state *s, int which)
-{
-  const struct exact_phase *p = s->is_outside ? NULL : phase(s);
-  if (!p)
-    return "-";
-  if (which == PHASE_REGIME)
-    return scallop_regime_text(p->phase.regime);
-  scallop_modes_text(&p->phase.modes, s->text);
-  return s->text;
+  return q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime) : motion_modes_text(s->text, of, a->modes);
 }
 
 static const char *status_text(struct scene_state *s)
 {
   if (s->why[0] != '\0')
     return s->why;
-  return s->tells_steady && s->has_steady ? steady_status_text(s->text, s->steady_status, s->steady.v_low, s->steady.v_high)
-                                          : "ok";
+  return s->tells_steady && s->has_answer[OF_STEADY] ? answer_status_text(s->text, &s->answer[OF_STEADY]) : "ok";
 }
 
 const char *state_text(struct scene_state *s, int quantity, long digits)
@@ -324,8 +272,8 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   case QUANTITY_GAIT: return s->at.crawler.gait->name;
   case QUANTITY_LABEL: return s->swept.label[q->which] ? s->swept.label[q->which] : "-";
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
-  case QUANTITY_STEADY: return steady_text(s, q->which);
-  case QUANTITY_PHASE: return phase_text(s, q->which);
+  case QUANTITY_REGIME:
+  case QUANTITY_MODES: return answer_text(s, q);
   case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
   default: return status_text(s);
   }

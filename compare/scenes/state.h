@@ -2,7 +2,7 @@
 #ifndef SCALLOP_SCENE_STATE_H
 #define SCALLOP_SCENE_STATE_H
 
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/answers/points.h"
 #include "compare/scenes/scene.h"
 
@@ -16,13 +16,12 @@ struct scene_comparison { /* of a series with what it should be                 
 struct scene_state {
   const struct scene *scene;
   struct scene_needs needs;
-  struct point at;        /* the parameters                                                          */
+  struct point at;        /* the parameters */
   struct swept swept;     /* what is beside them */
-  char why[POINT_STATUS]; /* the first thing that could not be done, or ""                       */
-  bool has_steady, has_phase, has_turnings;
-  enum scallop_status steady_status, phase_status;
-  struct scallop_steady_result steady;
-  struct exact_phase phase;
+  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
+  bool has_answer[2], has_turnings;
+  struct motion motion[2]; /* of the steady state and of the phase, by enum quantity_of */
+  struct answer answer[2];
   bool is_outside;   /* the parameters are no point: nothing but they can be told               */
   bool tells_steady; /* the row has something of the steady state in doubles                     */
   long failures;     /* told to state_fail so far                                               */
@@ -32,7 +31,7 @@ struct scene_state {
   bool has[MOST_QUANTITIES];
   double value[MOST_QUANTITIES];
   struct scene_comparison comparison[MOST_QUANTITIES];
-  char text[PERIOD_MODES_TEXT + STEADY_STATUS]; /* what state_text returns                            */
+  char text[MOTION_MODES_TEXT + ANSWER_STATUS]; /* what state_text returns                            */
   struct scene_flint *flint;                    /* made when it is first needed                                     */
 };
 

@@ -1,5 +1,5 @@
 /* The scenes of the stiff way, certified; and single runs and series of them, judged. */
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/stress/stiff.h"
 
 #include <float.h>
@@ -139,7 +139,7 @@ static enum scallop_status solve_period(struct stiff_scene *scene, const struct 
   arb_add(phase[1].dxC, phase[0].dxC, phase[1].dxC, 4 * REFERENCE_DIGITS);
   certified_value(&scene->displacement, phase[1].dxC);
   const struct scallop_modes modes[2] = { phase[0].modes, phase[1].modes };
-  period_modes_text(scene->modes, modes);
+  motion_modes_text(scene->modes, OF_STEADY, modes);
   return SCALLOP_OK;
 }
 

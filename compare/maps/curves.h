@@ -1,18 +1,10 @@
-/* Maps over two parameters (`breakdown --map`): what the grid and the boundaries share, and how curves between regions are followed. */
+/* Curves between regions of a square, of which nothing is known but which region a point belongs to. */
 #ifndef SCALLOP_MAP_H
 #define SCALLOP_MAP_H
 
-#include "compare/maps/axis.h"
-#include "compare/command/compare.h"
+#include <stdbool.h>
 
-/* The '#' lines: version, command, axes, parameters. about: what else the command line says, or "". */
-void map_begin(struct table *table, const struct options *options, const struct axis axes[2], const char *about);
-
-/* ---- curves between regions: map_curves.c ---- */
-
-/* The region at (u, v), both within [0, 1]: a number >= 0 that stands for it, or MAP_NOWHERE. Called by several threads at once. */
-enum { MAP_NOWHERE = -1 };
-typedef int map_region(void *context, double u, double v);
+#include "compare/maps/path.h"
 
 enum map_end {
   MAP_GOES_ON,  /* a point in the middle                                                            */
@@ -37,14 +29,11 @@ struct map_curves {
   struct map_curve *curves;
 };
 
-/* How near the last point of a curve lies to a junction; and how near each point lies to the curve: where the regions of that
- * width exist, or of less. In u and v. */
-#define MAP_NEAR 1e-11
-#define MAP_THIN 1e-13
-
 /* Every curve between two regions that the lines of a grid of columns x rows cells cross, or that begins where one of those ends.
  * Points follow each other at distances of at most step. False: out of memory. */
 bool map_follow(map_region *region, void *context, int columns, int rows, double step, struct map_curves *curves);
+/* The same curve from its other end. */
+void map_curve_reverse(struct map_curve *curve);
 void map_curves_clear(struct map_curves *curves);
 
 #endif
