@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/scene.h"
+#include "compare/command/run.h"
 #include "compare/text/shipped.h"
 
 static const char *const accepts[] = { "m1",      "m2",    "F1",     "F2",     "L",      "T",     "alpha", "gait",

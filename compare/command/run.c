@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "compare/command/option_table.h"
-#include "compare/scenes/scene.h"
+#include "compare/command/run.h"
 #include "compare/text/shipped.h"
 #include "compare/command/with_flint.h"
 

@@ -9,11 +9,6 @@ enum { FORMULA_TEXT = 400 };
 const char *const series_sources[] = { "published", "derived", "limit", NULL };
 enum { PUBLISHED, DERIVED };
 
-static int name_of_quantity(void *context, const char *name)
-{
-  return quantity_named(&((struct scene *)context)->quantities, name);
-}
-
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);

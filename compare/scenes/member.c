@@ -168,10 +168,7 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
   return true;
 }
 
-static int name_of_quantity(void *scene, const char *name)
-{
-  return quantity_named(&((struct scene *)scene)->quantities, name);
-}
+int name_of_quantity(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
 
 /* Is the quantity known before anything is solved at a point? */
 static bool is_of_parameters(const struct quantity *q)

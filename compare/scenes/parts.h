@@ -62,6 +62,8 @@ int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
+/* For arithmetic_compile: the place of a quantity of the scene, which is added. */
+int name_of_quantity(void *scene, const char *name);
 /* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 

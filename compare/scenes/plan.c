@@ -176,13 +176,11 @@ static void plan_want(struct planning *p, const struct scene_want *w)
   for (int i = 0, count = scene_want_quantities(w, places); i < count; i++)
     need_quantity(p, places[i]);
   if (w->kind == WANT_TRAJECTORY) {
-    bool ends_early = w->until.is_formula || isfinite(w->until.number);
     rows *= (double)w->periods * (double)w->samples + 1;
     need_v0(p, "the start of a trajectory");
     add(p, COUNT_TRAJECTORIES, p->points, w->what);
     add(p, COUNT_SAMPLES, rows, "periods x samples + 1");
-    p->plan->stage[COUNT_SAMPLES].is_at_most |= ends_early;
-    p->plan->stage[COUNT_ROWS].is_at_most |= ends_early;
+    p->plan->stage[COUNT_SAMPLES].is_at_most = p->plan->stage[COUNT_ROWS].is_at_most = true; /* it may end before */
   } else if (w->kind == WANT_ORDERS) {
     rows = 0;
     for (int k = 0; k < p->scene->sweep.products; k++) {

@@ -121,6 +121,23 @@ static enum exit_code parse(const struct reading *r, const struct scene_source *
   return code;
 }
 
+void scene_free(struct scene *s)
+{
+  while (s->kept) {
+    struct kept *first = s->kept;
+    s->kept = first->next;
+    free(first);
+  }
+  sweep_free(&s->sweep);
+  for (int w = 0; w < s->wants; w++)
+    free(s->want[w].arguments), free(s->want[w].column);
+  free(s->name);
+  if (s->file)
+    config_destroy(s->file);
+  free(s->file);
+  *s = (struct scene){ .name = NULL };
+}
+
 enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct options *options,
                           scene_command *run_command)
 {

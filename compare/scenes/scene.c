@@ -1,24 +1,4 @@
-/* A scene that has been read: its points, variables and columns, and its end. */
-#include <stdlib.h>
-
-#include "compare/scenes/parts.h"
-
-void scene_free(struct scene *s)
-{
-  while (s->kept) {
-    struct kept *first = s->kept;
-    s->kept = first->next;
-    free(first);
-  }
-  sweep_free(&s->sweep);
-  for (int w = 0; w < s->wants; w++)
-    free(s->want[w].arguments), free(s->want[w].column);
-  free(s->name);
-  if (s->file)
-    config_destroy(s->file);
-  free(s->file);
-  *s = (struct scene){ .name = NULL };
-}
+#include "compare/scenes/scene.h"
 
 int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])
 {

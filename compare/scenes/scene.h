@@ -147,7 +147,4 @@ void places_reads(struct scene_places *places, const struct scene *scene);
  * pipes take any number. */
 bool places_writes(struct scene_places *places, const char *command, const char *path);
 
-/* command/run.c: reads all scenes, and only then runs them. */
-enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count);
-
 #endif
