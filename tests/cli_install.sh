@@ -126,12 +126,13 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.0" ] || note "with a libdir of its own it loads '$(cat got)'"
   finish "the Python module finds the library"
 fi
-run 0 --man list
-while read -r page; do
-  [ -s "elsewhere/usr/share/man/man1/$page.1" ] || note "no page $page"
-done <out
-grep -q steady out || note "no pages: $(cat out)"
-grep -q complete elsewhere/usr/share/bash-completion/completions/scallop || note "no completion"
+run 0 --help
+for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p' out) ''; do
+  grep -q "^\.TH SCALLOP.* 1 .*scallop $version" "elsewhere/usr/share/man/man1/scallop$command.1" || note "no page scallop$command"
+done
+[ "$(find elsewhere/usr/share/man -name '*.1' | wc -l)" -gt 5 ] || note "$(find elsewhere/usr/share/man -name '*.1' | wc -l) pages"
+run 0 --completion bash
+cmp -s out elsewhere/usr/share/bash-completion/completions/scallop || note "no completion"
 for scene in "$root"/data/scenes/*.cfg; do
   [ ! -f "$scene" ] || cmp -s "$scene" "elsewhere/usr/share/scallop/scenes/$(basename "$scene")" || note "no scene $(basename "$scene")"
 done

@@ -6,7 +6,7 @@
 #include "compare/workprec/workprec.h"
 
 /* What a made-up way does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
-static enum scallop_status give(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status give(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   const struct timespec pause = { .tv_nsec = way->kind == WAY_SIMULATION ? 3000000 : 0 };
   (void)patience;
@@ -17,7 +17,7 @@ static enum scallop_status give(struct way *way, const struct scallop_patience *
   return SCALLOP_OK;
 }
 
-static enum scallop_status end_with(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status end_with(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   (void)patience;
   *answer = answer_none;
@@ -26,7 +26,7 @@ static enum scallop_status end_with(struct way *way, const struct scallop_patien
   return (enum scallop_status)way->number;
 }
 
-static enum scallop_status work_forever(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status work_forever(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   (void)way, (void)answer;
   assert_non_null(patience); /* it is not timed again */
@@ -67,7 +67,7 @@ static void bench_clear(struct bench *b)
 }
 
 static struct way *add(struct bench *b, enum way_kind kind, long number,
-                       enum scallop_status (*solve)(struct way *, const struct scallop_patience *, struct answer *))
+                       enum scallop_status (*solve)(struct way *, const struct scallop_patience *, struct way_answer *))
 {
   struct way *way = ways_add(&b->ways, &b->point, "made up", kind, "%ld", number);
   way->solve = solve;

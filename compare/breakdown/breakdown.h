@@ -22,9 +22,6 @@ double breakdown_error(const struct scallop_crawler *crawler, const struct break
  * permanent rest, nan where there is no such series. T of the crawler is not used. */
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
 
-/* The errors that series reach to unless --tol is given, and those of maps */
-#define BREAKDOWN_TOLERANCES 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12
-#define BREAKDOWN_MAP_TOLERANCES 1e-2, 1e-6
 /* The table of one crawler */
 struct options;
 enum exit_code breakdown_table(const struct options *options);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/defaults.h"
 #include "compare/breakdown/asked.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"

@@ -5,8 +5,11 @@
 #include <stdbool.h>
 
 #include "compare/order/order.h"
+#include "compare/text/message.h"
 #include "model/ball.h"
 #include "model/model.h"
+
+struct options;
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
@@ -49,5 +52,8 @@ bool claims_have_order(const char *list);
 /* The claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
 void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink,
                      void *context);
+
+/* `scallop claims` */
+enum exit_code claims_table(const struct options *options);
 
 #endif

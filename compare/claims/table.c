@@ -5,7 +5,6 @@
 #include "compare/claims/read.h"
 #include "compare/command/compare.h"
 #include "compare/answers/rational.h"
-#include "compare/command/with_flint.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",

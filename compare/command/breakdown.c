@@ -4,6 +4,7 @@
 #include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
 #include "compare/command/compare.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",       "L",      "alpha",  "gait",  "phase",
@@ -27,9 +28,9 @@ static enum exit_code run(const struct options *options)
   }
   if (!has_flint(options, "this command"))
     return EXIT_UNSOLVED;
-  return !options->map[0]      ? breakdown_table(options)
-         : options->boundaries ? breakdown_boundaries(options)
-                               : breakdown_map(options);
+  return !options->map[0]      ? with_flint.breakdown(options)
+         : options->boundaries ? with_flint.boundaries(options)
+                               : with_flint.map(options);
 }
 
 static const struct unless_given unless_given[] = {

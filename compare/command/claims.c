@@ -39,7 +39,7 @@ static enum exit_code run(const struct options *options)
   }
   if (!can_be_scaled(options))
     return EXIT_UNSOLVED;
-  return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
+  return has_flint(options, "the ledger") ? with_flint.claims(options) : EXIT_UNSOLVED;
 }
 
 static const struct unless_given unless_given[] = {

@@ -152,7 +152,7 @@ static enum exit_code run(const struct options *options)
   }
   if (options->bound || strcmp(options->source, "published") != 0) {
     const char *what = options->bound ? "--bound" : "--source derived or limit";
-    return has_flint(options, what) ? series_derived(options) : EXIT_UNSOLVED;
+    return has_flint(options, what) ? with_flint.series(options) : EXIT_UNSOLVED;
   }
   if (options->points)
     return run_points(options);

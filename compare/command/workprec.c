@@ -1,6 +1,7 @@
 #include <stddef.h>
 
 #include "compare/command/compare.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",      "T",      "alpha", "gait",
@@ -22,7 +23,7 @@ static enum exit_code run(const struct options *options)
     complain("workprec", "--from takes its rows from a table: --%s has nothing to do there", useless);
     return EXIT_USAGE;
   }
-  return has_flint(options, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
+  return has_flint(options, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
 }
 
 static const struct unless_given unless_given[] = {

@@ -11,6 +11,7 @@
 #include "compare/maps/maps.h"
 #include "compare/text/journal.h"
 #include "compare/text/progress.h"
+#include "compare/answers/defaults.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 

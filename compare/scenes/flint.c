@@ -57,10 +57,8 @@ static void clear_series(struct kept_series *k)
   k->used = false;
 }
 
-void scene_flint_free(struct scene_flint *f)
+static void scene_flint_free(struct scene_flint *f)
 {
-  if (!f)
-    return;
   for (int i = 0; i < KEPT; i++)
     clear_series(&f->kept[i]);
   scallop_rational_clear(&f->crawler);
@@ -71,7 +69,10 @@ void scene_flint_free(struct scene_flint *f)
   free(f);
 }
 
-void scene_flint_forget(struct scene_flint *f) { f->has_point = f->has_answer[OF_STEADY] = f->has_answer[OF_PHASE] = false; }
+static void scene_flint_forget(struct scene_flint *f)
+{
+  f->has_point = f->has_answer[OF_STEADY] = f->has_answer[OF_PHASE] = false;
+}
 
 /* The point's parameters as they are written; a start velocity that is a steady one is the double that it is. NULL: no memory. */
 static struct scene_flint *at_point(struct scene_state *s)
@@ -201,7 +202,7 @@ static bool derived_value(arb_t value, struct scene_state *s, struct scene_flint
   return true;
 }
 
-double scene_flint_sum(struct scene_state *s, const struct quantity *q)
+static double scene_flint_sum(struct scene_state *s, const struct quantity *q)
 {
   struct scene_flint *f = at_point(s);
   double sum = NAN;
@@ -246,7 +247,7 @@ static const arb_struct *certified_value(struct scene_state *s, struct scene_fli
   return a ? a->value[q] : NULL;
 }
 
-const char *scene_flint_certified(struct scene_state *s, const struct quantity *q, long digits)
+static const char *scene_flint_certified(struct scene_state *s, const struct quantity *q, long digits)
 {
   struct scene_flint *f = at_point(s);
   const arb_struct *value = f ? certified_value(s, f, quantity_rows[q->which].of, q->which) : NULL;
@@ -312,7 +313,7 @@ static double told(const arb_t error, const arb_t exact, double accuracy)
   return below ? 0 : arf_get_d(arb_midref(error), ARF_RND_NEAR);
 }
 
-double scene_flint_error(struct scene_state *s, const struct quantity *series, double *rounded, double *exact)
+static double scene_flint_error(struct scene_state *s, const struct quantity *series, double *rounded, double *exact)
 {
   struct scene_flint *f = at_point(s);
   double error = *rounded = *exact = NAN;
@@ -338,3 +339,6 @@ double scene_flint_error(struct scene_state *s, const struct quantity *series, d
   arb_clear(value);
   return error;
 }
+
+const struct scene_flint_functions scene_flint = { scene_flint_free, scene_flint_forget, scene_flint_sum, scene_flint_error,
+                                                   scene_flint_certified };

@@ -13,7 +13,11 @@ void state_init(struct scene_state *s, const struct scene *scene)
   *s = (struct scene_state){ .scene = scene, .needs = scene->plan.needs, .at = scene->base };
 }
 
-void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }
+void state_clear(struct scene_state *s)
+{
+  if (s->flint)
+    scene_flint.free(s->flint);
+}
 
 double state_fail(struct scene_state *s, const char *why)
 {
@@ -47,7 +51,7 @@ void state_move(struct scene_state *s, const struct sweep_product *product, cons
   memset(s->has, 0, sizeof s->has);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
-    scene_flint_forget(s->flint);
+    scene_flint.forget(s->flint);
   sweep_move(&s->swept, &s->at, product, index, formula_so_far, s);
   s->why[0] = '\0'; /* what a formula could not have */
   if (s->swept.why[0] != '\0')
@@ -176,7 +180,7 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
   struct scene_comparison *c = &s->comparison[place];
   long before = s->failures;
   if (!c->done && s->needs.certified_errors)
-    c->error = scene_flint_error(s, series, &c->value, &c->exact);
+    c->error = scene_flint.error(s, series, &c->value, &c->exact);
   else if (!c->done) {
     c->exact = exact_in_double(s, series);
     c->value = state_number(s, place);
@@ -222,7 +226,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return scene_flint_sum(s, q);
+  case QUANTITY_LIMIT: return scene_flint.sum(s, q);
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
   case QUANTITY_RELATIVE: return about_series(s, q);
@@ -274,7 +278,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return answer_text(s, q);
-  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
+  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint.certified(s, q, digits);
   default: return status_text(s);
   }
 }

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "compare/stress/stress.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 

@@ -6,9 +6,10 @@ struct shipped {
   const char *name, *text;
 };
 /* The last of each list has name NULL. */
-extern const struct shipped shipped_scenes[];  /* data/scenes/                                                      */
-extern const struct shipped shipped_scripts[]; /* gnuplot scripts of these scenes, and plot_common, which comes first */
-extern const struct shipped shipped_ledger[];  /* data/claims.tsv; only in the program that has FLINT               */
+extern const struct shipped shipped_scenes[];     /* data/scenes/                                                      */
+extern const struct shipped shipped_scripts[];    /* gnuplot scripts of these scenes, and plot_common, which comes first */
+extern const struct shipped shipped_completion[]; /* scripts/completion.bash alone                                    */
+extern const struct shipped shipped_ledger[];     /* data/claims.tsv; only in the program that has FLINT               */
 
 /* The text called name ("figure4"), or NULL. */
 const char *shipped_text(const struct shipped *list, const char *name);

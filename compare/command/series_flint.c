@@ -10,12 +10,6 @@
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 
-bool has_flint(const struct options *options, const char *what)
-{
-  (void)options, (void)what;
-  return true;
-}
-
 static const char *const columns[] = {
   "phase", "start", "quantity", "power", "coefficient", "sum", "error", "status", NULL
 };
