@@ -30,7 +30,7 @@ static void every_combination_the_first_slowest(void **state)
     .groups = 2, .group = { { 2, { listed("F1", F1, 2), listed("F2", F2, 2) }, 2 }, { 1, { listed("T", T, 3) }, 3 } }
   };
   struct sweep sweep = { 1, &product };
-  struct swept at;
+  struct swept at = { .why = "" };
   long index[SWEEP_GROUPS] = { 0 };
   int points = 0;
   bool more = true;
@@ -58,7 +58,7 @@ static void ratios_are_settled_last(void **state)
                                               { 1, { listed("F2", &F2, 1) }, 1 } } };
   struct point point = point_initial(NULL);
   const struct scallop_crawler *c = &point.crawler;
-  struct swept at;
+  struct swept at = { .why = "" };
   sweep_move(&at, &point, &product, (const long[]){ 0, 0 }, no_formula, NULL);
   assert_string_equal(at.why, "");
   CHECK_RELATIVE(c->F1 / c->F2, ratio, 1e-15);
@@ -78,7 +78,7 @@ static void ranges_are_decimal(void **state)
     v.is_log = is_log == 1;
     struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 5 } } };
     struct point first = point_initial(NULL), second = first, last = first;
-    struct swept at;
+    struct swept at = { .why = "" };
     sweep_move(&at, &second, &product, (const long[]){ 1 }, no_formula, NULL);
     assert_string_equal(second.written[6], is_log ? "0.000999974999062" : "0.15");
     sweep_move(&at, &first, &product, (const long[]){ 0 }, no_formula, NULL);
@@ -94,7 +94,7 @@ static void what_is_not_allowed_is_said(void **state)
   struct sweep_variable v = listed("alpha", alpha, 2);
   struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 2 } } };
   struct point point = point_initial(NULL);
-  struct swept at;
+  struct swept at = { .why = "" };
   assert_null(sweep_wrong(&v, &point, 0.5, NULL));
   assert_non_null(strstr(sweep_wrong(&v, &point, 1, "1.0"), "'1.0' is not allowed"));
   sweep_move(&at, &point, &product, (const long[]){ 1 }, no_formula, NULL);
