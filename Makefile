@@ -21,11 +21,11 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/command/with_flint.h).
-flint_parts := $(addprefix model/,ball fractions exact_gaits) $(filter-out $(addprefix asymptotics/,appendix_a appendix_b formulas point text),$(basename $(wildcard asymptotics/*.c))) \
+flint_parts := $(addprefix model/,ball fractions exact_gaits) $(filter-out $(addprefix asymptotics/,appendix_a appendix_b formula formula_double formulas point text),$(basename $(wildcard asymptotics/*.c))) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(addprefix compare/,text/decimal answers/written_gait answers/rational) \
                $(filter-out compare/workprec/stopwatch,$(basename $(wildcard compare/*/*flint.c $(patsubst %,compare/%/*.c,claims breakdown maps stress workprec))))
-flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
+flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_check claims_words series series_terms formula_series derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
@@ -47,7 +47,7 @@ one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
 full    := $(core) $(call objects,$(flint_parts) $(cvode) shipped_ledger) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 # Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
-fuzz_flint := certified decimal expression tables
+fuzz_flint := certified decimal formula_series
 fuzz    := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 FUZZER  ?=
 ifeq ($(WITH_FLINT),0)

@@ -99,6 +99,7 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@for module in scripts/scallop.py $(B)/scallop_library.py; do $(put) -D $$module "$(call to,$(datadir))/scallop/python/$${module##*/}" || exit 1; done
 	@for page in docs/*.md; do $(put) -D $$page "$(call to,$(datadir))/doc/scallop/$${page##*/}" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
+	@$(put) scripts/cheapest.awk "$(call to,$(datadir))/scallop/cheapest.awk"
 	@for script in $(plot_scripts); do $(put) -D $$script "$(call to,$(datadir))/scallop/plots/$${script##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there

@@ -60,7 +60,7 @@ refused "2: to is a formula of" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; } );
 vary = ( { T = { from = 1; to = "v_start"; count = 3; }; } );
 E2
-refused "1: 'stedy' cannot be wanted; did you mean 'steady'" <<'E2'
+refused "1: 'stedy' cannot be wanted.*: did you mean 'steady'" <<'E2'
 want = ( { what = "stedy"; file = "kept.tsv"; } );
 E2
 refused "1: there is no quantity 'displacment': did you mean 'displacement'" <<'E2'
@@ -95,7 +95,7 @@ E2
 refused "1: no plot script 'plot_figure1' comes with the tool: did you mean 'plot_figure" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "plot_figure1"; }; } );
 E2
-refused "1: no plot script 'mine' comes with the tool; .*'mine.gp'" <<'E2'
+refused "1: no plot script 'mine' comes with the tool.*'mine.gp'" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; script = "mine"; }; } );
 E2
 refused "1: 'kept.svg' is the name of a picture" <<'E2'

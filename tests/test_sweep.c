@@ -15,7 +15,7 @@ static struct sweep_variable listed(const char *name, double *numbers, long coun
   return v;
 }
 
-static double no_formula(void *context, const struct arithmetic *formula)
+static double no_formula(void *context, const struct formula *formula)
 {
   (void)context, (void)formula;
   fail();

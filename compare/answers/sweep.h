@@ -6,7 +6,7 @@
 #include "compare/answers/point.h"
 #include "compare/answers/quantity.h"
 #include "compare/text/digits.h"
-#include "compare/text/formula.h"
+#include "asymptotics/formula.h"
 
 enum {
   SWEEP_GROUPS = 8,
@@ -31,7 +31,7 @@ enum sweep_target {
 struct sweep_end { /* of a range */
   bool is_formula; /* of what is set further out */
   double number;
-  struct arithmetic formula;
+  struct formula formula;
 };
 
 struct sweep_variable {
@@ -80,7 +80,7 @@ struct swept {
   char written[CRAWLER_NUMBERS][DIGITS_TEXT], written_v0[DIGITS_TEXT];
 };
 /* The value of a formula at the point as it is so far */
-typedef double sweep_formula(void *context, const struct arithmetic *formula);
+typedef double sweep_formula(void *context, const struct formula *formula);
 /* Moves point, which is where nothing varies, to index[g] in group g of the product. */
 void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,
                 sweep_formula *value, void *context);

@@ -55,5 +55,8 @@ void claims_in_words(const struct scallop_crawler *crawler, const struct scallop
 
 /* `scallop claims` */
 enum exit_code claims_table(const struct options *options);
+/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
+struct options;
+enum exit_code claims_check(const struct options *options, const char *ledger);
 
 #endif

@@ -1,10 +1,13 @@
 /* The ledger as a table, and its verdicts against those of a ledger that was written before. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/claims/read.h"
 #include "compare/command/compare.h"
 #include "compare/answers/rational.h"
+#include "compare/text/shipped.h"
+#include "compare/text/grow.h"
+#include "compare/text/tsv.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
@@ -136,69 +139,103 @@ static enum exit_code write_ledger(const struct options *options)
   return code;
 }
 
-/* ---- --check: the verdicts against those of a ledger that was written before ---- */
-
+enum { KEYS = 5, VERDICT = KEYS, ORDER, KEPT };
+static const char *const kept_columns[KEPT] = { "claim",      "equation", "quantity",     "gait",
+                                                "conditions", "verdict",  "derived_order" };
 static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
                                              "conditions",      "verdict",  "derived_order", "committed",
                                              "committed_order", NULL };
 
-struct check {
-  struct table table;
-  struct committed_ledger ledger;
-  int verdicts, differ;
+struct committed { /* a row of the earlier ledger */
+  const char *cell[KEPT];
+  bool met; /* some row of today's is this one */
 };
 
-static void write_difference(struct check *check, const char *const *key, const char *now, const char *order,
-                             const char *then, const char *order_then)
+struct check {
+  struct table table;
+  struct tsv tsv;
+  struct committed *rows;
+  int count, verdicts, differ;
+};
+
+/* NULL, or what is wrong. The cells are those of check->tsv. */
+static const char *read_committed(struct check *check, const char *ledger)
+{
+  struct tsv *t = &check->tsv;
+  int place[KEPT];
+  if (!tsv_open_text(t, "the ledger that comes with the tool", ledger) || !tsv_next(t) || !tsv_take_header(t))
+    return "out of memory";
+  for (int k = 0; k < KEPT; k++)
+    if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
+      return tsv_at(t, "there is no column '%s'", kept_columns[k]);
+  while (tsv_next(t)) {
+    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
+    if (!rows)
+      return "out of memory";
+    check->rows = rows;
+    if (t->count != t->columns)
+      return tsv_at(t, "%d columns where the header has %d", t->count, t->columns);
+    rows[check->count] = (struct committed){ .met = false };
+    for (int k = 0; k < KEPT; k++)
+      rows[check->count].cell[k] = t->cell[place[k]];
+    check->count++;
+  }
+  return NULL;
+}
+
+/* The keys, and the verdict and order of both; NULL: there is no such row */
+static void write_difference(struct check *check, const char *const *keys, const char *const *now, const char *const *then)
 {
   struct table *t = &check->table;
-  for (int i = 0; i < COMMITTED_KEYS; i++)
-    table_text(t, key[i]);
-  table_text(t, now);
-  table_text(t, order);
-  table_text(t, then);
-  table_text(t, order_then);
+  for (int i = 0; i < KEYS; i++)
+    table_text(t, keys[i]);
+  for (int i = 0; i < 2; i++)
+    table_text(t, now ? now[i] : "-");
+  for (int i = 0; i < 2; i++)
+    table_text(t, then ? then[i] : "-");
   check->differ++;
 }
 
 static void check_row(void *context, const struct claim_row *row)
 {
   struct check *check = context;
-  const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
-  const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
+  const char *const keys[KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+  const char *const now[] = { claim_verdict_text(row->verdict), derived_text(row) };
   check->verdicts++;
-  for (int i = 0; i < check->ledger.count; i++) {
-    struct committed *c = &check->ledger.rows[i];
-    bool same = true;
-    for (int k = 0; k < COMMITTED_KEYS; k++)
-      same = same && strcmp(key[k], c->key[k]) == 0;
-    if (!same || c->met)
+  for (struct committed *c = check->rows, *end = c + check->count; c < end; c++) {
+    bool same = !c->met;
+    for (int k = 0; same && k < KEYS; k++)
+      same = strcmp(keys[k], c->cell[k]) == 0;
+    if (!same)
       continue;
     c->met = true;
-    if (strcmp(verdict, c->verdict) != 0 || strcmp(order, c->order) != 0)
-      write_difference(check, key, verdict, order, c->verdict, c->order);
+    if (strcmp(now[0], c->cell[VERDICT]) != 0 || strcmp(now[1], c->cell[ORDER]) != 0)
+      write_difference(check, keys, now, &c->cell[VERDICT]);
     return;
   }
-  write_difference(check, key, verdict, order, "-", "-");
+  write_difference(check, keys, now, NULL);
 }
 
-static enum exit_code check_ledger(const struct options *o)
+enum exit_code claims_check(const struct options *o, const char *ledger)
 {
-  struct check check = { .differ = 0 };
-  const char *wrong = NULL;
-  enum exit_code code = committed_read(&check.ledger, o->against);
-  if (code == EXIT_DONE && !begin(&check.table, o, check_columns))
+  struct check check = { .count = 0 };
+  const char *wrong = read_committed(&check, ledger);
+  enum exit_code code = wrong ? EXIT_UNSOLVED : EXIT_DONE;
+  if (wrong)
+    complain("claims", "%s", wrong);
+  else if (!begin(&check.table, o, check_columns))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
     wrong = each_row(o, check_row, &check);
-    for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
-      if (!row->met && (!o->point.has_gait || strcmp(row->key[3], o->point.crawler.gait->name) == 0))
-        write_difference(&check, row->key, "-", "-", row->verdict, row->order);
+    for (const struct committed *c = check.rows; c < check.rows + check.count; c++)
+      if (!c->met && (!o->point.has_gait || strcmp(c->cell[3], o->point.crawler.gait->name) == 0))
+        write_difference(&check, c->cell, NULL, &c->cell[VERDICT]);
     code = end(&check.table, wrong);
   }
   if (code == EXIT_DONE && !o->quiet)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, ledger_name(o->against));
-  committed_free(&check.ledger);
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, check.tsv.name);
+  free(check.rows);
+  tsv_close(&check.tsv);
   return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
 }
 
@@ -209,5 +246,5 @@ enum exit_code claims_table(const struct options *options)
              options->errors);
     return EXIT_USAGE;
   }
-  return options->check ? check_ledger(options) : write_ledger(options);
+  return options->check ? claims_check(options, shipped_text(shipped_ledger, "claims")) : write_ledger(options);
 }

@@ -15,9 +15,7 @@
 
 static int unknown_command(const char *name)
 {
-  const char *near = nearest_command(name);
-  fprintf(stderr, "scallop: unknown command '%s'%s%s%s (see scallop --help)\n", name, near ? ": did you mean '" : "",
-          near ? near : "", near ? "'?" : "");
+  fprintf(stderr, "scallop: unknown command '%s'%s (see scallop --help)\n", name, did_you_mean(nearest_command(name)));
   return EXIT_USAGE;
 }
 

@@ -33,8 +33,10 @@ static void solve(struct cells *c, const struct options *o)
   bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, &o->point, motion.of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
-  snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
   c->why = done ? NULL : c->reason;
+  if (!done)
+    snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "",
+             more ? more : "");
 }
 
 /* Digits with an exponent at most: what every reader takes for a number */

@@ -7,6 +7,8 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include "compare/answers/halfway.h"
+
 /* An error this many times above its noise is wrong by under 1 %, its logarithm by under 0.01. */
 static const double ABOVE_NOISE = 100;
 /* The same against a floor that is only seen, not known. */
@@ -296,11 +298,9 @@ static double order_of_three(const struct order_point *p)
   double low = -50, high = 50;
   if (!(ratio > 0) || !isfinite(ratio))
     return NAN;
-  for (int i = 0; i < 200; i++) { /* bisection: the ratio is monotone in p */
-    double mid = low + (high - low) / 2;
+  for (double mid; halfway(&mid, low, high);) /* the ratio is monotone in p */
     *(difference_ratio(mid, p[0].h, p[1].h, p[2].h) < ratio ? &low : &high) = mid;
-  }
-  return low + (high - low) / 2;
+  return low;
 }
 
 /* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are resolved to: no

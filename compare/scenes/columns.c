@@ -9,11 +9,23 @@ enum { FORMULA_TEXT = 400 };
 const char *const series_sources[] = { "published", "derived", "limit", NULL };
 enum { PUBLISHED, DERIVED };
 
+static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
+static const char *near_to(void *scene, const char *name)
+{
+  return quantity_near(&((struct scene *)scene)->quantities, name);
+}
+
+const char *read_formula(const struct reading *r, struct formula *formula, const char *text)
+{
+  static char message[FORMULA_MESSAGE];
+  const struct formula_names names = { place_of, near_to, r->scene };
+  return formula_read(formula, text, &names, message);
+}
+
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r, at, "there is no quantity '%s'%s%s%s (docs/scenes.md lists them)", name,
-                   near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
+  return refuse_at(r, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
 }
 
 /* Does a scene like this one have the quantity? */
@@ -66,12 +78,12 @@ bool read_column(const struct reading *r, const config_setting_t *at, struct sce
   if (column->quantity == -2)
     return refuse_at(r, at, "more than %d quantities", MOST_QUANTITIES);
   if (column->quantity < 0) {
-    const char *wrong = arithmetic_compile(&column->formula, formula, name_of_quantity, r->scene);
+    const char *wrong = read_formula(r, &column->formula, formula);
     if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
       return refuse_quantity(r, at, formula);
     if (wrong)
       return refuse_at(r, at, "'%.100s': %s", text, wrong);
-    int places[ARITHMETIC_STEPS], count = arithmetic_places(&column->formula, places);
+    int places[FORMULA_STEPS], count = formula_places(&column->formula, places);
     for (int i = 0; i < count; i++) {
       int place = places[i];
       if (quantity_is_text(&r->scene->quantities.item[place]))

@@ -148,9 +148,10 @@ static bool refuse_member(const struct reading *r, const config_setting_t *at, c
   for (int i = 0; i < MOST && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
-  return refuse_at(r, at, "there is no '%s' in %s: %s%s%s", config_setting_name(at), what,
-                   near ? "did you mean '" : "it can have ", near ? near : joined(known, sizeof known, names, false),
-                   near ? "'?" : "");
+  if (near)
+    return refuse_at(r, at, "there is no '%s' in %s%s", config_setting_name(at), what, did_you_mean(near));
+  return refuse_at(r, at, "there is no '%s' in %s: it can have %s", config_setting_name(at), what,
+                   joined(known, sizeof known, names, false));
 }
 
 bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what)
@@ -168,8 +169,6 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
   return true;
 }
 
-int name_of_quantity(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
-
 /* Is the quantity known before anything is solved at a point? */
 static bool is_of_parameters(const struct quantity *q)
 {
@@ -180,16 +179,16 @@ static bool is_of_parameters(const struct quantity *q)
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
 {
   const char *text, *name = config_setting_name(at);
-  int places[ARITHMETIC_STEPS];
+  int places[FORMULA_STEPS];
   if (is_number(at, &end->number, &text))
     return isfinite(end->number) || refuse_at(r, at, "%s is a finite number", name);
   if (!text)
     return refuse_at(r, at, "%s is a number, or a formula in quotes", name);
-  const char *wrong = arithmetic_compile(&end->formula, text, name_of_quantity, r->scene);
+  const char *wrong = read_formula(r, &end->formula, text);
   if (wrong)
     return refuse_at(r, at, "%s = \"%.100s\": %s", name, text, wrong);
   end->is_formula = true;
-  for (int i = arithmetic_places(&end->formula, places); i-- > 0;) {
+  for (int i = formula_places(&end->formula, places); i-- > 0;) {
     const struct quantity *q = &r->scene->quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;
     if (!is_of_parameters(q))

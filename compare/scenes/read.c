@@ -12,11 +12,8 @@ static bool read_parameter(const struct reading *r, const config_setting_t *at)
   const char *name = config_setting_name(at), *text = config_setting_get_string(at);
   int place = crawler_place(name);
   double x;
-  if (!is_among(name, crawler_parameters)) {
-    const char *near = nearest(name, crawler_parameters);
-    return refuse_at(r, at, "there is no '%s' in a crawler%s%s%s", name, near ? ": did you mean '" : "", near ? near : "",
-                     near ? "'?" : "");
-  }
+  if (!is_among(name, crawler_parameters))
+    return refuse_at(r, at, "there is no '%s' in a crawler%s", name, did_you_mean(nearest(name, crawler_parameters)));
   bool is_gait = place == CRAWLER_NUMBERS;
   if (is_gait ? !text : !is_number(at, &x, &text) && !text)
     return refuse_at(r, at, is_gait ? "%s is a text in quotes, as after --gait" : "%s is a number", name);

@@ -8,10 +8,10 @@ int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES
     if (c->quantity >= 0)
       places[count++] = c->quantity;
     else
-      count += arithmetic_places(&c->formula, places + count);
+      count += formula_places(&c->formula, places + count);
   }
-  if (w->until.is_formula && count <= WANT_QUANTITIES - ARITHMETIC_STEPS)
-    count += arithmetic_places(&w->until.formula, places + count);
+  if (w->until.is_formula && count <= WANT_QUANTITIES - FORMULA_STEPS)
+    count += formula_places(&w->until.formula, places + count);
   for (int i = 0; i < w->series && count < WANT_QUANTITIES; i++)
     places[count++] = w->of[i];
   return count;

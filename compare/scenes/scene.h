@@ -13,7 +13,7 @@
 #include "compare/answers/quantity.h"
 #include "compare/answers/sweep.h"
 #include "compare/command/compare.h"
-#include "compare/text/formula.h"
+#include "asymptotics/formula.h"
 
 enum {
   SCENE_WANTS = 32,
@@ -28,7 +28,7 @@ enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
 struct scene_column {
   const char *name; /* in the table */
   int quantity;     /* one as it is, a text perhaps; -1: the formula */
-  struct arithmetic formula;
+  struct formula formula;
 };
 
 struct scene_plot {
@@ -126,7 +126,7 @@ enum exit_code scene_read(struct scene *scene, const struct scene_source *source
 void scene_free(struct scene *scene);
 
 /* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
-enum { WANT_QUANTITIES = SCENE_COLUMNS * ARITHMETIC_STEPS };
+enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
 int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
 enum exit_code scene_run(const struct scene *scene, const struct options *options);

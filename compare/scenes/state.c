@@ -6,6 +6,7 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
+#include "compare/answers/halfway.h"
 #include "compare/scenes/flint.h"
 
 void state_init(struct scene_state *s, const struct scene *scene)
@@ -33,7 +34,7 @@ static double check(struct scene_state *s, enum scallop_status status, double va
 }
 
 /* Parameters may have changed since the last formula. */
-static double formula_so_far(void *state, const struct arithmetic *formula)
+static double formula_so_far(void *state, const struct formula *formula)
 {
   struct scene_state *s = state;
   memset(s->has, 0, sizeof s->has);
@@ -126,7 +127,7 @@ static double onset_of_sticking(struct scene_state *s)
   int doublings = 0;
   while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
+  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides(s, mid) ? &sliding : &sticking) = mid;
   s->has_onset = true;
   s->onset_of = s->at.crawler;
@@ -283,12 +284,12 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   }
 }
 
-double state_formula(struct scene_state *s, const struct arithmetic *formula)
+double state_formula(struct scene_state *s, const struct formula *formula)
 {
-  int places[ARITHMETIC_STEPS], count = arithmetic_places(formula, places);
+  int places[FORMULA_STEPS], count = formula_places(formula, places);
   for (int i = 0; i < count; i++)
     state_number(s, places[i]);
-  return arithmetic_value(formula, s->value);
+  return formula_double(formula, s->value);
 }
 
 double state_end(struct scene_state *s, const struct sweep_end *end)

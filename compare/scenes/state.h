@@ -49,7 +49,7 @@ double state_number(struct scene_state *state, int quantity);
 /* A text; of certified values so many digits. It lives until the next call. */
 const char *state_text(struct scene_state *state, int quantity, long digits);
 /* Of a column: a formula's value. */
-double state_formula(struct scene_state *state, const struct arithmetic *formula);
+double state_formula(struct scene_state *state, const struct formula *formula);
 /* The end of a range or of a trajectory. */
 double state_end(struct scene_state *state, const struct sweep_end *end);
 /* The start velocity of the scene's phase. */

@@ -15,8 +15,8 @@ enum { MOST_INCLUDED = 10 };
 static void complain_of_file(const char *command, const char *path, int error)
 {
   const char *near = strpbrk(path, "/.") ? NULL : shipped_near(shipped_scenes, path);
-  complain(command, "cannot read %s: %s%s%s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
-           near ? "; did you mean '" : "", near ? near : "", near ? "', which comes with the tool?" : "");
+  complain(command, "cannot read %s: %s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
+           did_you_mean(near));
 }
 
 /* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */

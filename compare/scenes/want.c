@@ -155,12 +155,11 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
     return p->script != NULL;
   }
   p->program = shipped_text(shipped_scripts, p->script);
-  if (!p->program) {
-    const char *near = shipped_near(shipped_scripts, p->script);
-    return refuse_at(
-        r, at, "no plot script '%.80s' comes with the tool%s%s%s; the name of a script of yours has an ending: '%.80s.gp'",
-        p->script, near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "", p->script);
-  }
+  const char *near = shipped_near(shipped_scripts, p->script);
+  if (!p->program)
+    return refuse_at(r, at,
+                     "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
+                     p->script, near ? did_you_mean(near) : ".", p->script);
   p->script = NULL;
   return true;
 }
@@ -229,10 +228,9 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
     names[i] = kinds[i].what;
   while (k < KINDS && strcmp(what, names[k]) != 0)
     k++;
-  const char *near = k == KINDS ? nearest(what, names) : NULL;
   if (k == KINDS)
-    refuse_at(r, at, "'%.80s' cannot be wanted%s%s%s: one of %s can", what, near ? "; did you mean '" : "", near ? near : "",
-              near ? "'?" : "", joined(list, sizeof list, names, false));
+    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names, false),
+              did_you_mean(nearest(what, names)));
   return k;
 }
 

@@ -174,8 +174,6 @@ enum exit_code workprec_table(const struct options *options)
                             : options->quick   ? WORKPREC_QUICK_LIMIT
                                                : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
-  if (options->from)
-    return (enum exit_code)summary_from_file(options);
   struct ways *ways = calloc(1, sizeof *ways);
   if (!ways)
     complain("workprec", "out of memory");

@@ -17,6 +17,7 @@ enum { WAY_SAMPLES = 31, WAY_TEXT = 64, WAY_STATUS = 120, WAY_TERMS = 32 /* of t
 
 /* Where the ways meet. The doubles are the parameters of all of them, and `exact` is the very same numbers: a double method must not
  * be charged with the distance from 0.7 to the nearest double. */
+struct options;
 struct trial {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;
@@ -105,11 +106,8 @@ bool way_has(const struct way *way, int quantity); /* whether there is a row for
 extern const char *const way_quantities[]; /* their names, NULL-terminated                                 */
 extern const char *const summary_columns[];
 struct table;
-struct options;
 /* The rows of one point: for each wanted error that somebody reaches. */
 void summary_write(struct table *table, const struct ways *ways);
-/* workprec --from: the summary of options->from. Returns an exit code. */
-int summary_from_file(const struct options *options);
 
 /* `scallop workprec` */
 enum exit_code workprec_table(const struct options *options);
