@@ -147,6 +147,21 @@ E2
 refused "1: '/': there is no such file to include" <<'E2'
 @include "/"
 E2
+printf 'm = 1;\nn = 4294967297;\n' >inner.cfg
+scene bad.cfg <<'E2'
+@include "inner.cfg"
+E2
+run 2 run bad.cfg
+grep -q "^scallop run: ./*inner.cfg:2: '4294967297': a whole number beyond\|^scallop run: inner.cfg:2: '4294967297': a whole number beyond" err || note "an included number: $(cat err)"
+refused "1: 'bad.cfg': files include each other more than 10 deep" <<'E2'
+@include "bad.cfg"
+E2
+refused '1: expect is not for what = "steady", but for: orders' <<'E2'
+want = ( { what = "steady"; expect = 4; file = "kept.tsv"; } );
+E2
+refused '1: map has too many values' <<'E2'
+want = ( { what = "breakdown"; map = [ "a", "b", "c" ]; file = "kept.tsv"; } );
+E2
 refused "2: until is a formula of" <<'E2'
 phase = "extension";
 want = ( { what = "trajectory"; until = "v_start"; file = "kept.tsv"; } );

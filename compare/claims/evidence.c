@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_qrng.h>
 
-#include "compare/answers/halfway.h"
+#include "compare/text/halfway.h"
 #include "compare/answers/rational.h"
 #include "compare/text/table.h"
 

@@ -7,8 +7,7 @@
 #include <unistd.h>
 
 #include "compare/command/option_table.h"
-#include "compare/scenes/places.h"
-#include "compare/scenes/scene.h"
+#include "compare/command/run.h"
 #include "compare/text/shipped.h"
 #include "compare/command/with_flint.h"
 
@@ -22,9 +21,6 @@ struct scenes {
   int count;
   const char *input; /* the text of the one on standard input, or NULL */
   struct scene *scene[MOST_SCENES];
-  struct plan *plan[MOST_SCENES];
-  struct scene_outputs outputs[MOST_SCENES];
-  char *owned[MOST_SCENES][2 * SCENE_WANTS]; /* paths of tables and plots                              */
 };
 
 static int tables_of(const struct scenes *all)
@@ -33,36 +29,6 @@ static int tables_of(const struct scenes *all)
   for (int i = 0; i < all->count; i++)
     tables += all->scene[i]->wants;
   return tables;
-}
-
-static const char *in_folder(char **owned, const char *folder, const char *file)
-{
-  size_t room = strlen(folder) + strlen(file) + 2;
-  if (!folder[0] || file[0] == '/')
-    return file;
-  *owned = malloc(room);
-  if (*owned)
-    snprintf(*owned, room, "%s/%s", folder, file);
-  return *owned;
-}
-
-/* False: no memory. */
-static bool place_tables(struct scenes *all, const struct options *o, bool to_output)
-{
-  bool named = to_output || (o->has_output && !o->explain);
-  for (int i = 0; i < all->count; i++)
-    for (int w = 0; w < all->scene[i]->wants; w++) {
-      const char *file = named ? o->output : all->scene[i]->want[w].file;
-      const char *folder = o->folder && !named ? o->folder : "";
-      const char *plot = !to_output && !o->no_plots && file && all->scene[i]->want[w].has_plot
-                             ? all->scene[i]->want[w].plot.file
-                             : NULL;
-      all->outputs[i].file[w] = file ? in_folder(&all->owned[i][w], folder, file) : NULL;
-      all->outputs[i].plot[w] = plot ? in_folder(&all->owned[i][SCENE_WANTS + w], folder, plot) : NULL;
-      if ((file && !all->outputs[i].file[w]) || (plot && !all->outputs[i].plot[w]))
-        return false;
-    }
-  return true;
 }
 
 /* Tables and plots all go to different places, and none in that of a file that is read. */
@@ -77,9 +43,11 @@ static bool check_places(const struct scenes *all, const struct options *o)
   if (good && o->explain)
     good = !o->has_output || places_writes(places, o->command->name, o->output);
   for (int i = 0; good && !o->explain && i < all->count; i++)
-    for (int w = 0; good && w < all->scene[i]->wants; w++)
-      good = places_writes(places, o->command->name, all->outputs[i].file[w])
-             && (!all->outputs[i].plot[w] || places_writes(places, o->command->name, all->outputs[i].plot[w]));
+    for (int w = 0; good && w < all->scene[i]->wants; w++) {
+      const struct scene_want *want = &all->scene[i]->want[w];
+      good = places_writes(places, o->command->name, want->file)
+             && (!want->has_plot || places_writes(places, o->command->name, want->plot.file));
+    }
   free(places);
   return good;
 }
@@ -99,7 +67,7 @@ static enum exit_code explain(const struct scenes *all, const struct options *o)
   for (int i = 0; i < all->count; i++)
     for (int left_out = 0; left_out < 2; left_out++)
       for (int k = 0; k < COUNT_PLANNED; k++) {
-        const struct plan_stage *s = &all->plan[i]->stage[k];
+        const struct plan_stage *s = &all->scene[i]->plan.stage[k];
         if ((s->count == 0) != (left_out == 1))
           continue;
         table_text(&table, all->scene[i]->name);
@@ -154,7 +122,7 @@ static int add_parameters(char **arguments, int count, const struct command *com
 }
 
 static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct options *o,
-                                  const char *const *file)
+                                  bool only_read)
 {
   char *arguments[MOST_ARGUMENTS] = { "scallop" }, digits[32];
   struct options options;
@@ -173,8 +141,8 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   snprintf(digits, sizeof digits, "--digits=%ld", o->digits);
   if (o->digits > 0 && option_accepted(command, "digits"))
     arguments[count++] = digits;
-  if (options_read(&options, command, count, arguments, &code) && file) {
-    options.output = *file;
+  if (options_read(&options, command, count, arguments, &code) && !only_read) {
+    options.output = w->file;
     options.format = w->format;
     code = (int)command->run(&options);
   }
@@ -184,23 +152,18 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
 
 static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
 {
-  for (int i = 0; i < count; i++) {
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < count && code == EXIT_DONE; i++) {
     struct scene *scene = malloc(sizeof *scene);
-    struct plan *plan = malloc(sizeof *plan);
-    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
-    if (code != EXIT_DONE) {
-      if (!scene || !plan)
-        complain(o->command->name, "out of memory");
+    if (!scene)
+      complain(o->command->name, "out of memory");
+    code = scene ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
+    if (code == EXIT_DONE)
+      all->scene[all->count++] = scene;
+    else
       free(scene);
-      free(plan);
-      return code;
-    }
-    plan_make(plan, scene);
-    all->scene[i] = scene;
-    all->plan[i] = plan;
-    all->count++;
   }
-  return EXIT_DONE;
+  return code;
 }
 
 static void free_all(struct scenes *all)
@@ -208,16 +171,13 @@ static void free_all(struct scenes *all)
   for (int i = 0; i < all->count; i++) {
     scene_free(all->scene[i]);
     free(all->scene[i]);
-    free(all->plan[i]);
-    for (int w = 0; w < 2 * SCENE_WANTS; w++)
-      free(all->owned[i][w]);
   }
 }
 
 static bool needs_flint(const struct scenes *all)
 {
   for (int i = 0; i < all->count; i++)
-    if (all->plan[i]->needs_flint)
+    if (all->scene[i]->plan.needs_flint)
       return true;
   return false;
 }
@@ -250,17 +210,13 @@ static bool hand_over(const struct scenes *all, const struct options *o)
   return has_flint(o, "this scene");
 }
 
-static enum exit_code run_all(struct scenes *all, const struct options *o, bool to_output)
+static enum exit_code run_all(struct scenes *all, const struct options *o)
 {
   enum exit_code code = EXIT_DONE;
   if (o->has_output && !o->explain && tables_of(all) > 1) {
     complain(o->command->name, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
              tables_of(all));
     return EXIT_USAGE;
-  }
-  if (!place_tables(all, o, to_output)) {
-    complain(o->command->name, "out of memory");
-    return EXIT_UNSOLVED;
   }
   if (!check_places(all, o))
     return EXIT_USAGE;
@@ -269,13 +225,13 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->quiet; i++)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
-              scene_points(all->scene[i]), all->scene[i]->wants);
+              sweep_points(&all->scene[i]->sweep), all->scene[i]->wants);
     return EXIT_DONE;
   }
   if (needs_flint(all) && !hand_over(all, o))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
-    enum exit_code one = scene_run(all->scene[i], all->plan[i], &all->outputs[i], o);
+    enum exit_code one = scene_run(all->scene[i], o);
     code = one > code ? one : code;
   }
   if (o->stats)
@@ -283,7 +239,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
   return code;
 }
 
-enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count, bool to_output)
+enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count)
 {
   struct scenes *all = calloc(1, sizeof *all);
   if (!all || count > MOST_SCENES) {
@@ -296,7 +252,7 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
       all->input = sources[i].text;
   enum exit_code code = read_all(all, o, sources, count);
   if (code == EXIT_DONE)
-    code = run_all(all, o, to_output);
+    code = run_all(all, o);
   free_all(all);
   free(all);
   return code;
@@ -326,7 +282,7 @@ static enum exit_code run(const struct options *o)
       return read;
     sources[i] = (struct scene_source){ .path = "-", .text = input };
   }
-  enum exit_code code = run_scenes(o, sources, count, false);
+  enum exit_code code = run_scenes(o, sources, count);
   free(input);
   return code;
 }

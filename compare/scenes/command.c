@@ -40,7 +40,7 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
 bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   static const char *const own[] = { "what", "file", "format", "plot", NULL };
-  const struct scene_variable *varied = scene_variable(r->scene, 0);
+  const struct sweep_variable *varied = sweep_variable(&r->scene->sweep, 0);
   w->kind = WANT_COMMAND;
   if (varied)
     return refuse_at(r, at,
@@ -58,6 +58,6 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
     if (!is_among(name, own) && !add_option(r, member, w))
       return false;
   }
-  return r->scene->run_command(r->scene, w, r->options, NULL) == EXIT_DONE
+  return r->scene->run_command(r->scene, w, r->options, true) == EXIT_DONE
          || refuse_at(r, at, "the command behind what = \"%s\" refuses these options", w->what);
 }

@@ -6,9 +6,9 @@
 
 static bool varies(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
-  for (int i = 0; (v = scene_variable(s, i)); i++)
-    if (v->target != TARGET_LABEL && strcmp(scene_variable_sets(v), parameter) == 0)
+  const struct sweep_variable *v;
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
+    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
       return true;
   return false;
 }
@@ -16,10 +16,10 @@ static bool varies(const struct scene *s, const char *parameter)
 /* A measured gait among several brings L, T and alpha of its own. */
 static bool goes_with_gait(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
+  const struct sweep_variable *v;
   int place = crawler_place(parameter);
   bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
-  for (int i = 0; own && (v = scene_variable(s, i)); i++)
+  for (int i = 0; own && (v = sweep_variable(&s->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       measured |= strncmp(v->texts[k], "measured:", 9) == 0;
   return measured;
@@ -64,23 +64,15 @@ static void note_parameters(struct output *o, const struct scene *s)
   table_parameters(&o->table, &o->options, not_held, false);
 }
 
-static bool is_of_start(const struct quantities *all, int place)
-{
-  const struct quantity *q = &all->item[place];
-  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
-}
-
 /* Does anything in this table depend on the phase and its start? */
 static bool has_start(const struct scene *s, const struct scene_want *w)
 {
   bool has = w->kind == WANT_TRAJECTORY;
-  for (int i = 0; i < w->columns; i++) {
-    int places[FORMULA_STEPS], count = scene_column_quantities(&w->column[i], places);
-    for (int k = 0; k < count; k++)
-      has |= is_of_start(&s->quantities, places[k]);
+  int places[WANT_QUANTITIES];
+  for (int i = scene_want_quantities(w, places); i-- > 0 && !has;) {
+    const struct quantity *q = &s->quantities.item[places[i]];
+    has = quantity_is_of_phase(&s->quantities, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
   }
-  for (int i = 0; i < w->series; i++)
-    has |= is_of_start(&s->quantities, w->of[i]);
   return has;
 }
 

@@ -176,7 +176,7 @@ static bool is_of_parameters(const struct quantity *q)
          || q->kind == QUANTITY_F1_OVER_F2 || q->kind == QUANTITY_M1_OVER_M2;
 }
 
-bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end, bool *onset)
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
 {
   const char *text, *name = config_setting_name(at);
   int places[FORMULA_STEPS];

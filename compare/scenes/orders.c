@@ -27,7 +27,7 @@ bool orders_begin(const struct running *r, struct output *o)
 static double noise(const struct running *r, const struct quantity *error)
 {
   const struct scene_comparison *c = &r->state->comparison[error->of];
-  return r->plan->needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
+  return r->scene->plan.needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
 void orders_collect(const struct running *r, struct output *o)
@@ -51,7 +51,7 @@ static void write_order(struct running *r, struct output *o, int series)
   enum order_verdict verdict = fit.state == ORDER_EXACT ? ORDER_VERDICT_FLOOR_LIMITED
                                                         : order_judge(&fit, w->expect, w->tolerance);
   for (int i = 0; i < all->labels; i++)
-    table_text(t, r->state->label[i] ? r->state->label[i] : "-");
+    table_text(t, r->state->swept.label[i] ? r->state->swept.label[i] : "-");
   for (const char *const *name = crawler_parameters; *name; name++)
     if (strcmp(*name, "gait") == 0)
       table_text(t, r->state->at.crawler.gait->name);

@@ -63,7 +63,7 @@ const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
 /* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
-bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end, bool *onset);
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;
@@ -79,6 +79,9 @@ const char *gait_beside(const struct reading *r, const char *gait);
 /* text.c: refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are
  * noted in the scene. */
 bool check_text(const struct reading *r, const char *text);
+
+/* plan.c: fills in scene->plan, from the kinds of its quantities. Nothing is solved. */
+void make_plan(struct scene *scene);
 
 /* vary.c, want.c: vary = ... and want = ... */
 bool read_vary(const struct reading *r, const config_setting_t *vary);
@@ -113,10 +116,9 @@ bool refuse_quantity(const struct reading *r, const config_setting_t *at, const 
 /* A table that is being made */
 struct output {
   const struct scene_want *want;
-  const char *file;
   struct options options; /* of the table */
   struct table table;
-  bool is_open, tells_steady;
+  bool is_open;
   /* orders: the errors of each series at each T so far */
   struct order_point *errors;
   long times;
@@ -124,7 +126,6 @@ struct output {
 
 struct running {
   const struct scene *scene;
-  const struct plan *plan;
   const struct options *options;
   struct scene_state *state;
   struct output *output;

@@ -13,6 +13,7 @@ struct planning {
   const struct scene *scene;
   struct plan *plan;
   double points, runs; /* runs of points that differ in T alone */
+  bool takes_steady;   /* some product does not set v0 */
   bool has[PARTS], used[MOST_QUANTITIES], compared[MOST_QUANTITIES];
 };
 
@@ -37,24 +38,10 @@ static void need(struct planning *p, enum part part, const char *name)
   p->has[part] = true;
 }
 
-static bool sets(const struct scene_product *product, enum scene_target target)
-{
-  bool has = false;
-  for (int g = 0; g < product->groups; g++)
-    for (int v = 0; v < product->group[g].variables; v++)
-      has |= product->group[g].variable[v].target == target;
-  return has;
-}
-
-/* A start in the steady state takes that state, but where every product sets the velocity. */
+/* A start in the steady state takes that state, but where the velocity varies. */
 static void need_v0(struct planning *p, const char *name)
 {
-  bool is_set = p->scene->start != START_STEADY;
-  for (int i = 0, all = 1; !is_set && i < p->scene->products; i++) {
-    all &= sets(&p->scene->product[i], TARGET_V0);
-    is_set = all && i == p->scene->products - 1;
-  }
-  if (!is_set)
+  if (p->scene->start == START_STEADY && p->takes_steady)
     need(p, STEADY, name);
 }
 
@@ -156,19 +143,6 @@ static void need_quantity(struct planning *p, int place)
   }
 }
 
-/* The quantities of the columns and orders of a want, and of where a trajectory ends. Returns how many. */
-static int quantities_of(const struct scene_want *w, int places[MOST_QUANTITIES + FORMULA_STEPS])
-{
-  int count = 0;
-  for (int i = 0; i < w->columns && count < MOST_QUANTITIES; i++)
-    count += scene_column_quantities(&w->column[i], places + count);
-  if (w->until.is_formula && count < MOST_QUANTITIES)
-    count += formula_places(&w->until.formula, places + count);
-  for (int i = 0; i < w->series && count < MOST_QUANTITIES; i++)
-    places[count++] = w->of[i];
-  return count;
-}
-
 /* To how many digits certified values are wanted, and errors against what. A change of velocity in doubles is a small difference of
  * large numbers, and has not the digits that errors are told to. */
 static void find_accuracy(const struct scene *s, struct scene_needs *needs)
@@ -178,9 +152,9 @@ static void find_accuracy(const struct scene *s, struct scene_needs *needs)
   needs->digits = DIGITS_OF_DOUBLE;
   for (int i = 0; i < s->wants; i++) {
     const struct scene_want *w = &s->want[i];
-    int places[MOST_QUANTITIES + FORMULA_STEPS];
+    int places[WANT_QUANTITIES];
     bool has_errors = false;
-    for (int k = quantities_of(w, places); k-- > 0;) {
+    for (int k = scene_want_quantities(w, places); k-- > 0;) {
       const struct quantity *q = &s->quantities.item[places[k]];
       const struct scallop_formula *f = q->of >= 0 ? s->quantities.item[q->of].formula : NULL;
       has_errors |= q->of >= 0;
@@ -197,23 +171,21 @@ static void find_accuracy(const struct scene *s, struct scene_needs *needs)
 
 static void plan_want(struct planning *p, const struct scene_want *w)
 {
-  int places[MOST_QUANTITIES + FORMULA_STEPS];
+  int places[WANT_QUANTITIES];
   double rows = w->kind == WANT_COMMAND ? 0 : p->points;
-  for (int i = 0, count = quantities_of(w, places); i < count; i++)
+  for (int i = 0, count = scene_want_quantities(w, places); i < count; i++)
     need_quantity(p, places[i]);
   if (w->kind == WANT_TRAJECTORY) {
-    bool ends_early = w->until.is_formula || isfinite(w->until.number);
     rows *= (double)w->periods * (double)w->samples + 1;
     need_v0(p, "the start of a trajectory");
     add(p, COUNT_TRAJECTORIES, p->points, w->what);
     add(p, COUNT_SAMPLES, rows, "periods x samples + 1");
-    p->plan->stage[COUNT_SAMPLES].is_at_most |= ends_early;
-    p->plan->stage[COUNT_ROWS].is_at_most |= ends_early;
+    p->plan->stage[COUNT_SAMPLES].is_at_most = p->plan->stage[COUNT_ROWS].is_at_most = true; /* it may end before */
   } else if (w->kind == WANT_ORDERS) {
     rows = 0;
-    for (int k = 0; k < p->scene->products; k++) {
-      const struct scene_product *product = &p->scene->product[k];
-      rows += (double)w->series * (double)scene_product_points(product) / (double)product->group[product->groups - 1].count;
+    for (int k = 0; k < p->scene->sweep.products; k++) {
+      const struct sweep_product *product = &p->scene->sweep.product[k];
+      rows += (double)w->series * (double)sweep_product_points(product) / (double)product->group[product->groups - 1].count;
     }
     add(p, COUNT_ORDERS, rows, w->what);
   } else if (w->kind == WANT_COMMAND)
@@ -224,44 +196,47 @@ static void plan_want(struct planning *p, const struct scene_want *w)
     add(p, COUNT_PLOTS, 1, w->plot.file);
 }
 
-static bool is_free_of_T(const struct scene_variable *v)
+static bool is_free_of_T(const struct sweep_variable *v)
 {
   return v->target == TARGET_FROUDE || v->target == TARGET_LABEL
          || (v->target == TARGET_NUMBER && strcmp(v->name, "T") == 0);
 }
 
 /* Looks at what varies in a product: "3 F1_over_F2 x 200 T"; the runs; and onsets that a range needs. */
-static void plan_product(struct planning *p, const struct scene_product *product, char *text, size_t size)
+static void plan_product(struct planning *p, const struct sweep_product *product, char *text, size_t size)
 {
   size_t used = strlen(text);
   double runs = 1, points = 1;
-  bool needs_onset = false;
+  bool needs_onset = false, sets_v0 = false;
   for (int g = 0; g < product->groups; g++) {
-    const struct scene_group *group = &product->group[g];
+    const struct sweep_group *group = &product->group[g];
     points *= (double)group->count;
     if (used < size)
       used += (size_t)snprintf(text + used, size - used, "%s%ld", g > 0 ? " x " : used > 0 ? " + " : "", group->count);
     for (int v = 0; v < group->variables; v++) {
-      const struct scene_variable *variable = &group->variable[v];
+      const struct sweep_variable *variable = &group->variable[v];
       if (used < size)
         used += (size_t)snprintf(text + used, size - used, "%s%s", v > 0 ? ", " : " ", variable->name);
       needs_onset |= variable->needs_onset;
+      sets_v0 |= variable->target == TARGET_V0;
       if (!is_free_of_T(variable) && variable->count > 1)
         runs = points;
     }
   }
   p->runs += runs;
+  p->takes_steady |= !sets_v0;
   if (needs_onset)
     add(p, COUNT_ONSETS, runs, "the ends of a range");
 }
 
-void plan_make(struct plan *plan, const struct scene *scene)
+void make_plan(struct scene *scene)
 {
-  struct planning p = { .scene = scene, .plan = plan, .points = (double)scene_points(scene) };
+  struct plan *plan = &scene->plan;
+  struct planning p = { .scene = scene, .plan = plan, .points = (double)sweep_points(&scene->sweep) };
   char text[sizeof plan->stage->reason] = "";
   *plan = (struct plan){ .needs_flint = false };
-  for (int i = 0; i < scene->products; i++)
-    plan_product(&p, &scene->product[i], text, sizeof text);
+  for (int i = 0; i < scene->sweep.products; i++)
+    plan_product(&p, &scene->sweep.product[i], text, sizeof text);
   find_accuracy(scene, &plan->needs);
   for (int i = 0; i < scene->wants; i++)
     plan_want(&p, &scene->want[i]);

@@ -118,6 +118,23 @@ static enum exit_code parse(const struct reading *r, const struct scene_source *
   return code;
 }
 
+void scene_free(struct scene *s)
+{
+  while (s->kept) {
+    struct kept *first = s->kept;
+    s->kept = first->next;
+    free(first);
+  }
+  sweep_free(&s->sweep);
+  for (int w = 0; w < s->wants; w++)
+    free(s->want[w].arguments), free(s->want[w].column);
+  free(s->name);
+  if (s->file)
+    config_destroy(s->file);
+  free(s->file);
+  *s = (struct scene){ .name = NULL };
+}
+
 enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct options *options,
                           scene_command *run_command)
 {
@@ -137,7 +154,9 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
     code = parse(&r, source, file);
   if (code == EXIT_DONE && !read_root(&r, config_root_setting(file)))
     code = EXIT_USAGE;
-  if (code != EXIT_DONE)
+  if (code == EXIT_DONE)
+    make_plan(s);
+  else
     scene_free(s);
   return code;
 }

@@ -11,59 +11,17 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/quantity.h"
+#include "compare/answers/sweep.h"
 #include "compare/command/compare.h"
 #include "asymptotics/formula.h"
 #include "compare/text/plot.h"
 
 enum {
-  SCENE_GROUPS = 8,
-  SCENE_VARIABLES = 8,
-  SCENE_PRODUCTS = 16,
   SCENE_WANTS = 32,
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
   SCENE_INCLUDED = 64,
-  SCENE_RAMP = 1000000, /* most values of a range */
-  SCENE_TIMES = 4096    /* most periods of an order */
-};
-
-/* What a variable sets. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T when all else is set. */
-enum scene_target {
-  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
-  TARGET_GAIT,
-  TARGET_V0,
-  TARGET_F1_OVER_F2,
-  TARGET_M1_OVER_M2,
-  TARGET_FROUDE,
-  TARGET_LABEL /* no parameter: a text of its own, for a column */
-};
-
-struct scene_end { /* of a range */
-  bool is_formula; /* of parameters that are set further out, and sticking_onset */
-  double number;
-  struct formula formula;
-};
-
-struct scene_variable {
-  enum scene_target target;
-  int place; /* of a number among the crawler's, of a label among the scene's */
-  const char *name;
-  long count;         /* values; 1: the same throughout its group */
-  double *numbers;    /* a list of numbers, or NULL */
-  const char **texts; /* a list of texts: labels, gaits, numbers as they were written (NULL: as a double), or NULL */
-  bool is_log;        /* a range */
-  bool needs_onset;   /* to know its ends */
-  struct scene_end from, to;
-};
-
-struct scene_group {
-  int variables;
-  struct scene_variable variable[SCENE_VARIABLES];
-  long count;
-};
-struct scene_product {
-  int groups; /* the first advances slowest */
-  struct scene_group group[SCENE_GROUPS];
+  SCENE_TIMES = 4096 /* most periods of an order */
 };
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
@@ -77,7 +35,7 @@ struct scene_column {
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written */
-  const char *file; /* NULL: standard output */
+  const char *file; /* as the command line has it, and NULL: standard output */
   enum format format;
   long digits;
   int columns;
@@ -85,7 +43,7 @@ struct scene_want {
   bool is_certified;           /* errors against certified values, whatever the accuracy */
   double accuracy;             /* errors below this part of the exact value are 0 */
   long periods, samples;       /* trajectory */
-  struct scene_end until;      /* and no further than this time */
+  struct sweep_end until;      /* and no further than this time */
   int series;                  /* orders: of the errors of these */
   int of[SCENE_COLUMNS];       /* the errors, as quantities */
   bool has_expect;
@@ -95,61 +53,6 @@ struct scene_want {
   bool has_plot;
   struct plot plot; /* but for table and title */
 };
-
-enum scene_start { START_REST, START_STEADY, START_VELOCITY };
-
-struct scene;
-/* Makes the table of a want that is another command's; file NULL: reads its options, and no more. The command line hands this in, as
- * scenes know no command. */
-typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
-                                     const char *const *file);
-
-struct scene {
-  char *name;       /* of the file, without folder and .cfg */
-  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
-  int included;     /* files that it includes */
-  const char *include[SCENE_INCLUDED];
-  const char *title; /* or NULL */
-  int notes;
-  const char *note[SCENE_NOTES];
-  struct point base; /* the crawler where nothing varies */
-  enum scallop_phase_kind phase;
-  enum scene_start start;
-  bool varies_v0;
-  int products; /* one after the other; at least one, which may have no groups: one point */
-  struct scene_product *product;
-  struct quantities quantities; /* all that are used */
-  int wants;
-  struct scene_want want[SCENE_WANTS];
-  scene_command *run_command;
-  struct config_t *file; /* libconfig's, whose texts the above points to */
-  struct kept *kept;     /* and other texts */
-};
-
-/* Where a scene comes from: a file, or a text that has no folder. */
-struct scene_source {
-  const char *path; /* for messages, and to read if text is NULL */
-  const char *text;
-};
-
-/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code scene_text_read(const char *command, const char *path, char **text);
-
-/* Reads and checks a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
- * EXIT_DONE, or the exit code, the message being on stderr. */
-enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
-                          scene_command *run_command);
-void scene_free(struct scene *scene);
-
-/* The quantities of a column: that one, or those of its formula. Returns how many. */
-int scene_column_quantities(const struct scene_column *column, int places[FORMULA_STEPS]);
-/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
-const char *scene_variable_sets(const struct scene_variable *variable);
-/* The variables of all products, one after another: number i, or NULL after the last. */
-const struct scene_variable *scene_variable(const struct scene *scene, int i);
-/* Points of the scene: the products of its groups, one after the other. */
-long scene_points(const struct scene *scene);
-long scene_product_points(const struct scene_product *product);
 
 /* What all points have in common, found before the first: what certified values must be good for. */
 struct scene_needs {
@@ -171,21 +74,71 @@ struct plan {
   struct plan_stage stage[COUNT_PLANNED];
 };
 
-/* The plan of a scene, from the kinds of its quantities. Nothing is solved. */
-void plan_make(struct plan *plan, const struct scene *scene);
+enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
-/* Where a want's table goes: the file, or NULL for standard output. It lives as long as the scene and the options. */
-struct scene_outputs {
-  const char *file[SCENE_WANTS];
-  const char *plot[SCENE_WANTS]; /* likewise; NULL: none */
+struct scene;
+/* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as scenes know no
+ * command. */
+typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
+                                     bool only_read);
+
+struct scene {
+  char *name;       /* of the file, without folder and .cfg */
+  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
+  int included;     /* files that it includes */
+  const char *include[SCENE_INCLUDED];
+  const char *title; /* or NULL */
+  int notes;
+  const char *note[SCENE_NOTES];
+  struct point base; /* the crawler where nothing varies */
+  enum scallop_phase_kind phase;
+  enum scene_start start;
+  bool varies_v0;
+  struct sweep sweep;
+  struct quantities quantities; /* all that are used */
+  int wants;
+  struct scene_want want[SCENE_WANTS];
+  struct plan plan;
+  scene_command *run_command;
+  struct config_t *file; /* libconfig's, whose texts the above points to */
+  struct kept *kept;     /* and other texts */
 };
 
-/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
-enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
-                         const struct options *options);
+/* Where a scene comes from: a file, or a text that has no folder. */
+struct scene_source {
+  const char *path; /* for messages, and to read if text is NULL */
+  const char *text;
+};
 
-/* command/run.c: reads all scenes, and only then runs them. to_output: their tables go to options->output or standard output, whatever
- * files they name, and nothing is drawn. */
-enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count, bool to_output);
+/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
+enum exit_code scene_text_read(const char *command, const char *path, char **text);
+
+/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
+ * EXIT_DONE, or the exit code, the message being on stderr. */
+enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
+                          scene_command *run_command);
+void scene_free(struct scene *scene);
+
+/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
+enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
+int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
+/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
+enum exit_code scene_run(const struct scene *scene, const struct options *options);
+
+/* The files that scenes read and write, by what they are and not by how a path is spelled */
+enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };
+struct scene_places {
+  int count;
+  struct scene_place {
+    bool is_output;
+    char key[PLACE_KEY];
+  } place[SCENE_PLACES];
+};
+/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard input, where that is a
+ * file. */
+void places_reads(struct scene_places *places, const struct scene *scene);
+/* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
+ * pipes take any number. */
+bool places_writes(struct scene_places *places, const char *command, const char *path);
 
 #endif

@@ -9,9 +9,9 @@
 #include "compare/text/halfway.h"
 #include "compare/scenes/flint.h"
 
-void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
+void state_init(struct scene_state *s, const struct scene *scene)
 {
-  *s = (struct scene_state){ .scene = scene, .needs = *needs, .at = scene->base };
+  *s = (struct scene_state){ .scene = scene, .needs = scene->plan.needs, .at = scene->base };
 }
 
 void state_clear(struct scene_state *s)
@@ -33,83 +33,15 @@ static double check(struct scene_state *s, enum scallop_status status, double va
   return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
 }
 
-static void set_number(struct scene_state *s, int place, double value, const char *text, const char *name)
+/* Parameters may have changed since the last formula. */
+static double formula_so_far(void *state, const struct formula *formula)
 {
-  number_text(s->written[place], value, 0);
-  const char *wrong = point_set_number(&s->at, place, text ? text : s->written[place]);
-  if (wrong) {
-    char why[POINT_STATUS];
-    snprintf(why, sizeof why, "%s: %s", name, wrong);
-    state_fail(s, why);
-  }
+  struct scene_state *s = state;
+  memset(s->has, 0, sizeof s->has);
+  return state_formula(s, formula);
 }
 
-static double rounded(double x, long digits)
-{
-  char text[NUMBER_TEXT];
-  number_text(text, x, digits);
-  read_number(text, &x);
-  return x;
-}
-
-static double range_value(struct scene_state *s, const struct scene_variable *v, long i)
-{
-  memset(s->has, 0, sizeof s->has); /* parameters may have changed since the last formula */
-  double from = state_end(s, &v->from), to = state_end(s, &v->to);
-  long steps = v->count - 1;
-  if (i == 0)
-    return from;
-  if (i == steps)
-    return to;
-  /* decimal: 0.07 for a reader, and the same on every machine, whose logarithms may differ in the last digit */
-  if (v->is_log)
-    return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
-  double x = from + (double)i * ((to - from) / (double)steps);
-  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
-}
-
-/* What follows from other parameters follows from them as they are now, and the Froude number is last. */
-static void settle(struct scene_state *s)
-{
-  const struct scallop_crawler *c = &s->at.crawler;
-  point_complete(&s->at);
-  if (!isnan(s->F1_over_F2))
-    set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
-  if (!isnan(s->m1_over_m2))
-    set_number(s, crawler_place("m1"), s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
-  if (!isnan(s->froude))
-    set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
-}
-
-static void set_v0(struct scene_state *s, double v0, const char *text)
-{
-  if (!isfinite(v0))
-    state_fail(s, "v0: a finite velocity is wanted");
-  s->at.v0 = v0;
-  number_text(s->written_v0, v0, 0);
-  s->at.written_v0 = text ? text : s->written_v0;
-  s->at.has_v0 = true;
-}
-
-static void set_variable(struct scene_state *s, const struct scene_variable *v, long i)
-{
-  long place = v->count == 1 ? 0 : i;
-  const char *text = v->texts ? v->texts[place] : NULL;
-  double x = v->numbers                                              ? v->numbers[place]
-             : v->target == TARGET_LABEL || v->target == TARGET_GAIT ? 0
-                                                                     : range_value(s, v, place);
-  switch (v->target) {
-  case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
-  case TARGET_GAIT: point_set(&s->at, "gait", text); break; /* it was made when the scene was read */
-  case TARGET_V0: set_v0(s, x, text); break;
-  case TARGET_LABEL: s->label[v->place] = text; break;
-  case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
-  case TARGET_M1_OVER_M2: s->m1_over_m2 = x; break;
-  case TARGET_FROUDE: s->froude = x; break;
-  }
-}
-
-void state_move(struct scene_state *s, const struct scene_product *product, const long *index)
+void state_move(struct scene_state *s, const struct sweep_product *product, const long *index)
 {
   const struct scene *scene = s->scene;
   s->at = scene->base;
@@ -118,27 +50,21 @@ void state_move(struct scene_state *s, const struct scene_product *product, cons
   s->is_outside = false;
   s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = false;
   memset(s->has, 0, sizeof s->has);
-  memset(s->label, 0, sizeof s->label);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
     scene_flint.forget(s->flint);
-  s->F1_over_F2 = s->m1_over_m2 = s->froude = NAN;
-  for (int g = 0; g < product->groups; g++) {
-    for (int v = 0; v < product->group[g].variables; v++)
-      set_variable(s, &product->group[g].variable[v], index[g]);
-    bool was_outside = s->why[0] != '\0';
-    settle(s);
-    if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
-      s->why[0] = '\0';
-  }
+  sweep_move(&s->swept, &s->at, product, index, formula_so_far, s);
+  s->why[0] = '\0'; /* what a formula could not have */
+  if (s->swept.why[0] != '\0')
+    state_fail(s, s->swept.why);
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
   s->is_outside = s->why[0] != '\0';
   count_add(COUNT_POINTS, 1);
 }
 
-void state_begin_row(struct scene_state *s, bool tells_steady)
+void state_begin_row(struct scene_state *s)
 {
-  s->tells_steady = tells_steady;
+  s->tells_steady = false;
   if (!s->is_outside)
     s->why[0] = '\0';
 }
@@ -277,8 +203,8 @@ static double about_series(struct scene_state *s, const struct quantity *q)
 static double froude(struct scene_state *s)
 {
   struct scallop_scaled scaled;
-  if (!isnan(s->froude))
-    return s->froude;
+  if (!isnan(s->swept.froude))
+    return s->swept.froude;
   return check(s, scallop_scale(&s->at.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
@@ -295,8 +221,8 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_F1_OVER_F2: return isnan(s->F1_over_F2) ? c->F1 / c->F2 : s->F1_over_F2;
-  case QUANTITY_M1_OVER_M2: return isnan(s->m1_over_m2) ? c->m1 / c->m2 : s->m1_over_m2;
+  case QUANTITY_F1_OVER_F2: return isnan(s->swept.F1_over_F2) ? c->F1 / c->F2 : s->swept.F1_over_F2;
+  case QUANTITY_M1_OVER_M2: return isnan(s->swept.m1_over_m2) ? c->m1 / c->m2 : s->swept.m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
   case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
@@ -309,11 +235,19 @@ static double compute(struct scene_state *s, const struct quantity *q)
   }
 }
 
+static bool is_of_steady(const struct scene_state *s, const struct quantity *q)
+{
+  bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+  return (answered || q->of >= 0) && !quantity_is_of_phase(&s->scene->quantities, q);
+}
+
 double state_number(struct scene_state *s, int quantity)
 {
+  const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   if (!s->has[quantity]) {
     long before = s->failures;
-    s->value[quantity] = compute(s, &s->scene->quantities.item[quantity]);
+    s->value[quantity] = compute(s, q);
     s->has[quantity] = s->failures == before; /* a failure is told in each row that it is of; solutions are kept */
   }
   return s->value[quantity];
@@ -338,9 +272,10 @@ static const char *status_text(struct scene_state *s)
 const char *state_text(struct scene_state *s, int quantity, long digits)
 {
   const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   switch (q->kind) {
   case QUANTITY_GAIT: return s->at.crawler.gait->name;
-  case QUANTITY_LABEL: return s->label[q->which] ? s->label[q->which] : "-";
+  case QUANTITY_LABEL: return s->swept.label[q->which] ? s->swept.label[q->which] : "-";
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return answer_text(s, q);
@@ -357,7 +292,7 @@ double state_formula(struct scene_state *s, const struct formula *formula)
   return formula_double(formula, s->value);
 }
 
-double state_end(struct scene_state *s, const struct scene_end *end)
+double state_end(struct scene_state *s, const struct sweep_end *end)
 {
   return end->is_formula ? state_formula(s, &end->formula) : end->number;
 }

@@ -7,65 +7,16 @@
 
 #include "compare/scenes/parts.h"
 
-static const struct {
-  const char *name;
-  enum scene_target target;
-} others[] = { { "gait", TARGET_GAIT },
-               { "v0", TARGET_V0 },
-               { "F1_over_F2", TARGET_F1_OVER_F2 },
-               { "m1_over_m2", TARGET_M1_OVER_M2 },
-               { "froude", TARGET_FROUDE } };
-enum { OTHERS = sizeof others / sizeof *others };
-
-static bool target_of(struct scene_variable *v, const char *name)
-{
-  v->name = name;
-  v->place = crawler_place(name);
-  if (v->place < CRAWLER_NUMBERS)
-    return true; /* TARGET_NUMBER is 0 */
-  for (int i = 0; i < OTHERS; i++)
-    if (strcmp(name, others[i].name) == 0) {
-      v->target = others[i].target;
-      return true;
-    }
-  return false;
-}
-
-/* The numbers of the crawler that a variable sets, as bits */
-static unsigned sets(const struct scene_variable *v)
-{
-  switch (v->target) {
-  case TARGET_GAIT: return 1U << CRAWLER_NUMBERS;
-  case TARGET_V0: return 2U << CRAWLER_NUMBERS;
-  case TARGET_LABEL: return 4U << (CRAWLER_NUMBERS + v->place);
-  default: return 1U << crawler_place(scene_variable_sets(v));
-  }
-}
-
 /* Given on the command line, which then holds throughout */
-static bool is_overridden(const struct reading *r, const struct scene_variable *v)
+static bool is_overridden(const struct reading *r, const struct sweep_variable *v)
 {
-  unsigned given = r->options->point.has_gait ? 1U << CRAWLER_NUMBERS : 0;
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    given |= r->options->point.written[i] ? 1U << i : 0;
-  return (sets(v) & given) != 0;
+  const struct point *given = &r->options->point;
+  int place = crawler_place(v->sets);
+  return v->target != TARGET_LABEL
+         && (place < CRAWLER_NUMBERS ? given->written[place] != NULL : v->target == TARGET_GAIT && given->has_gait);
 }
 
-/* NULL, or what is wrong with a number of that variable. text: as it was written, or NULL. */
-static const char *check_number(const struct reading *r, const struct scene_variable *v, double x, const char *text)
-{
-  struct point probe = r->scene->base;
-  char written[NUMBER_TEXT];
-  if (v->target == TARGET_NUMBER) {
-    number_text(written, x, 0);
-    return point_set_number(&probe, v->place, text ? text : written);
-  }
-  if (!isfinite(x))
-    return "a finite number is wanted";
-  return v->target == TARGET_V0 || x > 0 ? NULL : "a number > 0 is wanted";
-}
-
-static bool is_of_words(const struct scene_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
+static bool is_of_words(const struct sweep_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
 
 static bool is_ascii(const char *text)
 {
@@ -74,7 +25,7 @@ static bool is_ascii(const char *text)
   return *text == '\0';
 }
 
-static const char *read_word(const struct reading *r, const struct scene_variable *v, const char **text)
+static const char *read_word(const struct reading *r, const struct sweep_variable *v, const char **text)
 {
   struct point probe = r->scene->base;
   if (!*text)
@@ -85,7 +36,7 @@ static const char *read_word(const struct reading *r, const struct scene_variabl
   return *text ? point_set(&probe, "gait", *text) : "out of memory";
 }
 
-static bool read_list(const struct reading *r, const config_setting_t *at, struct scene_variable *v)
+static bool read_list(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   v->count = element_count(at);
   if (v->count < 1)
@@ -102,7 +53,7 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
       *text = config_setting_get_string(element);
       wrong = read_word(r, v, text);
     } else if (is_number(element, x, text) || (v->target == TARGET_NUMBER && *text))
-      wrong = check_number(r, v, *x, *text);
+      wrong = sweep_wrong(v, &r->scene->base, *x, *text);
     else
       wrong = "it takes numbers, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
     if (wrong)
@@ -111,13 +62,13 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
   return true;
 }
 
-static bool read_range(const struct reading *r, const config_setting_t *at, struct scene_variable *v)
+static bool read_range(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
   const config_setting_t *ends[] = { config_setting_get_member(at, "from"), config_setting_get_member(at, "to") };
-  struct scene_end *const range[] = { &v->from, &v->to };
+  struct sweep_end *const range[] = { &v->from, &v->to };
   int spacing = 0;
-  const struct member members[] = { OTHER("from"), OTHER("to"), A_COUNT("count", &v->count, 1, SCENE_RAMP),
+  const struct member members[] = { OTHER("from"), OTHER("to"), A_COUNT("count", &v->count, 1, SWEEP_RANGE),
                                     A_WORD("spacing", &spacing, spacings), NO_MORE };
   if (!read_members(r, at, members, "a range"))
     return false;
@@ -129,7 +80,7 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   for (int i = 0; i < 2; i++) {
     if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
-    const char *wrong = range[i]->is_formula ? NULL : check_number(r, v, range[i]->number, NULL);
+    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, range[i]->number, NULL);
     if (!wrong && v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
       wrong = "an end of a range with log spacing is > 0";
     if (wrong)
@@ -138,14 +89,14 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   return true;
 }
 
-static bool add_variable(const struct reading *r, const config_setting_t *at, struct scene_group *g, struct scene_variable v)
+static bool add_variable(const struct reading *r, const config_setting_t *at, struct sweep_group *g, struct sweep_variable v)
 {
   bool is_range = config_setting_is_group(at);
   if (is_overridden(r, &v))
     return true;
-  if (g->variables == SCENE_VARIABLES)
-    return refuse_at(r, at, "more than %d variables go together here", SCENE_VARIABLES);
-  struct scene_variable *kept = &g->variable[g->variables++];
+  if (g->variables == SWEEP_VARIABLES)
+    return refuse_at(r, at, "more than %d variables go together here", SWEEP_VARIABLES);
+  struct sweep_variable *kept = &g->variable[g->variables++];
   *kept = v;
   if (!(is_range ? read_range(r, at, kept) : read_list(r, at, kept)))
     return false;
@@ -158,7 +109,7 @@ static bool add_variable(const struct reading *r, const config_setting_t *at, st
   return true;
 }
 
-static bool add_label(const struct reading *r, const config_setting_t *at, struct scene_group *g)
+static bool add_label(const struct reading *r, const config_setting_t *at, struct sweep_group *g)
 {
   struct quantities *all = &r->scene->quantities;
   const char *name = config_setting_name(at);
@@ -173,10 +124,11 @@ static bool add_label(const struct reading *r, const config_setting_t *at, struc
     return refuse_at(r, at, "a label cannot be called %s, which is a quantity", name);
   all->label[place] = name;
   all->labels += place == all->labels;
-  return add_variable(r, at, g, (struct scene_variable){ .target = TARGET_LABEL, .place = place, .name = name });
+  return add_variable(r, at, g,
+                      (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name });
 }
 
-static bool add_labels_of(const struct reading *r, const config_setting_t *at, struct scene_group *g)
+static bool add_labels_of(const struct reading *r, const config_setting_t *at, struct sweep_group *g)
 {
   bool good = config_setting_is_group(at) || refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
   for (int k = 0; good && k < config_setting_length(at); k++)
@@ -186,7 +138,7 @@ static bool add_labels_of(const struct reading *r, const config_setting_t *at, s
 
 static const char meant[] = "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )";
 
-static bool read_group(const struct reading *r, const config_setting_t *group, struct scene_group *g)
+static bool read_group(const struct reading *r, const config_setting_t *group, struct sweep_group *g)
 {
   static const struct member members[] = {
     OTHER("m1"),   OTHER("m2"), OTHER("F1"),         OTHER("F2"),         OTHER("L"),      OTHER("T"),     OTHER("alpha"),
@@ -199,28 +151,15 @@ static bool read_group(const struct reading *r, const config_setting_t *group, s
     return false;
   for (int i = 0; i < config_setting_length(group); i++) {
     const config_setting_t *at = config_setting_get_elem(group, (unsigned)i);
-    struct scene_variable v = { .target = TARGET_NUMBER };
-    if (!(target_of(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
+    struct sweep_variable v;
+    if (!(sweep_variable_of_name(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
       return false;
   }
   return true;
 }
 
-static bool check_once(const struct reading *r, const config_setting_t *at, const struct scene_product *product)
-{
-  unsigned seen = 0;
-  for (int g = 0; g < product->groups; g++)
-    for (int v = 0; v < product->group[g].variables; v++) {
-      unsigned bits = sets(&product->group[g].variable[v]);
-      if (seen & bits)
-        return refuse_at(r, at, "%s is set twice here", product->group[g].variable[v].name);
-      seen |= bits;
-    }
-  return true;
-}
-
 /* The number of points fits a long with room to spare. */
-static bool check_size(const struct reading *r, const config_setting_t *at, const struct scene_product *product)
+static bool check_size(const struct reading *r, const config_setting_t *at, const struct sweep_product *product)
 {
   double points = 1;
   for (int g = 0; g < product->groups; g++)
@@ -231,10 +170,10 @@ static bool check_size(const struct reading *r, const config_setting_t *at, cons
 static bool read_product(const struct reading *r, const config_setting_t *at)
 {
   struct scene *s = r->scene;
-  struct scene_product *product = &s->product[s->products++];
+  struct sweep_product *product = &s->sweep.product[s->sweep.products++];
   int groups = config_setting_is_group(at) ? 1 : config_setting_length(at);
-  if (groups > SCENE_GROUPS)
-    return refuse_at(r, at, "%d groups: %d at most", groups, SCENE_GROUPS);
+  if (groups > SWEEP_GROUPS)
+    return refuse_at(r, at, "%d groups: %d at most", groups, SWEEP_GROUPS);
   for (int i = 0; i < groups; i++) {
     const config_setting_t *group = config_setting_is_group(at) ? at : config_setting_get_elem(at, (unsigned)i);
     if (!read_group(r, group, &product->group[product->groups++]))
@@ -242,7 +181,8 @@ static bool read_product(const struct reading *r, const config_setting_t *at)
     if (product->group[product->groups - 1].variables == 0) /* all of it is given on the command line */
       product->groups--;
   }
-  return check_once(r, at, product) && check_size(r, at, product);
+  const struct sweep_variable *twice = sweep_set_twice(product);
+  return twice ? refuse_at(r, at, "%s is set twice here", twice->name) : check_size(r, at, product);
 }
 
 bool read_vary(const struct reading *r, const config_setting_t *vary)
@@ -250,15 +190,15 @@ bool read_vary(const struct reading *r, const config_setting_t *vary)
   bool one_after_the_other = vary && config_setting_is_list(vary) && config_setting_length(vary) > 0
                              && config_setting_is_list(config_setting_get_elem(vary, 0));
   int products = one_after_the_other ? config_setting_length(vary) : 1;
-  if (products > SCENE_PRODUCTS)
-    return refuse_at(r, vary, "%d products: %d at most", products, SCENE_PRODUCTS);
-  r->scene->product = calloc((size_t)products, sizeof *r->scene->product);
-  if (!r->scene->product)
+  if (products > SWEEP_PRODUCTS)
+    return refuse_at(r, vary, "%d products: %d at most", products, SWEEP_PRODUCTS);
+  r->scene->sweep.product = calloc((size_t)products, sizeof *r->scene->sweep.product);
+  if (!r->scene->sweep.product)
     return refuse_at(r, vary, "out of memory");
   if (vary && !config_setting_is_group(vary) && !config_setting_is_list(vary))
     return refuse_at(r, vary, "%s", meant);
   if (!vary)
-    r->scene->products = 1;
+    r->scene->sweep.products = 1;
   for (int i = 0; vary && i < products; i++)
     if (!read_product(r, one_after_the_other ? config_setting_get_elem(vary, (unsigned)i) : vary))
       return false;

@@ -71,15 +71,15 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
   static const char *const usual[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
   const config_setting_t *until = config_setting_get_member(at, "until");
   bool onset = false;
-  w->until = (struct scene_end){ .number = INFINITY };
+  w->until = (struct sweep_end){ .number = INFINITY };
   if (until && !read_end(r, until, &w->until, &onset))
     return false;
   if (wanted->count > 0)
     return read_columns(r, at, w, wanted);
   if (!add_labels(r, at, w))
     return false;
-  const struct scene_variable *v;
-  for (int k = 0; (v = scene_variable(r->scene, k)); k++) { /* what varies tells the curves apart */
+  const struct sweep_variable *v;
+  for (int k = 0; (v = sweep_variable(&r->scene->sweep, k)); k++) { /* what varies tells the curves apart */
     bool there = v->target == TARGET_LABEL;
     for (int i = 0; i < w->columns; i++)
       there |= strcmp(w->column[i].name, v->name) == 0;
@@ -93,9 +93,9 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
   const struct scene *s = r->scene;
-  for (int p = 0; p < s->products; p++) {
-    const struct scene_product *product = &s->product[p];
-    const struct scene_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
+  for (int p = 0; p < s->sweep.products; p++) {
+    const struct sweep_product *product = &s->sweep.product[p];
+    const struct sweep_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
     bool is_T = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER
                 && strcmp(last->variable[0].name, "T") == 0;
     if (!is_T || last->count < 3 || last->count > SCENE_TIMES)
@@ -295,6 +295,26 @@ static bool read_output(const struct reading *r, const config_setting_t *at, str
                       w->file);
 }
 
+static bool put_into(const struct reading *r, const char *folder, const char **file)
+{
+  if (!folder || !*file || **file == '/')
+    return true;
+  const char *head = keep_text(r, folder, (int)strlen(folder), "/");
+  *file = head ? keep_text(r, head, (int)strlen(head), *file) : NULL;
+  return *file != NULL;
+}
+
+/* Where the table and its plot go in the end: the command line may name the file, or a folder. */
+static bool place(const struct reading *r, struct scene_want *w)
+{
+  const struct options *o = r->options;
+  bool is_named = o->has_output && !o->explain; /* else -o names the plan's */
+  if (is_named)
+    w->file = o->output;
+  w->has_plot = w->has_plot && w->file && !o->no_plots;
+  return is_named || (put_into(r, o->folder, &w->file) && put_into(r, o->folder, &w->plot.file));
+}
+
 static bool read_want(const struct reading *r, const config_setting_t *at)
 {
   struct scene_want *w = &r->scene->want[r->scene->wants++];
@@ -313,7 +333,8 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
     return false;
   w->kind = kinds[kind].kind;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
-  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w));
+  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w))
+         && place(r, w);
 }
 
 bool read_wants(const struct reading *r, const config_setting_t *want)
