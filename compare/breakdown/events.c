@@ -180,7 +180,7 @@ static void enter(struct finder *f, double low, double high)
   if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, f, low)
       || !signature_at(&after, f, high) || same(&before, &after))
     return;
-  struct event *larger = with_room(events->event, events->count, sizeof *larger);
+  struct event *larger = grown(events->event, events->count, sizeof *larger);
   if (!larger)
     return;
   events->event = larger;
