@@ -18,6 +18,8 @@ static void axes_are_read(void **state)
   assert_null(axis_read(&a, "F1/F2", NULL));
   assert_true(a.from == 0.01 && a.to == 100 && a.count == 41 && a.log);
   CHECK_EQUAL(axis_node(&a, 20), 1.0);
+  assert_null(axis_read(&a, "m1_over_m2", NULL));
+  assert_int_equal(a.kind, AXIS_M1_M2);
   assert_null(axis_read(&a, "alpha", NULL));
   assert_true(a.from == 0.01 && a.to == 0.99 && a.count == 41 && !a.log);
   assert_null(axis_read(&a, "T", "0.5:8:5:linear"));

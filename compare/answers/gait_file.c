@@ -46,9 +46,9 @@ static const char *no_memory(void) { return "out of memory"; }
 
 static bool make_room(struct rows *rows)
 {
-  struct row *at = grown(rows->at, rows->count, sizeof *at);
+  struct row *at = with_room(rows->at, rows->count, sizeof *at);
   rows->at = at ? at : rows->at;
-  struct gait_row *written = grown(rows->written, rows->count, sizeof *written);
+  struct gait_row *written = with_room(rows->written, rows->count, sizeof *written);
   rows->written = written ? written : rows->written;
   return at && written;
 }

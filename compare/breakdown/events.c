@@ -85,7 +85,7 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
 {
   const struct motion m = motion_at(f->motion, T);
   struct answer *a = &out->answer;
-  memset(out->part, 0, sizeof out->part);
+  *out = (struct signature){ .part = { 0 } };
   if (!answer_in_double(a, &m))
     return false;
   const double v[2] = { m.of == OF_STEADY ? a->value[Q_V_START].high : m.v0, a->value[Q_V_MID].high };
@@ -180,7 +180,7 @@ static void enter(struct finder *f, double low, double high)
   if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, f, low)
       || !signature_at(&after, f, high) || same(&before, &after))
     return;
-  struct event *larger = grown(events->event, events->count, sizeof *larger);
+  struct event *larger = with_room(events->event, events->count, sizeof *larger);
   if (!larger)
     return;
   events->event = larger;

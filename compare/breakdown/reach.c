@@ -247,17 +247,19 @@ static bool passes_zero(const struct comparison *c, const struct look *a, const 
   return a->exact.value[q].high * b->exact.value[q].high < 0;
 }
 
+static double exact_in_wide(const struct comparison *c, double T)
+{
+  struct answer e;
+  motion_in_wide(c->motion, T, &e);
+  return e.value[c->item.which.quantity].high;
+}
+
 /* The last T before the exact value is 0, to a double. */
 static double zero_between(const struct comparison *c, double low, double high)
 {
-  struct answer e;
-  const double *value = &e.value[c->item.which.quantity].high;
-  motion_in_wide(c->motion, low, &e);
-  bool positive = *value > 0;
-  for (double T; halfway(&T, low, high);) {
-    motion_in_wide(c->motion, T, &e);
-    *(*value != 0 && (*value > 0) == positive ? &low : &high) = T;
-  }
+  double sign = copysign(1, exact_in_wide(c, low));
+  for (double T; halfway(&T, low, high);)
+    *(sign * exact_in_wide(c, T) > 0 ? &low : &high) = T;
   return low;
 }
 

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/answers/quantity.h"
 #include "compare/breakdown/series.h"
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };
@@ -40,20 +39,19 @@ const struct series *expansions_of(const struct expansions *e, enum quantity_id 
 }
 
 /* Whether the formula is about the quantity, itself or (*by_T) its product with T, or what it gains (*change). */
-static bool is_about(const struct scallop_formula *f, const struct motion *s, enum quantity_id quantity, bool *by_T,
+static bool is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity, bool *by_T,
                      bool *change)
 {
   *by_T = *change = false;
-  if (s->of == OF_STEADY) {
+  if (m->of == OF_STEADY) {
     *by_T = f->quantity == SCALLOP_STEADY_DISPLACEMENT && quantity == Q_MEAN_VELOCITY;
     return f->setting == SCALLOP_STEADY && (*by_T || quantity_of_formula(f, SCALLOP_EXTENSION) == quantity);
   }
-  bool extension = s->phase == SCALLOP_EXTENSION;
-  enum scallop_setting moving = extension ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
-  if (f->setting != (s->v0 == 0 ? SCALLOP_AT_REST_START : moving) || formula_takes_given(f))
+  enum scallop_setting moving = m->phase == SCALLOP_EXTENSION ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
+  if (f->setting != (m->v0 == 0 ? SCALLOP_AT_REST_START : moving) || formula_takes_given(f))
     return false;
   *change = f->quantity == SCALLOP_VELOCITY_CHANGE;
-  return quantity_of_formula(f, s->phase) == quantity || (*change && quantity == Q_V_END);
+  return quantity_of_formula(f, m->phase) == quantity || (*change && quantity == Q_V_END);
 }
 
 static bool next_published(struct series_item *item, const struct expansions *e, enum quantity_id quantity)

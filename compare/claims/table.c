@@ -169,7 +169,7 @@ static const char *read_committed(struct check *check, const char *ledger)
     if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
       return tsv_at(t, "there is no column '%s'", kept_columns[k]);
   while (tsv_next(t)) {
-    struct committed *rows = grown(check->rows, check->count, sizeof *rows);
+    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
     if (!rows)
       return "out of memory";
     check->rows = rows;

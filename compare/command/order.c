@@ -50,7 +50,7 @@ static struct series *series_named(struct list *list, const char *name)
   for (int i = list->count - 1; i >= 0; i--)
     if (strcmp(list->series[i].name, name) == 0)
       return &list->series[i];
-  struct series *all = list->count < MOST_SERIES ? grown(list->series, list->count, sizeof *all) : NULL;
+  struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
@@ -62,7 +62,7 @@ static struct series *series_named(struct list *list, const char *name)
 
 static bool append(struct series *s, struct order_point point)
 {
-  struct order_point *points = grown(s->points, s->count, sizeof point);
+  struct order_point *points = with_room(s->points, s->count, sizeof point);
   if (!points)
     return false;
   s->points = points;

@@ -11,6 +11,7 @@
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
+static const char *const in_scenes[] = { "F1_over_F2", "m1_over_m2", "alpha", "T", "froude" }; /* the same names there */
 static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
 
 const char *axis_name(enum axis_kind kind) { return names[kind]; }
@@ -50,7 +51,7 @@ const char *axis_read(struct axis *axis, const char *name, const char *range)
 {
   char copy[RANGE_TEXT], takes[2 * RANGE_TEXT];
   int kind = 0;
-  while (names[kind] && strcmp(name, names[kind]) != 0)
+  while (names[kind] && strcmp(name, names[kind]) != 0 && strcmp(name, in_scenes[kind]) != 0)
     kind++;
   if (!names[kind]) {
     snprintf(takes, sizeof takes, "F1/F2, m1/m2, alpha, T or froude%s", did_you_mean(nearest(name, names)));

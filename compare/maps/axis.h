@@ -7,7 +7,7 @@
 #include "compare/answers/point.h"
 #include "compare/text/table.h"
 
-/* F1/F2 and m1/m2 keep body 2 as it is; froude = M L/(T^2 (F1 + F2)) sets T when all else is set. */
+/* F1/F2 and m1/m2, also called F1_over_F2 and m1_over_m2 as in scenes, keep body 2 as it is; froude = M L/(T^2 (F1 + F2)) sets T when all else is set. */
 enum axis_kind { AXIS_F1_F2, AXIS_M1_M2, AXIS_ALPHA, AXIS_T, AXIS_FROUDE, AXIS_KINDS };
 const char *axis_name(enum axis_kind kind);
 /* The parameter that it sets */

@@ -66,7 +66,7 @@ static int number_of(struct boundaries *b, const struct answer *r)
   for (int i = 0; i < b->count; i++)
     if (same_modes(b->regions[i].modes, r->modes))
       return i;
-  struct answer *regions = grown(b->regions, b->count, sizeof *regions);
+  struct answer *regions = with_room(b->regions, b->count, sizeof *regions);
   if (!regions) {
     b->out_of_memory = true;
     return MAP_NOWHERE;

@@ -36,7 +36,7 @@ static void add_seed(struct tracer *t, const struct change *c)
 {
   if (c->before == MAP_NOWHERE || c->after == MAP_NOWHERE)
     return;
-  struct change *seeds = grown(t->seeds, t->seed_count, sizeof *seeds);
+  struct change *seeds = with_room(t->seeds, t->seed_count, sizeof *seeds);
   if (!seeds) {
     t->out_of_memory = true;
     return;
@@ -138,7 +138,7 @@ static bool is_at_edge(double u, double v) { return fmin(to_edge(u), to_edge(v))
 
 static bool add_point(struct tracer *t, struct map_curve *c, double u, double v)
 {
-  struct map_point *points = c->count < MOST_POINTS ? grown(c->points, c->count, sizeof *points) : NULL;
+  struct map_point *points = c->count < MOST_POINTS ? with_room(c->points, c->count, sizeof *points) : NULL;
   if (!points) {
     t->out_of_memory |= c->count < MOST_POINTS;
     return false;
@@ -344,7 +344,7 @@ static bool is_known(const struct tracer *t, const struct change *seed)
 static void add_curve(struct tracer *t, const struct map_curve *c)
 {
   struct map_curves *all = t->curves;
-  struct map_curve *curves = grown(all->curves, all->count, sizeof *curves);
+  struct map_curve *curves = with_room(all->curves, all->count, sizeof *curves);
   if (!curves) {
     t->out_of_memory = true;
     free(c->points);

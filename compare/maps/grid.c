@@ -42,9 +42,10 @@ static void add_measure(struct grid *g, struct breakdown_series series, double t
 {
   struct measure *m = &g->measures[g->width++];
   char what[NAME / 2] = "error", order[NAME / 2] = "";
-  double power = log10(tolerance);
-  if (tolerance > 0)
+  if (tolerance > 0) {
+    double power = log10(tolerance);
     snprintf(what, sizeof what, power == rint(power) ? "T_1e%.0f" : "T_%g", power == rint(power) ? power : tolerance);
+  }
   if (series.source == FROM_DERIVED)
     snprintf(order, sizeof order, "_%ld", series.order);
   *m = (struct measure){ .series = series, .tolerance = tolerance };

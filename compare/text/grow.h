@@ -1,11 +1,14 @@
-/* Arrays that grow by one element. */
+/* Lists that grow by one item at a time. */
 #ifndef SCALLOP_GROW_H
 #define SCALLOP_GROW_H
 
-#include <stddef.h>
+#include <stdlib.h>
 
-/* An array of count elements of that size, with room for one more: moved, or the same. It has room for the next power of two, so no
- * other number of elements may have been allocated. NULL: out of memory, and the array is as it was. */
-void *grown(void *array, long count, size_t size);
+/* The list with room for one item more than the count it has: moved, as a rule, wherever the count is a power of two, so no other number
+ * of items may have been allocated. NULL: out of memory, and the list stays as it is. */
+static inline void *with_room(void *list, long count, size_t size)
+{
+  return (count & (count - 1)) != 0 ? list : realloc(list, (size_t)(count > 0 ? 2 * count : 1) * size);
+}
 
 #endif
