@@ -34,6 +34,7 @@ static struct bracket surely(const struct scallop_scaled *s)
 static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
+  p.base[0] = p.base[1] = 0;
   period_solve(s, c, NAN, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
@@ -122,13 +123,13 @@ static void improve(const struct scallop_scaled *s, struct period *p)
   p->c_start = p->c_end;
 }
 
-/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
- * Newton's method is in doubt, which is seldom. solved as in period_solve. */
-static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, struct period *p,
-                                     struct scallop_work *work)
+/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. within: the bracket, or NULL: it is
+ * surely(), which is wanted when Newton's method is in doubt, which is seldom. solved as in period_solve. */
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, const struct bracket *within,
+                                     struct period *p, struct scallop_work *work)
 {
   double c = isfinite(guess) ? guess + 0.0 : 0; /* no -0 */
-  struct bracket b = { -INFINITY, INFINITY };
+  struct bracket b = within ? *within : (struct bracket){ -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {
     period_solve(s, c, solved, p);
@@ -144,7 +145,7 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
     before = last;
     last = fabs(balance);
     if (slow || !(next > b.lo && next < b.hi)) {
-      struct bracket all = surely(s);
+      struct bracket all = within ? b : surely(s);
       b.lo = fmax(b.lo, all.lo);
       b.hi = fmin(b.hi, all.hi);
       next = b.lo + (b.hi - b.lo) / 2;
@@ -155,6 +156,35 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
       return SCALLOP_OK;
   }
   return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before STEPS */
+}
+
+/* The root is near the level that a curve has over a plateau of l', where friction may do less than rounding of c shows: then it is
+ * found once more, counted from that level, which tells where on the plateau c meets the curve, and so the modes and the multiplier. */
+static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
+{
+  const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
+  for (int kind = 0; kind < 2 && s->eps < 0x1p-20 * fabs(c); kind++) {
+    const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
+    const struct motion_input other = motion_input_of(s, (enum scallop_phase_kind)(1 - kind));
+    double level = motion_level(&in, c * s->fraction[kind], (reach + rounding * fabs(c)) * s->fraction[kind]);
+    if (level == 0)
+      continue;
+    double base = level / s->fraction[kind], there = base * s->fraction[1 - kind];
+    double same = motion_level(&other, there, rounding * fabs(there)); /* both phases have a plateau there */
+    struct bracket within = { -reach, reach };
+    struct period q;
+    q.base[kind] = level;
+    q.base[1 - kind] = same != 0 ? same : there;
+    if (find_root(s, 0, NAN, &within, &q, work) != SCALLOP_OK || !(fabs(q.c_start) < 0.75 * reach))
+      continue;
+    period_sum_up(s, &q);
+    q.base[0] = q.base[1] = 0;
+    q.c_start += base;
+    q.c_mid += base;
+    q.c_end += base;
+    *p = q;
+    return;
+  }
 }
 
 static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
@@ -235,15 +265,18 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
 {
   double solved = NAN;
   *work = (struct scallop_work){ 0 };
+  period->base[0] = period->base[1] = 0;
   if (hint == EXTENSION_HOLDS) {
     period->c_mid = solved = 0;
     period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
     c = period->c_end;
   }
-  enum scallop_status status = find_root(s, c, solved, period, work);
+  enum scallop_status status = find_root(s, c, solved, NULL, period, work);
   if (status != SCALLOP_OK)
     return status; /* GCOVR_EXCL_LINE: as above */
   period_sum_up(s, period);
+  if (!has_jump(s))
+    find_from_level(s, period, work);
   *at = steady_states(s, period->c_start);
   if (!(at->lo < at->hi) && is_mirrored(s))
     period->travel = period->size = 0;
