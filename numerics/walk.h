@@ -50,9 +50,7 @@ static real walk_level(const struct walk_input *in, real c, real near)
     const struct scallop_piece *p = &in->shape->pieces[i];
     if (!p->linear || p->acceleration != 0 || p->direction == 0)
       continue;
-    real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1, level = q * (p->direction * walk_velocity(p));
-    if (c < 0)
-      level = -level;
+    real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1, level = (c > 0 ? q : -q) * (p->direction * walk_velocity(p));
     if (c - level <= near && level - c <= near)
       return level;
   }
@@ -308,12 +306,19 @@ static inline int beyond(const struct walk *w, int j)
   return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
 }
 
-/* A curve whose slope here is `along`, and `steepest` at the end of the phase, crossed by a line with these slopes on its sides. */
-static inline bool is_delicate(real along, real before, real after, real steepest)
+/* Of |l'|, about: at the start, or, where it begins level, on the way to its peak. */
+static inline real steepest(const struct scallop_shape *shape)
+{
+  real start = magnitude(shape->l0), rise = 3 * (real)shape->peak;
+  return start > rise ? start : rise;
+}
+
+/* A curve whose slope here is `along`, and `steep` where it is steepest, crossed by a line with these slopes on its sides. */
+static inline bool is_delicate(real along, real before, real after, real steep)
 {
   const int small = 32;
   real level = magnitude(along);
-  return small * level < magnitude(steepest) || small * magnitude(along - before) < level + magnitude(before)
+  return small * level < magnitude(steep) || small * magnitude(along - before) < level + magnitude(before)
          || small * magnitude(along - after) < level + magnitude(after);
 }
 
@@ -340,7 +345,7 @@ static inline void meet(struct walk *w, int j, bool moved)
   w->out->slope += x + w->in->eps * x * w->out->slope;
   w->out->stretch *= (w->slope[to] - along) / (w->slope[from] - along);
   if (!w->piece->linear)
-    w->out->delicate |= is_delicate(along, w->slope[from], w->slope[to], w->curve[j] * w->in->shape->l0);
+    w->out->delicate |= is_delicate(along, w->slope[from], w->slope[to], w->curve[j] * steepest(w->in->shape));
   w->region = to;
 }
 
