@@ -166,7 +166,7 @@ static void find_from_level(const struct scallop_scaled *s, struct period *p, st
   for (int kind = 0; kind < 2 && s->eps < 0x1p-20 * fabs(c); kind++) {
     const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
     const struct motion_input other = motion_input_of(s, (enum scallop_phase_kind)(1 - kind));
-    double level = motion_level(&in, c * s->fraction[kind], (reach + rounding * fabs(c)) * s->fraction[kind]);
+    double level = motion_level(&in, c * s->fraction[kind], (reach + 8 * rounding * fabs(c)) * s->fraction[kind]);
     if (level == 0)
       continue;
     double base = level / s->fraction[kind], there = base * s->fraction[1 - kind];

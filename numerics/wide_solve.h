@@ -454,7 +454,7 @@ static void find_from_level(const struct wide_scaled *s, struct scallop_modes mo
   const real c = p->c_start, rounding = 8 * ROUNDING, reach = 2 * s->eps;
   for (int kind = 0; kind < 2 && s->eps * (1 << 20) < magnitude(c); kind++) {
     real a = s->fraction[kind], b = s->fraction[1 - kind];
-    real level = walk_level(&s->phase[kind], c * a, (reach + rounding * magnitude(c)) * a);
+    real level = walk_level(&s->phase[kind], c * a, (reach + 8 * rounding * magnitude(c)) * a);
     if (level == 0)
       continue;
     real base = level / a, same = walk_level(&s->phase[1 - kind], base * b, rounding * magnitude(base * b));
