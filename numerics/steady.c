@@ -217,7 +217,10 @@ static void mend(const struct scallop_crawler *crawler, double travel, double si
                  struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  bool ramps = crawler->gait->phase[0].ramps && crawler->gait->phase[1].ramps, cancels = period_cancels(travel, size, ramps);
+  const struct scallop_shape *phase = crawler->gait->phase;
+  bool cancels = period_cancels(travel, size, phase[0].ramps && phase[1].ramps);
+  if (phase[0].count > 2 || phase[1].count > 2) /* more parts, and more rounding */
+    cancels = fabs(travel) < 0x1p-2 * size;
   double left = cancels ? fabs(travel) / size : 1, driven = period_driven(crawler->gait, crawler->alpha);
   if (size > 0 && travel != 0 && period_undoes(driven)) {
     cancels = true;
