@@ -212,6 +212,10 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
 }
 
+/* Each straight piece adds a part to the ways of the bodies that errs by the velocity it begins with: of two ramps twice as many sum up
+ * to a spread over the rounding modes of some 11 ulp of the parts. */
+static bool has_many_straight(const struct scallop_shape *shape) { return shape->count > 3 && shape->pieces[0].linear; }
+
 /* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
 static void mend(const struct scallop_crawler *crawler, double travel, double size, bool delicate,
                  struct scallop_steady_result *result)
@@ -219,8 +223,8 @@ static void mend(const struct scallop_crawler *crawler, double travel, double si
   struct scallop_wide_steady wider;
   const struct scallop_shape *phase = crawler->gait->phase;
   bool cancels = period_cancels(travel, size, phase[0].ramps && phase[1].ramps);
-  if (phase[0].count > 2 || phase[1].count > 2) /* more parts, and more rounding */
-    cancels = fabs(travel) < 0x1p-2 * size;
+  if (has_many_straight(&phase[0]) || has_many_straight(&phase[1]))
+    cancels = fabs(travel) < 0x1p-1 * size;
   double left = cancels ? fabs(travel) / size : 1, driven = period_driven(crawler->gait, crawler->alpha);
   if (size > 0 && travel != 0 && period_undoes(driven)) {
     cancels = true;
