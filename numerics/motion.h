@@ -19,7 +19,7 @@ static inline void piece_rates(const struct scallop_piece *p, double u, double *
 struct motion_input {
   const struct scallop_scaled *scaled;
   const struct scallop_shape *shape;
-  double eps; /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
+  double eps;  /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
   double base; /* velocities at the start and at the end are counted from this: 0, or as in walk.h */
 };
 

@@ -125,8 +125,8 @@ static void improve(const struct scallop_scaled *s, struct period *p)
 
 /* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. within: the bracket, or NULL: it is
  * surely(), which is wanted when Newton's method is in doubt, which is seldom. solved as in period_solve. */
-static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, const struct bracket *within,
-                                     struct period *p, struct scallop_work *work)
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved,
+                                     const struct bracket *within, struct period *p, struct scallop_work *work)
 {
   double c = isfinite(guess) ? guess + 0.0 : 0; /* no -0 */
   struct bracket b = within ? *within : (struct bracket){ -INFINITY, INFINITY };

@@ -215,7 +215,8 @@ static void carry_over(struct walk *w)
 static void keep_to_line(struct walk *w, bool goes_on)
 {
   if (goes_on && w->stuck < 0 && w->out->work.events == w->line_events)
-    advance(w, w->u, w->line_rest + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u)), &w->here);
+    advance(w, w->u, w->line_rest + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u)),
+            &w->here);
   else {
     w->line_u = w->leg.given->begin;
     w->line_rest = w->rest;
@@ -357,9 +358,9 @@ static inline void meet(struct walk *w, int j, bool moved)
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
   real side, curve, anchor, c_slope; /* anchor: of the line of rest                              */
-  real now;    /* c above the curve here */
-  bool closed; /* here: c is on the curve */
-  bool since;  /* now is formed from where c left the curve */
+  real now;                          /* c above the curve here */
+  bool closed;                       /* here: c is on the curve */
+  bool since;                        /* now is formed from where c left the curve */
 };
 
 static inline real gap_at(const struct gap *g, real u, real speed)
@@ -480,9 +481,8 @@ static inline bool contact(const struct walk *w, int j, real *u)
   real c_slope = w->slope[w->region];
   bool closed = w->v[j] == 0, since = j == w->left && is_near_left(w->v[j], w->c);
   real now = closed ? 0 : since ? w->v[j] : above(w, w->rest, w->curve[j] * w->here.speed);
-  struct gap g = {
-    w, w->region <= j ? 1 : -1, w->curve[j], w->rest - c_slope * (w->sense * w->u), c_slope, now, closed, since
-  };
+  struct gap g = { w,    w->region <= j ? 1 : -1, w->curve[j], w->rest - c_slope * (w->sense * w->u), c_slope, now, closed,
+                   since };
   return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
 }
 
@@ -530,7 +530,8 @@ static void slide(struct walk *w)
   }
   real duration = w->sense * (u - w->u), rest = w->rest + w->slope[w->region] * duration;
   struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
-  bool on_line = met >= 0 && (w->in->base != 0 ? there.rate != 0 : is_vague(w, u, &there) && line_tells_better(w, met, &there));
+  bool on_line = met >= 0
+                 && (w->in->base != 0 ? there.rate != 0 : is_vague(w, u, &there) && line_tells_better(w, met, &there));
   if (met >= 0 && !on_line)
     rest = w->curve[met] * there.speed - w->in->base; /* on the curve to the last digit: the body's velocity is 0 */
   w->out->extra_impulse += w->extra[w->region] * duration;
@@ -643,7 +644,8 @@ static inline bool is_plateau(const struct scallop_piece *p) { return p->linear 
 
 /* Where c is counted from a level: |l'| is the plateau's where a ramp begins or ends at one, to the last digit, and c is as far from the curves
  * as it is from that. */
-static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before, const struct scallop_piece *next)
+static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
+                            const struct scallop_piece *next)
 {
   if (before && is_plateau(before) && !w->leg.given->jump)
     w->here.speed = speed_before;

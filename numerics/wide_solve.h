@@ -222,7 +222,8 @@ static real near_root(root_function *f, const void *context, struct root_end a, 
     u = magnitude(a.f) < magnitude(b.f) ? (double)a.u : (double)b.u;
     for (int i = 0; i < 12 && u >= lo && u <= hi && !(fabs(step) <= 4 * DBL_EPSILON * u); i++) {
       piece_rates(p, u, &velocity, &acceleration);
-      double gap = (double)(g->walk->in->base + g->anchor) + (double)g->c_slope * (sense * u) - (double)g->curve * p->direction * velocity;
+      double gap = (double)(g->walk->in->base + g->anchor) + (double)g->c_slope * (sense * u)
+                   - (double)g->curve * p->direction * velocity;
       double slope = sense * ((double)g->c_slope - (double)g->curve * p->direction * acceleration);
       step = -gap / slope;
       u += step;
