@@ -158,19 +158,21 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
   return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before STEPS */
 }
 
-/* The root is near the level that a curve has over a plateau of l', where friction may do less than rounding of c shows: then it is
- * found once more, counted from that level, which tells where on the plateau c meets the curve, and so the modes and the multiplier. */
+/* If the root is near the level of a curve over a plateau of l', finds the root once more, counted from that level. Friction may change c by
+ * less than rounding of c there; the rest tells where on the plateau c meets the curve, and so the modes and the multiplier. */
 static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
 {
   const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
-  for (int kind = 0; kind < 2 && s->eps < 0x1p-20 * fabs(c); kind++) {
+  if (!(s->eps < 0x1p-20 * fabs(c)) || has_jump(s))
+    return;
+  for (int kind = 0; kind < 2; kind++) {
     const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
     const struct motion_input other = motion_input_of(s, (enum scallop_phase_kind)(1 - kind));
     double level = motion_level(&in, c * s->fraction[kind], (reach + 8 * rounding * fabs(c)) * s->fraction[kind]);
     if (level == 0)
       continue;
     double base = level / s->fraction[kind], there = base * s->fraction[1 - kind];
-    double same = motion_level(&other, there, rounding * fabs(there)); /* both phases have a plateau there */
+    double same = motion_level(&other, there, rounding * fabs(there)); /* if both phases have a plateau there */
     struct bracket within = { -reach, reach };
     struct period q;
     q.base[kind] = level;
@@ -212,8 +214,8 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
 }
 
-/* Each straight piece adds a part to the ways of the bodies that errs by the velocity it begins with: of two ramps twice as many sum up
- * to a spread over the rounding modes of some 11 ulp of the parts. */
+/* A displacement is the sum of a part for each mode and straight piece. With more than three pieces in a phase the results of the four
+ * rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
 static bool has_many_straight(const struct scallop_shape *shape) { return shape->count > 3 && shape->pieces[0].linear; }
 
 /* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
@@ -282,8 +284,7 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
   if (status != SCALLOP_OK)
     return status; /* GCOVR_EXCL_LINE: as above */
   period_sum_up(s, period);
-  if (!has_jump(s))
-    find_from_level(s, period, work);
+  find_from_level(s, period, work);
   *at = steady_states(s, period->c_start);
   if (!(at->lo < at->hi) && is_mirrored(s))
     period->travel = period->size = 0;

@@ -42,13 +42,16 @@ struct walk_sums {
   struct walk_sum way[3], extra_impulse;
 };
 
-/* The level that a curve has over a plateau of l', and c no further from it than `near`; 0: there is none. Friction changes c in a phase by eps
- * at most, which may be less than rounding of c. Counted from that level c keeps it: the level minus the curve, formed once, is 0. */
+static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
+
+/* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c in a phase by
+ * eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its digits, because the level
+ * minus the curve is exactly 0 on the plateau. */
 static real walk_level(const struct walk_input *in, real c, real near)
 {
   for (int i = 0; i < in->shape->count; i++) {
     const struct scallop_piece *p = &in->shape->pieces[i];
-    if (!p->linear || p->acceleration != 0 || p->direction == 0)
+    if (!is_plateau(p) || p->direction == 0)
       continue;
     real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1, level = (c > 0 ? q : -q) * (p->direction * walk_velocity(p));
     if (c - level <= near && level - c <= near)
@@ -640,10 +643,8 @@ static void look_along(struct walk *w, const struct scallop_piece *next)
     w->end.speed = 0;
 }
 
-static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
-
-/* Where c is counted from a level: |l'| is the plateau's where a ramp begins or ends at one, to the last digit, and c is as far from the curves
- * as it is from that. */
+/* At the begin of a piece, if c is counted from a level: where a ramp meets a plateau |l'| is that of the plateau to the last digit, and
+ * the velocities of the bodies are formed anew from the level. */
 static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
                             const struct scallop_piece *next)
 {
