@@ -21,11 +21,11 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/command/with_flint.h).
-flint_parts := $(addprefix model/,ball fractions exact_gaits) $(addprefix asymptotics/,series expression lift branch limit evaluate derived holds bound continuation continuation_law continuation_proof continuation_fold cover singularity) \
+flint_parts := $(addprefix model/,ball fractions exact_gaits) $(filter-out $(addprefix asymptotics/,appendix_a appendix_b formula formula_double formulas point text),$(basename $(wildcard asymptotics/*.c))) \
                $(addprefix numerics/,certified certified_steady march enclose) \
-               $(addprefix compare/,text/decimal answers/written_gait answers/rational answers/answer_flint answers/counts_flint command/series_derived scenes/flint command/flint_end) \
-               $(filter-out compare/workprec/stopwatch,$(patsubst %.c,%,$(foreach r,claims breakdown maps stress workprec,$(wildcard compare/$(r)/*.c))))
-flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_words series series_terms expression derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
+               $(addprefix compare/,text/decimal answers/written_gait answers/rational) \
+               $(filter-out compare/workprec/stopwatch,$(basename $(wildcard compare/*/*flint.c $(patsubst %,compare/%/*.c,claims breakdown maps stress workprec))))
+flint_tests := certified written_gaits rises certified_edges certified_laws claims claims_check claims_figures claims_words series series_terms formula_series derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3
 has_arb      = $(shell printf '\043include <arb.h>' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 FLINT       ?= $(if $(has_arb),-lflint-arb) -lflint -lgmp
@@ -39,16 +39,15 @@ SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
 folders  = model asymptotics numerics compare/* tests tests/fuzz bench
-rooms    = $(wildcard $(1)/*.c)
-parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call rooms,$(r))))
+units    = $(wildcard $(1)/*.c)
+parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call units,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
-core    := $(call objects,$(filter-out compare/command/main compare/command/hand_over $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts)
-alone   := $(core) $(call objects,compare/command/hand_over)
+core    := $(call objects,$(filter-out compare/command/main $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts shipped_completion)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
 full    := $(core) $(call objects,$(flint_parts) $(cvode) shipped_ledger) $(chosen)
 tests   := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 # Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
-fuzz_flint := certified decimal expression tables
+fuzz_flint := certified decimal formula_series
 fuzz    := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 FUZZER  ?=
 ifeq ($(WITH_FLINT),0)
@@ -63,7 +62,7 @@ fuzz    := $(patsubst %,$(B)/fuzz_%,$(fuzz))
 fuzz_by := $(call objects,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 link     = $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^)
 
-.PHONY: all help check check-report reproduce bench instructions lint format asan fuzz fuzz-programs valgrind matrix coverage gates clean setup-build setup-check setup-plots
+.PHONY: all help check check-report reproduce bench instructions rooms size lint format asan fuzz fuzz-programs valgrind matrix coverage gates clean setup-build setup-check setup-plots
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -84,7 +83,7 @@ setup-plots:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build plots
 
 $(B)/scallop: private openmp = -fopenmp-simd
-$(B)/scallop: $(B)/compare/command/main.o $(filter-out $(call objects,$(threaded)),$(alone)) $(one_thread)
+$(B)/scallop: $(B)/compare/command/main.o $(filter-out $(call objects,$(threaded)),$(core)) $(one_thread)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 
@@ -106,15 +105,16 @@ $(B)/single/%.o: %.c Makefile config.mk
 	@echo "  CC $< (one thread)"
 	@$(CC) $(CPPFLAGS) $(without_threads) -MMD -MP -c -o $@ $<
 
-# Scenes, their plot scripts and the ledger, in the program
-plot_scripts := scripts/plot_common.gp $(wildcard scripts/plot_figure*.gp)
+# Scenes, their plot scripts, the completion and the ledger, in the program
+plot_scripts := $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
 $(B)/shipped_scripts.c: $(plot_scripts)
+$(B)/shipped_completion.c: scripts/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/shipped_%.c: scripts/embed.sh
 	@mkdir -p $(@D)
 	@sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
-$(B)/shipped_%.o: $(B)/shipped_%.c compare/scenes/shipped.h
+$(B)/shipped_%.o: $(B)/shipped_%.c compare/text/shipped.h
 	@$(CC) $(CPPFLAGS) $(ALL_CFLAGS) -c -o $@ $<
 
 # Who judges rounds the same way whatever CFLAGS allow the judged
@@ -124,11 +124,11 @@ $(patsubst %,$(B)/test_%,$(flint_tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/
 	@echo "  LD $@"
 	@$(link) -lcmocka $(FLINT) $(SUNDIALS) $(LDLIBS)
 
-$(B)/test_cvode: $(B)/tests/test_cvode.o $(B)/tests/check.o $(alone) $(call objects,$(cvode)) $(chosen)
+$(B)/test_cvode: $(B)/tests/test_cvode.o $(B)/tests/check.o $(core) $(call objects,$(cvode)) $(chosen)
 	@echo "  LD $@"
 	@$(link) -lcmocka $(SUNDIALS) $(LDLIBS)
 
-$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(alone)
+$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(core)
 	@echo "  LD $@"
 	@$(link) -lcmocka $(LDLIBS)
 
@@ -136,7 +136,7 @@ $(patsubst %,$(B)/fuzz_%,$(fuzz_flint)): $(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $
 	@echo "  LD $@"
 	@$(link) $(FUZZER) $(FLINT) $(SUNDIALS) $(LDLIBS)
 
-$(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(alone)
+$(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(core)
 	@echo "  LD $@"
 	@$(link) $(FUZZER) $(LDLIBS)
 
@@ -171,7 +171,7 @@ instructions: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
 	@sh scripts/instructions.sh $(B)
 
-$(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call rooms,bench)))) $(alone)
+$(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call units,bench)))) $(core)
 	@echo "  LD $@"
 	@$(link) $(LDLIBS)
 
@@ -210,6 +210,15 @@ matrix:
 coverage:
 	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests coverage
 	+@MAKE="$(MAKE)" sh scripts/coverage.sh $(B)/coverage
+
+## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/rooms.txt; circles, and what is too long
+rooms: setup-build
+	@$(MAKE) --no-print-directory $(at_once) $(programs)
+	@/usr/bin/python3 scripts/rooms.py $(B)
+
+## size:       files, lines and functions of each folder; the median and the longest function, in lines
+size:
+	@/usr/bin/python3 scripts/rooms.py $(B) --size
 
 sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(folders),$(wildcard $(r)/*.c)))
 ## lint:       clang-tidy, cppcheck and clang-format

@@ -66,13 +66,12 @@ $(B)/libscallop-core.so.$(version): private openmp = -fopenmp-simd
 $(B)/libscallop.so.$(version): $(chosen)
 FORCE:
 
-# Made by the program itself, from what --help prints
-$(B)/man: $(B)/scallop
+# From what --help prints. A page for each command, and one for all
+$(B)/man: $(B)/scallop scripts/man.awk
 	@rm -rf $@ && mkdir -p $@.part
-	@names=$$($< --man list) && for name in $$names; do $< --man $${name#scallop-} >$@.part/$$name.1 || exit 1; done
+	@for command in '' $$($< --help | sed -n '/^Commands:/,/^$$/s/^  \([a-z]*\) .*/\1/p'); do page=scallop$${command:+-$$command}; \
+	  $< --help $$command | awk -v page=$$page -v version='scallop $(version)' -f scripts/man.awk >$@.part/$$page.1 || exit 1; done
 	@mv $@.part $@
-$(B)/completion.bash: $(B)/scallop
-	@$< --completion bash >$@
 
 # The Python module finds the library from its own place
 $(B)/scallop_library.py: scripts/scallop_library.py FORCE
@@ -87,7 +86,7 @@ to       = $(DESTDIR)$(1)
 folders  = $(bindir) $(libdir) $(pkgconfigdir) $(mandir)/man1 $(completionsdir) $(datadir)/scallop
 scenes   = $(wildcard data/scenes/*.cfg)
 ## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python module, to PREFIX (/usr/local), with DESTDIR in front
-install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B)/man $(B)/completion.bash $(B)/scallop_library.py
+install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B)/man $(B)/scallop_library.py
 	@$(INSTALL) -d $(foreach f,$(folders),"$(call to,$(f))")
 	@$(INSTALL) $(programs) "$(call to,$(bindir))"
 	@$(put) $(foreach l,$(names),$(B)/lib$($(l)_name).a $(B)/lib$($(l)_name).so.$(version)) "$(call to,$(libdir))"
@@ -96,10 +95,11 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@for header in $(full_headers); do $(put) -D $$header "$(call to,$(includedir))/scallop/$$header" || exit 1; done
 	@$(put) $(foreach l,$(names),$(B)/$($(l)_name).pc) "$(call to,$(pkgconfigdir))"
 	@$(put) $(B)/man/*.1 "$(call to,$(mandir))/man1"
-	@$(put) $(B)/completion.bash "$(call to,$(completionsdir))/scallop"
+	@$(put) scripts/completion.bash "$(call to,$(completionsdir))/scallop"
 	@for module in scripts/scallop.py $(B)/scallop_library.py; do $(put) -D $$module "$(call to,$(datadir))/scallop/python/$${module##*/}" || exit 1; done
 	@for page in docs/*.md; do $(put) -D $$page "$(call to,$(datadir))/doc/scallop/$${page##*/}" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
+	@$(put) scripts/cheapest.awk "$(call to,$(datadir))/scallop/cheapest.awk"
 	@for script in $(plot_scripts); do $(put) -D $$script "$(call to,$(datadir))/scallop/plots/$${script##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there

@@ -58,6 +58,9 @@ enum scallop_setting {
   SCALLOP_AT_REST_EQUAL_FORCES /* section 4.1: from rest, F1 = F2                                   */
 };
 
+/* For which limit of the steady state a formula is: one in which a body turns in both phases, or one in which none turns in one. */
+enum scallop_turns { SCALLOP_TURNS_IN_BOTH, SCALLOP_NO_TURN_IN_CONTRACTION, SCALLOP_NO_TURN_IN_EXTENSION };
+
 /* In the place of the remainder: the formula is printed as an equality. */
 enum { SCALLOP_EQUALITY = -1 };
 
@@ -69,9 +72,10 @@ struct scallop_formula {
   int remainder; /* printed "+ O(T^remainder)"; 0: none is printed, and the ledger passes the formula over */
   double (*phase)(const struct scallop_phase_point *); /* in a setting of one phase               */
   double (*steady)(const struct scallop_crawler *);    /* in the steady setting; T is the period  */
-  const char *text;      /* the formula in the names of struct scallop_phase_point, M = m1 + m2, L_kin, alpha, L, and
+  const char *text;         /* the formula in the names of struct scallop_phase_point, M = m1 + m2, L_kin, alpha, L, and
                        k0, kT for the fourth derivative of l times T^4 at the start and the end; see evaluate.h               */
-  const char *corrected; /* where it is wrong: the name of the right one in scallop_corrected, or NULL  */
+  const char *corrected;    /* where it is wrong: the name of the right one in scallop_corrected, or NULL  */
+  enum scallop_turns turns; /* of a steady state                                                   */
 };
 
 /* Every formula, in the paper's order; the last has name NULL. */

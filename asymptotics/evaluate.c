@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "asymptotics/expression.h"
+#include "asymptotics/formula_flint.h"
 
 static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
                                             "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };
@@ -119,11 +119,6 @@ void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rationa
   set_kinematic_length(v, kind, ring);
 }
 
-struct lookup {
-  const struct scallop_symbols *symbols;
-  bool exchanged; /* the bodies, and with them the sign of l                                     */
-};
-
 static int partner(int symbol)
 {
   static const int pairs[][2] = { { SYMBOL_m1, SYMBOL_m2 }, { SYMBOL_F1, SYMBOL_F2 }, { SYMBOL_l_start, SYMBOL_l_end } };
@@ -133,24 +128,39 @@ static int partner(int symbol)
   return symbol;
 }
 
-static bool look_up(void *context, const char *name, size_t length, struct series *value)
+static int place_of(void *context, const char *name)
 {
-  const struct lookup *l = context;
+  (void)context;
   for (int i = 0; i < SYMBOLS; i++)
-    if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) {
-      bool turns = i == SYMBOL_l0 || i == SYMBOL_lT || i == SYMBOL_k0 || i == SYMBOL_kT;
-      series_set(value, &l->symbols->value[l->exchanged ? partner(i) : i]);
-      if (l->exchanged && turns)
-        series_neg(value, value);
-      return true;
-    }
-  return false;
+    if (strcmp(names[i], name) == 0)
+      return i;
+  return -1;
+}
+
+/* The symbol as the formula means it. exchanged: the bodies, and with them the sign of l */
+static void set_meant(struct series *value, const struct scallop_symbols *s, int symbol, bool exchanged)
+{
+  bool turns = symbol == SYMBOL_l0 || symbol == SYMBOL_lT || symbol == SYMBOL_k0 || symbol == SYMBOL_kT;
+  series_set(value, &s->value[exchanged ? partner(symbol) : symbol]);
+  if (exchanged && turns)
+    series_neg(value, value);
 }
 
 bool scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
                             enum scallop_phase_kind kind, const struct ring *ring)
 {
+  static const struct formula_names symbols = { .place = place_of };
   bool of_contraction = f->setting == SCALLOP_MOVING_CONTRACTION || f->setting == SCALLOP_STEADY;
-  struct lookup lookup = { s, !of_contraction && kind == SCALLOP_CONTRACTION };
-  return expression_evaluate(value, f->text, look_up, &lookup, ring);
+  struct formula formula;
+  char message[FORMULA_MESSAGE];
+  int places[FORMULA_STEPS];
+  if (formula_read(&formula, f->text, &symbols, message))
+    return false;
+  struct scallop_symbols meant;
+  scallop_symbols_init(&meant);
+  for (int i = 0, count = formula_places(&formula, places); i < count; i++)
+    set_meant(&meant.value[places[i]], s, places[i], !of_contraction && kind == SCALLOP_CONTRACTION);
+  bool expanded = !formula_series(value, &formula, meant.value, ring, message);
+  scallop_symbols_clear(&meant);
+  return expanded;
 }

@@ -6,15 +6,19 @@
 
 #define PHASE(f, where, setting, quantity, order, corrected, text) \
   { \
-#f, where, setting, quantity, order, f, NULL, text, corrected \
+#f, where, setting, quantity, order, f, NULL, text, corrected, SCALLOP_TURNS_IN_BOTH \
   }
 #define STEADY(f, where, quantity, order, text) \
   { \
-#f, where, SCALLOP_STEADY, quantity, order, NULL, f, text, NULL \
+#f, where, SCALLOP_STEADY, quantity, order, NULL, f, text, NULL, SCALLOP_TURNS_IN_BOTH \
   }
 #define NEW(name, wrong, setting, quantity, order, text) \
   { \
-    name, wrong, setting, quantity, order, NULL, NULL, text, NULL \
+    name, wrong, setting, quantity, order, NULL, NULL, text, NULL, SCALLOP_TURNS_IN_BOTH \
+  }
+#define NEW_STEADY(name, wrong, turns, quantity, order, text) \
+  { \
+    name, wrong, SCALLOP_STEADY, quantity, order, NULL, NULL, text, NULL, turns \
   }
 
 const struct scallop_formula scallop_published[] = {
@@ -124,7 +128,7 @@ const struct scallop_formula scallop_published[] = {
 
 #define EQUAL(f, where, quantity, corrected, text) \
   { \
-#f, where, SCALLOP_AT_REST_EQUAL_FORCES, quantity, SCALLOP_EQUALITY, f, NULL, text, corrected \
+#f, where, SCALLOP_AT_REST_EQUAL_FORCES, quantity, SCALLOP_EQUALITY, f, NULL, text, corrected, SCALLOP_TURNS_IN_BOTH \
   }
 const struct scallop_formula scallop_equal_forces[] = {
   EQUAL(equal_v1_end, "(6)", SCALLOP_VELOCITY_AT_END, NULL, "0"), /* l'(T) = 0 */
@@ -169,13 +173,13 @@ const struct scallop_formula scallop_corrected[] = {
       "-m2/M*l_end + v0*T + (F1 - F2)/(2*M)*T^2 - v0*2*F1/(m2*l0)*T^3"),
   NEW("corrected_xC_end", "(A.25)", MOVING, SCALLOP_CENTRE_AT_END, 5,
       "(m1 - m2)/(2*M)*l_end + v0*T + (F1 - F2)/(2*M)*T^2 - v0*2*F1/(m2*l0)*T^3"),
-  NEW("corrected_steady_velocity_no_turn", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1,
-      "m2*L_kin*((F1 - F2)*alpha - (F1 + F2)*(1 - alpha))/(F1*M*alpha^2)/T"),
-  NEW("corrected_steady_xC_no_turn", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4,
-      "m2*L_kin*((F1 - F2)*alpha - (F1 + F2)*(1 - alpha))/(F1*M*alpha^2)"),
-  NEW("corrected_steady_velocity_no_turn_extension", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1,
-      "m1*L_kin*((F2 - F1)*(1 - alpha) - (F1 + F2)*alpha)/(F2*M*(1 - alpha)^2)/T"),
-  NEW("corrected_steady_xC_no_turn_extension", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4,
-      "m1*L_kin*((F2 - F1)*(1 - alpha) - (F1 + F2)*alpha)/(F2*M*(1 - alpha)^2)"),
+  NEW_STEADY("corrected_steady_velocity_no_turn", "(26), (27)", SCALLOP_NO_TURN_IN_CONTRACTION, SCALLOP_STEADY_VELOCITY, 1,
+             "m2*L_kin*((F1 - F2)*alpha - (F1 + F2)*(1 - alpha))/(F1*M*alpha^2)/T"),
+  NEW_STEADY("corrected_steady_xC_no_turn", "(28)", SCALLOP_NO_TURN_IN_CONTRACTION, SCALLOP_STEADY_DISPLACEMENT, 4,
+             "m2*L_kin*((F1 - F2)*alpha - (F1 + F2)*(1 - alpha))/(F1*M*alpha^2)"),
+  NEW_STEADY("corrected_steady_velocity_no_turn_extension", "(26), (27)", SCALLOP_NO_TURN_IN_EXTENSION,
+             SCALLOP_STEADY_VELOCITY, 1, "m1*L_kin*((F2 - F1)*(1 - alpha) - (F1 + F2)*alpha)/(F2*M*(1 - alpha)^2)/T"),
+  NEW_STEADY("corrected_steady_xC_no_turn_extension", "(28)", SCALLOP_NO_TURN_IN_EXTENSION, SCALLOP_STEADY_DISPLACEMENT, 4,
+             "m1*L_kin*((F2 - F1)*(1 - alpha) - (F1 + F2)*alpha)/(F2*M*(1 - alpha)^2)"),
   { .name = NULL },
 };

@@ -61,7 +61,7 @@ def svg(rows):
     here = os.path.dirname(os.path.realpath(__file__))
     data = "\n".join("\t".join(map(repr, row)) for row in rows.tolist())
     script = "\n".join(["$rows << END", "\t".join(COLUMNS), data, "END", "table = '$rows'", "output_file = '/dev/stdout'",
-                        "kind = 'svg'", "load 'plot_common.gp'", "load 'plot_figure4.gp'"])
+                        "kind = 'svg'", "load 'plots/common.gp'", "load 'plots/figure4.gp'"])
     return subprocess.run(["gnuplot"], input=script.encode(), stdout=subprocess.PIPE, cwd=here, check=True).stdout
 
 

@@ -10,5 +10,5 @@ for map in "froude_alpha froude alpha --x 0.01:100:90 --y 0.01:0.99:90" "ratio_f
   name=${map%% *}
   # shellcheck disable=SC2086
   "$scallop" breakdown --map ${map#* } --source published --tol 1e-2 --digits 6 -o "$maps/map_${name}_grid.tsv"
-  awk -f scripts/map_labels.awk "$maps/map_${name}_grid.tsv" >"$maps/map_${name}_numbers.tsv"
+  awk -f scripts/plots/map_labels.awk "$maps/map_${name}_grid.tsv" >"$maps/map_${name}_numbers.tsv"
 done

@@ -3,7 +3,7 @@
 
 scripts/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
 
-The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 3 the program given by --scallop failed, 4 a file could
+The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 3 scripts/cheapest.awk failed, 4 a file could
 not be read or written.
 """
 import argparse
@@ -25,9 +25,7 @@ class Inputs:
         self.tables = {name: tables.read(options.tables, name) for name in figures.NAMES}
         self.scenes = self.read_scenes(options.scenes)
         self.formulas = found.formula_texts(options.errata)
-        self.cheapest = cheapest(options.scallop, options.tables) if options.scallop else None
-        if not options.scallop:
-            self.warn("without --scallop PROGRAM the page has no table of the cheapest methods")
+        self.cheapest = cheapest(options.tables)
 
     def warn(self, message):
         if message not in self.warned:
@@ -48,16 +46,16 @@ class Inputs:
 
 
 class Failed(Exception):
-    """The program could not be run, or did not do what was asked."""
+    """scripts/cheapest.awk could not be run, or did not do what was asked."""
 
 
-def cheapest(program, folder):
-    """The summary of workprec.tsv: who is cheapest for a wanted error."""
-    command = [program, "workprec", "--from", str(folder / "workprec.tsv")]
+def cheapest(folder):
+    """The summary of workprec.tsv: the cheapest method for each wanted error."""
+    command = ["awk", "-f", str(Path(__file__).parent / "cheapest.awk"), str(folder / "workprec.tsv")]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
-        raise Failed(f"{program}: {error.strerror}") from error
+        raise Failed(f"awk: {error.strerror}") from error
     if done.returncode != 0:
         raise Failed(f"{' '.join(command)} ends with exit code {done.returncode}: {done.stderr.strip()}")
     return tables.Table("cheapest", done.stdout, " ".join(command))
@@ -78,11 +76,10 @@ def read_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--tables", type=Path, required=True, metavar="FOLDER", help="the tables, NAME.tsv")
     parser.add_argument(
-        "--plots", type=Path, required=True, metavar="FOLDER", help="the plots that scripts/plots.sh drew, NAME.svg"
+        "--plots", type=Path, required=True, metavar="FOLDER", help="the plots that scripts/plots/draw.sh drew, NAME.svg"
     )
     parser.add_argument("--scenes", type=Path, required=True, metavar="FOLDER", help="the scenes, NAME.cfg")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE", help="the page")
-    parser.add_argument("--scallop", metavar="PROGRAM", help="asked for the summary of workprec.tsv")
     parser.add_argument(
         "--errata",
         type=Path,

@@ -108,7 +108,7 @@ if command -v gnuplot >/dev/null 2>&1; then
   grep -q '</svg>' figure4.svg || note "no picture: $(cat err)"
   run 0 run elsewhere/usr/share/scallop/scenes/figure3.cfg
   grep -q '</svg>' figure3.svg || note "no picture of an installed scene: $(cat err)"
-  sed 's|"plot_figure2"|"elsewhere/usr/share/scallop/plots/plot_figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
+  sed 's|"figure2"|"elsewhere/usr/share/scallop/plots/figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
   run 0 run mine.cfg
   grep -q '</svg>' figure2.svg || note "no picture by an installed script: $(cat err)"
   finish "figures are drawn there"
@@ -126,15 +126,17 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.0" ] || note "with a libdir of its own it loads '$(cat got)'"
   finish "the Python module finds the library"
 fi
-run 0 --man list
-while read -r page; do
-  [ -s "elsewhere/usr/share/man/man1/$page.1" ] || note "no page $page"
-done <out
-grep -q steady out || note "no pages: $(cat out)"
-grep -q complete elsewhere/usr/share/bash-completion/completions/scallop || note "no completion"
+run 0 --help
+for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p' out) ''; do
+  grep -q "^\.TH SCALLOP.* 1 .*scallop $version" "elsewhere/usr/share/man/man1/scallop$command.1" || note "no page scallop$command"
+done
+[ "$(find elsewhere/usr/share/man -name '*.1' | wc -l)" -gt 5 ] || note "$(find elsewhere/usr/share/man -name '*.1' | wc -l) pages"
+run 0 --completion bash
+cmp -s out elsewhere/usr/share/bash-completion/completions/scallop || note "no completion"
 for scene in "$root"/data/scenes/*.cfg; do
   [ ! -f "$scene" ] || cmp -s "$scene" "elsewhere/usr/share/scallop/scenes/$(basename "$scene")" || note "no scene $(basename "$scene")"
 done
+cmp -s "$root/scripts/cheapest.awk" elsewhere/usr/share/scallop/cheapest.awk || note "no cheapest.awk"
 finish "pages, completion and scenes are there"
 
 mv elsewhere "$place"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # What is left, said and returned where output fails or a run is killed: full disks, closed pipes, folders that cannot be written,
-# signals. What fails below the command line has its tests in tests/test_aside.c.
+# signals. What fails below the command line has its tests in tests/test_file.c.
 # Usage: sh tests/cli_output.sh build/scallop. One line for each check; non-zero if any failed.
 . "$(dirname "$0")/common.sh"
 keep_counts_apart
@@ -60,46 +60,12 @@ if [ -e /dev/stdout ]; then
   echo before | cat - want | cmp -s - appended || note "it holds $(head -n 2 appended)"
   finish "-o /dev/stdout adds to what standard output goes to"
 fi
-longest=$(awk 'BEGIN { for (i = 0; i < 255; i++) printf "n" }')
-for again in '' again; do
-  run 0 steady -o "here/$longest"
-  cmp -s "here/$longest" want || note "another table $again"
-done
-[ "$(ls -A here)" = "$longest" ] || note "in the folder: $(ls -A here)"
-finish "-o with the longest name"
 echo text >plain
-refuse 4 "cannot write here/${longest}n: File name too long" trajectory --periods 10000 -o "here/${longest}n"
 refuse 4 'cannot write missing/x.tsv: No such file' trajectory --periods 10000 -o missing/x.tsv
 refuse 4 'cannot write plain/x.tsv: Not a directory' trajectory --periods 10000 -o plain/x.tsv
 refuse 4 'cannot write here: Is a directory' trajectory --periods 10000 -o here
 refuse 4 'cannot write here/: Is a directory' trajectory --periods 10000 -o here/
 finish "-o where there can be no file: refused before the work"
-earlier
-chmod 444 here/table
-if [ ! -w here/table ]; then # not as root
-  run 4 steady -o here/table
-  says 'cannot write here/table: Permission denied' err
-  unchanged "a file that may not be written"
-  chmod 555 here
-  run 4 steady -o here/other
-  says 'cannot write here/other: Permission denied' err
-  unchanged "a folder that may not be written"
-  chmod 755 here
-fi
-finish "-o where there is no permission"
-earlier
-chmod 600 here/table
-run 0 steady -o here/table
-case $(ls -l here/table) in -rw-------*) ;; *) note "$(ls -l here/table)" ;; esac
-(umask 027 && "$tool" steady -o here/other 2>err)
-case $(ls -l here/other) in -rw-r-----*) ;; *) note "$(ls -l here/other)" ;; esac
-finish "-o keeps the permissions of the earlier file, or those of umask"
-earlier
-ln -s here/table link
-run 0 steady -o link
-[ -L link ] || note "the link was replaced"
-cmp -s here/table want || note "another table"
-finish "-o through a link"
 onto_itself() { # FILE ARGUMENT...: which read the file both
   original=$1
   shift
@@ -195,7 +161,7 @@ broken steady --points many.tsv
 [ "$(wc -l <out)" -eq 1 ] || note "$(wc -l <out) lines"
 [ "$(cat code)" = 4 ] || note "exit code $(cat code), not 4"
 says 'Broken pipe' err
-"$tool" --help | grep -q '^4 .*| head' || note "--help does not say so"
+"$tool" --help | grep -q '^ *4 .*| head' || note "--help does not say so"
 finish "a closed pipe is a failed write: exit code 4 and one line"
 for arguments in 'steady --points -' 'order -'; do
   earlier
@@ -239,138 +205,53 @@ p.wait()
 END
 finish "no file takes the place of a closed standard output or error"
 
-# ---- the folder changes while the table is written ----
-slowly() { # COMMAND...: what is done when the table is begun, and before it is complete
+# ---- while the table is written ----
+begins() { # starts a table onto here/table, which is begun when it returns; writing to descriptor 3 goes on with it
+  earlier
   rm -f feed
   mkfifo feed
-  "$tool" steady --points feed -o here/table 2>err &
-  { cat many.tsv; sleep 0.1; "$@"; } >feed
-  wait $!
+  "$tool" steady --points feed -o here/table >out 2>err &
+  child=$!
+  exec 3>feed
+  cat many.tsv >&3
+  sleep 0.1
 }
-"$tool" steady --points many.tsv >want
-earlier
-slowly sh -c 'rm here/table && mkdir here/table'
+begins
+rm here/table && mkdir here/table
+exec 3>&-
+wait $child
 [ $? = 4 ] || note "a folder in its place: not exit code 4"
 says 'cannot write here/table: Is a directory' err
-[ -d here/table ] && [ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
-earlier
-slowly rm here/table
-[ $? = 0 ] || note "the earlier file is removed: $(cat err)"
-cmp -s here/table want || note "the earlier file is removed: another table"
-rm here/table
-slowly cp points.tsv here/table
-[ $? = 0 ] || note "a file appears: $(cat err)"
-cmp -s here/table want || note "a file appears: another table"
-earlier
-slowly rm -r here
+[ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
+begins
+rm -r here
+exec 3>&-
+wait $child
 [ $? = 4 ] || note "the folder is removed: not exit code 4"
 says 'cannot write here/table: No such file' err
-[ ! -e here ] || note "the folder is back"
 mkdir here
 finish "what happens to the folder meanwhile"
-
-# ---- what ends a process ----
-kills() { # FOLDER ROOT: that of the tables; the program's root, or ''
-  python "$tool" "$1" "$2" <<'END'
-import os, resource, signal, subprocess, time
-tool, folder, root = sys.argv[1:4]
-EARLIER = b"earlier\n"
-def before():
-    for s in signal.SIGINT, signal.SIGQUIT: # a shell may have ignored them
-        signal.signal(s, signal.SIG_DFL)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    if root:
-        os.chroot(root)
-        os.chdir("/")
-own_signals = ":".join("handle_%s=0" % s for s in ("segv", "sigbus", "sigfpe", "sigill", "abort")) # a sanitizer takes them
-def start(*arguments):
-    command = "/" + os.path.basename(tool) if root else tool
-    return subprocess.Popen([command, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                            preexec_fn=before, env=dict(os.environ, ASAN_OPTIONS=own_signals))
-def nameless(): # does the system know files without a name?
-    try:
-        fd = os.open(folder, os.O_TMPFILE | os.O_WRONLY)
-    except (OSError, AttributeError):
-        return False
-    known = os.path.exists("/proc/self/fd/%d" % fd)
-    os.close(fd)
-    return known and not root
-lives = [signal.SIGCHLD, signal.SIGCONT, signal.SIGTSTP, signal.SIGTTIN, signal.SIGTTOU, signal.SIGURG, signal.SIGWINCH,
-         signal.SIGSTOP, signal.SIGPIPE, signal.SIGXFSZ]
-deadly = [s for s in signal.valid_signals() if s not in lives and not signal.SIGRTMIN < s < signal.SIGRTMAX]
-if not nameless():
-    deadly.remove(signal.SIGKILL) # nothing can clean up then
-try:
-    if root and start("--version").wait() != 0:
-        sys.exit()
-except (OSError, subprocess.SubprocessError): # only root may try
-    sys.exit()
-p = start("steady", "-o", "/here/table" if root else folder + "/table")
-if p.wait() != 0 or os.listdir(folder) != ["table"]:
-    bad("left alone it returns", p.returncode, "and leaves", os.listdir(folder))
-os.remove(folder + "/table")
-def judge(when, s, p, table):
-    if p.wait() != -s and not (when == "end" and p.returncode == 0):
-        bad("killed by", s, "at the", when, "its status is", p.returncode)
-    now = open(table, "rb").read()
-    if now != EARLIER and not (when == "end" and now.count(b"\n") == 8):
-        bad("killed by", s, "at the", when, "it changes the earlier file to", now[:40])
-# The start: anywhere before the table is begun. The header: a row is waited for. The rows: some are written. The end: on the way
-# to its place, where SIGKILL is the one signal that can leave a file, for the time of one call.
-for when, rows in ("start", None), ("header", 0), ("rows", 3000), ("end", 5):
-    signals = [s for s in deadly if when != "end" or s != signal.SIGKILL]
-    runs = []
-    for s in signals:
-        table = os.path.join(folder, "table%d" % s)
-        open(table, "wb").write(EARLIER)
-        p = start("steady", "--points", "-", "-o", "/here/table%d" % s if root else table)
-        runs.append((s, p, table))
-        if rows is not None:
-            p.stdin.write(b"T\n" + b"0.5\n" * rows)
-            p.stdin.flush()
-        if when == "end":
-            time.sleep(0.002)
-            p.stdin.close()
-            time.sleep(2e-5 * len(runs))
-            p.send_signal(s)
-    if when in ("header", "rows"):
-        time.sleep(0.1)
-    for s, p, table in runs:
-        if when != "end":
-            p.send_signal(s)
-        judge(when, s, p, table)
-    left = set(os.listdir(folder)) - set(os.path.basename(table) for s, p, table in runs)
-    if left:
-        bad("killed at the", when, "it leaves", left)
-    for s, p, table in runs:
-        os.remove(table)
-END
-}
-rm -rf here/*
-kills here ''
-finish "a signal that ends a run leaves the earlier table and nothing else"
-# Without /proc, where root may try: there the file has a name from the start.
-mkdir root root/here
-for program in "$tool" "$tool-flint"; do
-  [ -x "$program" ] || continue
-  cp "$program" root/
-  for library in $(ldd "$program" 2>/dev/null | sed -n 's|^[^/]*\(/[^ ]*\) (0x.*|\1|p'); do
-    mkdir -p "root${library%/*}" && cp -L "$library" "root$library"
-  done
-done
-kills root/here root
-finish "the same without /proc"
-for s in TERM KILL; do
-  earlier
-  "$tool" steady --points feed -o here/table &
-  sleep 0.05
-  kill -s $s $!
-  wait $! 2>/dev/null
+for s in HUP:129 TERM:143 KILL:137; do # what a script has in the background ignores SIGINT
+  begins
+  kill -s "${s%:*}" $child
+  wait $child 2>/dev/null
   code=$?
-  case $s$code in TERM143 | KILL137) ;; *) note "$s: exit code $code" ;; esac
-  unchanged $s
+  exec 3>&-
+  [ $code = "${s#*:}" ] || note "$s: exit code $code"
+  case $s in
+    KILL*) rm here/table.scallop-?????? || note "SIGKILL leaves something else: $(ls -A here)" ;;
+  esac
+  unchanged "$s"
 done
-finish "the exit code of a killed run: 128 and the signal's number"
+finish "a signal leaves the earlier table and nothing else; SIGKILL leaves table.scallop-XXXXXX"
+begins
+"$tool" steady -o here/table || note "exit code $?"
+"$tool" steady | cmp -s - here/table || note "another table"
+exec 3>&-
+wait $child || note "exit code $?"
+"$tool" steady --points many.tsv | cmp -s - here/table || note "another table at last"
+[ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
+finish "two programs that write one file: the last one's table, and whole"
 
 # ---- the program with FLINT ----
 mkdir bin
@@ -408,6 +289,13 @@ mv open want
 cmp -s open want || note "open: $(tr '\n' ' ' <open), and without scallop: $(tr '\n' ' ' <want)"
 finish "what is handed over to scallop-flint: arguments, ignored signals, and no open file"
 if [ -x "$tool-flint" ]; then
+  mkdir root
+  for program in "$tool" "$tool-flint"; do
+    cp "$program" root/
+    for library in $(ldd "$program" 2>/dev/null | sed -n 's|^[^/]*\(/[^ ]*\) (0x.*|\1|p'); do
+      mkdir -p "root${library%/*}" && cp -L "$library" "root$library"
+    done
+  done
   if chroot root "/$(basename "$tool")" --version >out 2>err; then
     chroot root "/$(basename "$tool")" phase --certified >out 2>err || note "exit code $?: $(cat err)"
     says certified out

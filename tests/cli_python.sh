@@ -393,7 +393,7 @@ finish "figure4.py: the numbers of figure 4"
 if command -v gnuplot >/dev/null; then
   /usr/bin/python3 "$root/scripts/figure4.py" --output python.svg || note "exit code $?"
   gnuplot -e "table = 'figure4.tsv'; output_file = 'table.svg'; kind = 'svg'" \
-    "$root/scripts/plot_common.gp" "$root/scripts/plot_figure4.gp"
+    "$root/scripts/plots/common.gp" "$root/scripts/plots/figure4.gp"
   cmp python.svg table.svg >said || note "$(cat said)"
   /usr/bin/python3 "$root/scripts/figure4.py" --output none/python.svg 2>err
   [ $? = 4 ] || note "no exit code 4 for a folder that is not there"

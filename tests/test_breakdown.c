@@ -1,6 +1,9 @@
 /* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
  * radii of convergence by two routes. */
-#include "compare/breakdown/parts.h"
+#include "compare/breakdown/events.h"
+#include "compare/breakdown/motion.h"
+#include "compare/breakdown/radius.h"
+#include "compare/breakdown/reach.h"
 #include "numerics/certified.h"
 #include "tests/random_crawler.h"
 
@@ -18,7 +21,7 @@ static struct scallop_crawler draw(struct random *r, const struct scallop_gait *
 
 static const struct scallop_gait *gait_number(int i) { return i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic; }
 
-static void find(struct events *events, const struct subject *s)
+static void find(struct events *events, const struct motion *s)
 {
   struct expansions e;
   expansions_init(&e, s, 4, BREAKDOWN_BITS);
@@ -43,7 +46,7 @@ static void sticking_begins_where_closed_forms_say(void **state)
   (void)state;
   struct random r = { 61 };
   for (int i = 0; i < 12; i++) {
-    struct subject s = { .crawler = draw(&r, &scallop_gait_quadratic), .steady = true };
+    struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
     struct scallop_crawler *c = &s.crawler;
     struct events events;
     find(&events, &s);
@@ -59,18 +62,18 @@ static void sticking_begins_where_closed_forms_say(void **state)
   }
 }
 
-static void check_certified(const struct subject *s, double T, const struct scallop_modes modes[2])
+static void check_certified(const struct motion *s, double T, const struct scallop_modes modes[2])
 {
   struct scallop_certified_steady steady;
   struct scallop_rational_crawler exact;
-  struct scallop_crawler c = subject_crawler(s, T);
+  const struct motion at = motion_at(s, T);
   char wanted[2 * SCALLOP_MODES_TEXT + 4], got[2 * SCALLOP_MODES_TEXT + 4];
   scallop_rational_init(&exact);
-  scallop_rational_of(&exact, &c);
+  scallop_rational_of(&exact, &at.crawler);
   scallop_certified_steady_init(&steady);
   assert_int_equal(scallop_certified_steady(&exact, 6, &steady, NULL), SCALLOP_OK);
-  motion_modes_text(wanted, s->steady ? OF_STEADY : OF_PHASE, modes);
-  motion_modes_text(got, s->steady ? OF_STEADY : OF_PHASE, steady.modes);
+  motion_modes_text(wanted, s->of, modes);
+  motion_modes_text(got, s->of, steady.modes);
   assert_string_equal(got, wanted);
   scallop_certified_steady_clear(&steady);
   scallop_rational_clear(&exact);
@@ -84,7 +87,7 @@ static void events_are_where_certified_modes_change(void **state)
   struct random r = { 62 };
   int certified = 0, all = 0;
   for (int i = 0; i < 8; i++) {
-    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct motion s = { .crawler = draw(&r, gait_number(i)) };
     struct events events;
     find(&events, &s);
     assert_true(events.count >= 3);
@@ -114,7 +117,7 @@ static void the_first_event_is_the_first(void **state)
   (void)state;
   struct random r = { 63 };
   for (int i = 0; i < 6; i++) {
-    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct motion s = { .crawler = draw(&r, gait_number(i)) };
     struct scallop_rational_crawler exact;
     struct events events;
     const char *ends = NULL;
@@ -142,7 +145,7 @@ static void events_scale_and_mirror(void **state)
   (void)state;
   struct random r = { 64 };
   for (int i = 0; i < 4; i++) {
-    struct subject s = { .crawler = draw(&r, gait_number(i)), .steady = true }, t = s, u = s;
+    struct motion s = { .crawler = draw(&r, gait_number(i)) }, t = s, u = s;
     struct events one, larger, exchanged;
     t.crawler.L *= 4;
     u.crawler.m1 = s.crawler.m2, u.crawler.m2 = s.crawler.m1;
@@ -165,28 +168,28 @@ static void events_scale_and_mirror(void **state)
 /* ---- reach ---- */
 
 struct setting {
-  struct subject subject;
+  struct motion motion;
   struct expansions expansions;
   struct exact_cache *cache;
 };
 
-static void setting_init(struct setting *s, const struct subject *subject, long order)
+static void setting_init(struct setting *s, const struct motion *motion, long order)
 {
-  s->subject = *subject;
-  expansions_init(&s->expansions, &s->subject, order, BREAKDOWN_BITS);
-  s->cache = exact_cache_new(&s->subject);
+  s->motion = *motion;
+  expansions_init(&s->expansions, &s->motion, order, BREAKDOWN_BITS);
+  s->cache = exact_cache_new(&s->motion);
   assert_non_null(s->cache);
 }
 
 static void setting_clear(struct setting *s)
 {
-  exact_cache_free(s->cache);
+  free(s->cache);
   expansions_clear(&s->expansions);
 }
 
 static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name, long order)
 {
-  struct comparison c = { &s->subject, &s->expansions, { .name = NULL }, s->cache };
+  struct comparison c = { &s->motion, &s->expansions, { .name = NULL }, s->cache };
   do
     assert_true(series_item_next(&c.item, &s->expansions, quantity, order));
   while (strcmp(c.item.name, name) != 0);
@@ -200,11 +203,11 @@ static void reach_of_a_known_error(void **state)
   (void)state;
   struct random r = { 71 };
   for (int i = 0; i < 6; i++) {
-    struct subject subject = { .crawler = draw(&r, &scallop_gait_quadratic), .kind = SCALLOP_EXTENSION };
-    struct scallop_crawler *c = &subject.crawler;
+    struct motion motion = { .crawler = draw(&r, &scallop_gait_quadratic), .of = OF_PHASE };
+    struct scallop_crawler *c = &motion.crawler;
     struct setting s;
-    subject.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
-    setting_init(&s, &subject, 8);
+    motion.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
+    setting_init(&s, &motion, 8);
     struct comparison short_form = comparison_named(&s, Q_T1, "A_t1", 8);
     for (int k = 2; k <= 12; k += 2)
       CHECK_RELATIVE(comparison_reach(&short_form, pow(10, -k)),
@@ -224,10 +227,10 @@ static void reach_against_brute_force(void **state)
   struct random r = { 72 };
   int returning = 0, found = 0;
   for (int i = 0; i < 24; i++) {
-    struct subject subject = { .crawler = draw(&r, gait_number(i)), .steady = true };
+    struct motion motion = { .crawler = draw(&r, gait_number(i)) };
     struct setting s;
-    setting_init(&s, &subject, 8);
-    struct comparison c = { &s.subject, &s.expansions, { .name = NULL }, s.cache };
+    setting_init(&s, &motion, 8);
+    struct comparison c = { &s.motion, &s.expansions, { .name = NULL }, s.cache };
     enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
     while (series_item_next(&c.item, &s.expansions, quantity, 8)) {
       double tolerance = random_decades(&r, 3e-2, 0.5), T = comparison_reach(&c, tolerance), before = tolerance;
@@ -241,7 +244,8 @@ static void reach_against_brute_force(void **state)
         double t = T * exp2((k - points) * 12.0 / points), value = NAN;
         if (k == points)
           continue;
-        subject_in_double(&s.subject, t, &exact);
+        const struct motion at = motion_at(&s.motion, t);
+        answer_in_double(&exact, &at);
         arb_t x;
         arb_init(x);
         series_item_value(x, &c.item, &s.expansions, t, 64);
@@ -271,7 +275,8 @@ static double first_above(const struct comparison *c, double T, double tolerance
   for (int k = 0; k < POINTS && first == T; k++) {
     double t = T * exp2((double)OCTAVES * (k - POINTS) / POINTS);
     struct answer exact;
-    subject_in_double(c->subject, t, &exact);
+    const struct motion at = motion_at(c->motion, t);
+    answer_in_double(&exact, &at);
     series_item_value(value, &c->item, c->expansions, t, 64);
     if (!(fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / exact.value[quantity].high - 1) < tolerance))
       first = t;
@@ -295,7 +300,7 @@ static void check_about_limit(const struct comparison *c, double limit, double s
     assert_int_equal(comparison_certified_side(c, T * (1 - 0x1p-50), tolerance, 40), -1);
     assert_int_equal(comparison_certified_side(c, T * (1 + 0x1p-50), tolerance, 40), 1);
   }
-  double last = ends ? T : subject_last_time(c->subject);
+  double last = ends ? T : motion_last_time(c->motion);
   CHECK_EQUAL(first_above(c, last, tolerance), last);
   found[0]++;
   found[1] += ends && fabs(comparison_error(c, T / 4)) < limit;
@@ -310,16 +315,18 @@ static void reach_about_the_limit_of_the_error(void **state)
   struct random r = { 73 };
   int found[2] = { 0, 0 };
   for (int i = 0; i < 12; i++) {
-    struct subject subject = { .crawler = draw(&r, gait_number(i)), .steady = i % 4 < 2, .kind = i % 8 < 4 };
-    struct scallop_crawler *crawler = &subject.crawler;
-    subject.v0 = subject.steady ? 0 : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
+    struct motion motion = { .crawler = draw(&r, gait_number(i)),
+                             .of = i % 4 < 2 ? OF_STEADY : OF_PHASE,
+                             .phase = i % 8 < 4 };
+    struct scallop_crawler *crawler = &motion.crawler;
+    motion.v0 = motion.of == OF_STEADY ? 0
+                                       : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
     struct setting s;
-    setting_init(&s, &subject, 8);
+    setting_init(&s, &motion, 8);
     for (int q = 0; q < QUANTITIES; q++) {
-      struct comparison c = { &s.subject, &s.expansions, { .name = NULL }, s.cache };
-      while (subject_has(&subject, (enum quantity_id)q)
-             && series_item_next(&c.item, &s.expansions, (enum quantity_id)q, 8)) {
-        double limit = fabs(comparison_error(&c, 1e-9 * subject_natural_time(&subject)));
+      struct comparison c = { &s.motion, &s.expansions, { .name = NULL }, s.cache };
+      while (motion_has(&motion, (enum quantity_id)q) && series_item_next(&c.item, &s.expansions, (enum quantity_id)q, 8)) {
+        double limit = fabs(comparison_error(&c, 1e-9 * motion_natural_time(&motion)));
         for (int k = 0; k < 3 && limit > 1e-5 && limit < 1e5; k++)
           check_about_limit(&c, limit, shares[k], found);
       }
@@ -389,7 +396,7 @@ static void the_branch_ends_at_its_poles(void **state)
   (void)state;
   struct random r = { 81 };
   for (int i = 0; i < 3; i++) {
-    struct subject s = { .crawler = draw(&r, &scallop_gait_quadratic), .steady = true };
+    struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
     struct expansions e;
     struct scallop_singularity found;
     expansions_init(&e, &s, TERMS, BITS);

@@ -1,55 +1,35 @@
 /* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from another route, the
  * double solver, a closed form of the quadratic gait, or pencil and paper. */
-#include "tests/check.h"
-
-#include <stdio.h>
-#include <string.h>
-
-#include "compare/claims/words.h"
+#include "tests/full_ledger.h"
 #include "tests/random_crawler.h"
 
-enum { MOST = 160 };
+static struct ledger ledger;
 
-static struct kept {
-  struct claim_row row;
-  char conditions[160];
-} rows[MOST];
-static int count;
-
-static void keep(void *context, const struct claim_row *row)
+static int fill(void **state)
 {
-  (void)context;
-  assert_true(count < MOST);
-  rows[count].row = *row;
-  snprintf(rows[count].conditions, sizeof rows[count].conditions, "%s", row->conditions);
-  count++;
+  const struct scallop_crawler crawler = scallop_crawler_default();
+  (void)state;
+  fill_ledger(&ledger, &crawler, false);
+  return 0;
+}
+
+static int empty(void **state)
+{
+  (void)state;
+  ledger_free(&ledger);
+  return 0;
 }
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
 
-static int fill(void **state)
-{
-  const struct words_claim *const tables[] = { words_at_random, words_of_phases, words_of_regimes, words_of_appendices };
-  (void)state;
-  for (int g = 0; g < 2; g++) {
-    struct words w = { .crawler = scallop_crawler_default(), .sink = keep };
-    w.crawler.gait = gaits[g];
-    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-      for (const struct words_claim *claim = tables[t]; claim->claim; claim++)
-        claim->decide(&w, claim);
-  }
-  return 0;
-}
-
 /* The row whose conditions hold the text */
 static const struct claim_row *find(const char *claim, int g, const char *conditions)
 {
-  for (int i = 0; i < count; i++)
-    if (strcmp(rows[i].row.claim, claim) == 0 && rows[i].row.gait == gaits[g]->name
-        && strstr(rows[i].conditions, conditions))
-      return &rows[i].row;
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, gaits[g]->name) == 0 && strstr(row->conditions, conditions))
+      return row;
   fail_msg("no row %s, %s, %s", claim, gaits[g]->name, conditions);
-  return &rows[0].row;
+  return ledger.rows;
 }
 
 /* The first numbers after a text in what was measured */
@@ -118,6 +98,7 @@ static void verdicts(void **state)
     { "contraction_loses_least_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
     { "start_velocity_is_forward_at_high_Froude", "", CLAIM_HOLDS, CLAIM_HOLDS },
     { "start_velocity_opposes_motion_at_low_Froude", "", CLAIM_REFUTED, CLAIM_REFUTED },
+    { "start_velocity_has_two_regimes", "", CLAIM_HOLDS, CLAIM_HOLDS },
     { "t1_is_small", "v0 = 1", CLAIM_HOLDS, CLAIM_HOLDS },
     { "t1_is_small", "v_start", CLAIM_REFUTED, CLAIM_REFUTED },
     { "B_x2_first_switch_exceeds_its_remainder", "", CLAIM_REFUTED, CLAIM_REFUTED },
@@ -210,6 +191,28 @@ static void figures_of_steady_states(void **state)
       CHECK_NEAR(number_after(row, "v_start T/L = "), s.period.v_start * c.T / c.L, 1e-6);
       CHECK_NEAR(number_after(row, "displacement/L = "), s.period.displacement / c.L, 1e-6);
     }
+}
+
+/* The start velocity along the translation at F1/F2 = 4, and against it at 40 */
+static void two_regimes(void **state)
+{
+  (void)state;
+  for (int g = 0; g < 2; g++) {
+    const struct claim_row *row = find("start_velocity_has_two_regimes", g, "4 and 40");
+    double v[2], moved[2];
+    assert_int_equal(sscanf(after(row, "v_start T/L = "), "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40",
+                            &v[0], &moved[0], &v[1], &moved[1]),
+                     4);
+    for (int i = 0; i < 2; i++) {
+      struct scallop_crawler c = paper(g);
+      c.F1 = i ? 40 : 4;
+      struct scallop_steady_result s = steady(&c);
+      assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+      CHECK_NEAR(v[i], s.period.v_start * c.T / c.L, 1e-6);
+      CHECK_NEAR(moved[i], s.period.displacement / c.L, 1e-6);
+    }
+    assert_true(v[0] > 0 && v[1] < 0 && moved[0] > 0 && moved[1] > 0);
+  }
 }
 
 /* For the quadratic gait, from rest and sliding, with s = (F1-F2) T^2/(4 m2 L), dT = T s/(1 + s) and
@@ -378,11 +381,12 @@ int main(void)
     cmocka_unit_test(verdicts),
     cmocka_unit_test(both_asymmetries_and_no_displacement),
     cmocka_unit_test(figures_of_steady_states),
+    cmocka_unit_test(two_regimes),
     cmocka_unit_test(slope_of_figure_4B),
     cmocka_unit_test(boundary_from_trajectories),
     cmocka_unit_test(by_hand),
     cmocka_unit_test(formulas_without_remainder),
     cmocka_unit_test(statements_about_every_crawler),
   };
-  return cmocka_run_group_tests_name("claims in words", tests, fill, NULL);
+  return cmocka_run_group_tests_name("claims in words", tests, fill, empty);
 }

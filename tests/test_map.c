@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "compare/maps/axis.h"
-#include "compare/text/journal.h"
+#include "compare/maps/journal.h"
 #include "compare/answers/mode_change.h"
 #include "tests/check.h"
 
@@ -18,6 +18,8 @@ static void axes_are_read(void **state)
   assert_null(axis_read(&a, "F1/F2", NULL));
   assert_true(a.from == 0.01 && a.to == 100 && a.count == 41 && a.log);
   CHECK_EQUAL(axis_node(&a, 20), 1.0);
+  assert_null(axis_read(&a, "m1_over_m2", NULL));
+  assert_int_equal(a.kind, AXIS_M1_M2);
   assert_null(axis_read(&a, "alpha", NULL));
   assert_true(a.from == 0.01 && a.to == 0.99 && a.count == 41 && !a.log);
   assert_null(axis_read(&a, "T", "0.5:8:5:linear"));
@@ -33,9 +35,9 @@ static void axes_are_read(void **state)
 static void bad_axes_are_refused(void **state)
 {
   (void)state;
-  static const char *const ranges[] = { "1:2",     "1:2:3:log:x", "2:1:3",      "1:1:2",  "1:2:1", "0:1:3",
-                                        "-1:1:3",  "1:2:0",       "1:2:2.5",    "1:2:+3", "a:2:3", "1:b:3",
-                                        "1:inf:3", "1:2:3:lo",    "1:2:100001", "",       "1:2:",  "1e-200:1e200:3" };
+  static const char *const ranges[] = { "1:2",      "1:2:3:log:x", "2:1:3",   "1:1:2", "1:2:1",         "0:1:3",
+                                        "-1:1:3",   "1:2:0",       "1:2:2.5", "a:2:3", "1:b:3",         "1:inf:3",
+                                        "1:2:3:lo", "1:2:100001",  "",        "1:2:",  "1e-200:1e200:3" };
   struct axis a = { .count = -7 };
   for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
     if (!axis_read(&a, "T", ranges[i]))
@@ -246,12 +248,11 @@ static void changes_in_words(void **state)
     { "++ -+ 0+ ++ | ++ +- ++", "++ -+ 0+ -+ 0+ ++ | ++ +- ++", "body 1 sticks more often in the extension" },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct scallop_modes before[2], after[2];
+    struct answer a = { .regime = regime_of(cases[i].before), .value[Q_V_START] = { sign_of(cases[i].before), 0 } };
+    struct answer b = { .regime = regime_of(cases[i].after), .value[Q_V_START] = { sign_of(cases[i].after), 0 } };
     char text[MODE_CHANGE_TEXT];
-    read_modes(cases[i].before, before);
-    read_modes(cases[i].after, after);
-    const struct mode_state a = { before, regime_of(cases[i].before), sign_of(cases[i].before) };
-    const struct mode_state b = { after, regime_of(cases[i].after), sign_of(cases[i].after) };
+    read_modes(cases[i].before, a.modes);
+    read_modes(cases[i].after, b.modes);
     assert_string_equal(mode_change_text(text, &a, &b), cases[i].wanted);
   }
 }

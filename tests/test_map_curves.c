@@ -1,5 +1,5 @@
 /* Curves between regions whose shape is known. */
-#include "compare/maps/map.h"
+#include "compare/maps/curves.h"
 #include "tests/check.h"
 
 static const double pi = 3.14159265358979323846;

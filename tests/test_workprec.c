@@ -3,10 +3,12 @@
 #include <time.h>
 
 #include "check.h"
+#include "compare/command/compare.h"
 #include "compare/workprec/workprec.h"
+#include "tests/scratch_folder.h"
 
 /* What a made-up way does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
-static enum scallop_status give(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status give(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   const struct timespec pause = { .tv_nsec = way->kind == WAY_SIMULATION ? 3000000 : 0 };
   (void)patience;
@@ -17,7 +19,7 @@ static enum scallop_status give(struct way *way, const struct scallop_patience *
   return SCALLOP_OK;
 }
 
-static enum scallop_status end_with(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status end_with(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   (void)patience;
   *answer = answer_none;
@@ -26,7 +28,7 @@ static enum scallop_status end_with(struct way *way, const struct scallop_patien
   return (enum scallop_status)way->number;
 }
 
-static enum scallop_status work_forever(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status work_forever(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   (void)way, (void)answer;
   assert_non_null(patience); /* it is not timed again */
@@ -67,7 +69,7 @@ static void bench_clear(struct bench *b)
 }
 
 static struct way *add(struct bench *b, enum way_kind kind, long number,
-                       enum scallop_status (*solve)(struct way *, const struct scallop_patience *, struct answer *))
+                       enum scallop_status (*solve)(struct way *, const struct scallop_patience *, struct way_answer *))
 {
   struct way *way = ways_add(&b->ways, &b->point, "made up", kind, "%ld", number);
   way->solve = solve;
@@ -178,13 +180,72 @@ static void points_that_cannot_be(void **state)
   point_clear(&point);
 }
 
+/* A way that has been measured: its error, and its time */
+static void add_measured(struct bench *b, enum way_kind kind, const char *method, const char *error, double seconds)
+{
+  struct way *way = ways_add(&b->ways, &b->point, method, kind, "as is");
+  way->solved = true;
+  way->time.median = seconds;
+  snprintf(way->error[WAY_VELOCITY], WAY_TEXT, "%s", error);
+  way->error_log10[WAY_VELOCITY] = way_error_log10(error);
+  way->error_log10[WAY_DISPLACEMENT] = NAN;
+}
+
+static void who_is_cheapest(void **state)
+{
+  (void)state;
+  struct bench *b = bench_make();
+  add_measured(b, WAY_ASIDE, "batch", "1e-16", 1e-9); /* answers another question */
+  add_measured(b, WAY_FORMULA, "published", "1.00e-6", 1e-7);
+  add_measured(b, WAY_EXACT, "exact", "1e-16", 1e-6);
+  add_measured(b, WAY_EXACT, "certified", "2.00e-500", 1e-3);
+  add_measured(b, WAY_ROOT, "gsl, root", "1.00e-4", 1e-4);
+  add_measured(b, WAY_SIMULATION, "gsl, simulated", "1.00e-4", 5e-4);
+  static const char *const expected[][2] = {
+    { "1e-2",
+      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
+    { "1e-4",
+      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
+    { "1e-6", "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-8", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-10", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-12", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-15", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-30", "certified\tas is\t2.00e-500\t-\t-\tnan\tcertified\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-100", "certified\tas is\t2.00e-500\t-\t-\tnan\tcertified\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+  };
+  const char *const file = "summary.tsv";
+  struct options options;
+  struct table table;
+  char line[400], wanted[400];
+  options_initial(&options, &command_workprec);
+  assert_true(table_open_at(&table, &options, file));
+  table_columns(&table, summary_columns);
+  table_begin_rows(&table);
+  summary_write(&table, &b->ways);
+  assert_true(table_close(&table));
+  FILE *written = fopen(file, "r");
+  assert_non_null(written);
+  assert_non_null(fgets(line, sizeof line, written)); /* the header */
+  for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+    snprintf(wanted, sizeof wanted, "quadratic\t1\tv_start\t%s\t%s\n", expected[i][0], expected[i][1]);
+    assert_non_null(fgets(line, sizeof line, written));
+    assert_string_equal(line, wanted);
+  }
+  assert_null(fgets(line, sizeof line, written));
+  fclose(written);
+  remove(file);
+  bench_clear(b);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_front),
     cmocka_unit_test(those_without_an_answer),
     cmocka_unit_test(errors_as_they_are_written),
+    cmocka_unit_test(who_is_cheapest),
     cmocka_unit_test(points_that_cannot_be),
   };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
 
@@ -16,7 +16,7 @@ struct motion motion_of(const struct point *p, enum quantity_of of)
 static void forget(struct answer *a, enum scallop_status status)
 {
   *a = (struct answer){ .status = status, .v_low = NAN, .v_high = NAN };
-  for (int q = 0; q < QUANTITIES; q++)
+  for (int q = 0; q < ALL_QUANTITIES; q++)
     a->value[q].high = NAN;
 }
 
@@ -37,10 +37,11 @@ static void take_steady(struct answer *a, const struct scallop_steady_result *r)
   a->value[Q_MULTIPLIER].high = r->period.multiplier;
   a->v_low = r->v_low;
   a->v_high = r->v_high;
+  a->work = r->work;
   take_period_modes(a, r->period.regime, r->period.modes);
 }
 
-static void take_phase(struct answer *a, const struct scallop_phase_result *r)
+static void take_phase(struct answer *a, double v0, const struct scallop_phase_result *r)
 {
   a->value[Q_T1].high = r->t1;
   a->value[Q_DT].high = r->dT;
@@ -48,6 +49,9 @@ static void take_phase(struct answer *a, const struct scallop_phase_result *r)
   a->value[Q_DX1].high = r->dx1;
   a->value[Q_DX2].high = r->dx2;
   a->value[Q_DXC].high = r->dxC;
+  a->value[Q_CHANGE].high = r->v_end - v0;
+  a->value[Q_TURNING].high = isnan(r->dT) ? NAN : 0;
+  a->work = r->work;
   a->regime = r->regime;
   a->modes[0] = r->modes;
 }
@@ -61,13 +65,13 @@ struct solved {
 static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 {
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? counted_steady(&m->crawler, &s->steady) : counted_phase(&m->crawler, m->phase, m->v0, &s->phase));
+  forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
   if (steady)
     take_steady(a, &s->steady);
   else
-    take_phase(a, &s->phase);
+    take_phase(a, m->v0, &s->phase);
   return true;
 }
 
@@ -75,6 +79,52 @@ bool answer_in_double(struct answer *a, const struct motion *m)
 {
   struct solved s;
   return solve(a, m, &s);
+}
+
+/* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
+struct turning {
+  double mu_front, stroke; /* stroke: l gained over the phase, +1 or -1 */
+  struct scallop_mode mode;
+  bool started;
+  double first, last;
+};
+
+static void note_turning(void *context, const struct scallop_interval *i)
+{
+  struct turning *t = context;
+  if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
+    double way = i->piece->anchor == SCALLOP_FROM_END ? t->stroke : 0;
+    t->last = i->x_begin - t->mu_front * t->stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
+    if (isnan(t->first))
+      t->first = t->last;
+  }
+  t->mode = i->mode;
+  t->started = true;
+}
+
+bool answer_turnings(struct answer *a, const struct motion *m)
+{
+  const struct scallop_crawler *c = &m->crawler;
+  bool extension = m->phase == SCALLOP_EXTENSION;
+  struct turning t = {
+    .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
+  };
+  enum scallop_status status = scallop_phase_intervals(c, m->phase, m->v0, note_turning, &t);
+  a->value[Q_AT_FIRST].high = t.first * c->L;
+  a->value[Q_AT_LAST].high = t.last * c->L;
+  return status >= 0;
+}
+
+double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,
+                       const struct motion *motion, const struct answer *given)
+{
+  struct scallop_phase_point p = *point;
+  p.t1 = given->value[Q_T1].high;
+  p.dT = given->value[Q_DT].high;
+  p.x_switch = given->value[Q_AT_LAST].high;
+  if (formula->setting == SCALLOP_AT_REST_START && motion->phase == SCALLOP_CONTRACTION)
+    p = scallop_exchanged(&p);
+  return formula->phase(&p);
 }
 
 bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])

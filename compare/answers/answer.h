@@ -19,14 +19,17 @@ struct motion {
 struct motion motion_of(const struct point *point, enum quantity_of of);
 
 struct answer {
-  enum scallop_status status;            /* negative: nothing of what follows holds */
-  struct scallop_wide value[QUANTITIES]; /* nan where the motion has no such quantity; low is 0 in double */
+  enum scallop_status status;                /* negative: nothing of what follows holds */
+  struct scallop_wide value[ALL_QUANTITIES]; /* nan where the motion has no such quantity; low is 0 in double */
   enum scallop_regime regime;
   struct scallop_modes modes[2]; /* of a phase the first */
   double v_low, v_high;          /* double: the steady start velocities, equal unless SCALLOP_INTERVAL */
+  struct scallop_work work;      /* double */
 };
 /* Returns whether there is an answer. */
 bool answer_in_double(struct answer *answer, const struct motion *motion);
+/* Of a phase in double, the positions Q_AT_FIRST and Q_AT_LAST as well: they take a second walk through the phase. */
+bool answer_turnings(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
 /* The answer in double, and for each of its numbers an estimate of the error (numerics/wide.h); nan where there is none. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
@@ -37,6 +40,11 @@ bool answer_with_errors(struct answer *answer, const struct motion *motion, doub
 bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
                         long digits, const char **why);
 void decimals_free(char *texts[QUANTITIES]);
+
+/* A formula of one phase at the point of that phase. What it takes as given comes from the answer; a formula from rest is carried to a
+ * contraction by exchanging the bodies. */
+double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,
+                       const struct motion *motion, const struct answer *given);
 
 /* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
 enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
+#include "asymptotics/derived.h"
 #include "compare/answers/rational.h"
 #include "compare/text/decimal.h"
 
@@ -11,13 +12,20 @@ void ball_answer_init(struct ball_answer *a)
   memset(a, 0, sizeof *a);
   scallop_certified_steady_init(&a->steady);
   scallop_certified_phase_init(&a->phase);
+  arb_init(a->change);
+  arb_init(a->turning);
 }
 
 void ball_answer_clear(struct ball_answer *a)
 {
   scallop_certified_steady_clear(&a->steady);
   scallop_certified_phase_clear(&a->phase);
+  arb_clear(a->change);
+  arb_clear(a->turning);
 }
+
+/* More than the digits take, so that the subtraction rounds nothing that is known */
+static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256; }
 
 static void take_steady(struct ball_answer *a)
 {
@@ -33,7 +41,7 @@ static void take_steady(struct ball_answer *a)
   a->modes[1] = s->modes[1];
 }
 
-static void take_phase(struct ball_answer *a)
+static void take_phase(struct ball_answer *a, const fmpq_t v0, long digits)
 {
   const struct scallop_certified_phase *p = &a->phase;
   a->value[Q_T1] = p->switches ? p->t1 : NULL;
@@ -42,6 +50,13 @@ static void take_phase(struct ball_answer *a)
   a->value[Q_DX1] = p->dx1;
   a->value[Q_DX2] = p->dx2;
   a->value[Q_DXC] = p->dxC;
+  a->value[Q_AT_FIRST] = p->switches ? p->at_first : NULL;
+  a->value[Q_AT_LAST] = p->switches ? p->at_last : NULL;
+  a->value[Q_TURNING] = p->switches ? a->turning : NULL;
+  a->value[Q_CHANGE] = a->change;
+  slong bits = bits_of(digits);
+  arb_set_fmpq(a->change, v0, bits);
+  arb_sub(a->change, p->v_end, a->change, bits);
   a->regime = p->regime;
   a->modes[0] = p->modes;
 }
@@ -51,14 +66,14 @@ bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawle
 {
   memset(a->value, 0, sizeof a->value);
   a->why = NULL;
-  a->status = of == OF_STEADY ? counted_certified_steady(c, digits, &a->steady, &a->why)
-                              : counted_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
+  a->status = of == OF_STEADY ? scallop_certified_steady(c, digits, &a->steady, &a->why)
+                              : scallop_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
   if (a->status != SCALLOP_OK)
     return false;
   if (of == OF_STEADY)
     take_steady(a);
   else
-    take_phase(a);
+    take_phase(a, v0, digits);
   return true;
 }
 
@@ -139,14 +154,17 @@ static void take_expansions(struct series_answer *a, enum quantity_of of)
   a->value[Q_DX1] = steady ? NULL : &p->dx1;
   a->value[Q_DX2] = steady ? NULL : &p->dx2;
   a->value[Q_DXC] = steady ? NULL : &p->dxC;
+  a->value[Q_AT_FIRST] = switches ? &p->at_first : NULL;
+  a->value[Q_AT_LAST] = switches ? &p->at_last : NULL;
+  a->value[Q_TURNING] = switches ? &p->turning_velocity : NULL;
 }
 
 bool answer_in_series(struct series_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
                       enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision)
 {
   a->why = NULL;
-  a->status = of == OF_STEADY ? counted_expand_steady(c, order, precision, &a->steady, &a->why)
-                              : counted_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
+  a->status = of == OF_STEADY ? scallop_expand_steady(c, order, precision, &a->steady, &a->why)
+                              : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
   take_expansions(a, of);
   return a->status == SCALLOP_OK;
 }

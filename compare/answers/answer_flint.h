@@ -7,13 +7,14 @@
 #include "numerics/certified.h"
 
 struct ball_answer {
-  enum scallop_status status;          /* not SCALLOP_OK: nothing of what follows holds       */
-  const char *why;                     /* more about that, or NULL                            */
-  const arb_struct *value[QUANTITIES]; /* NULL where the motion has no such quantity          */
+  enum scallop_status status;              /* not SCALLOP_OK: nothing of what follows holds       */
+  const char *why;                         /* more about that, or NULL                            */
+  const arb_struct *value[ALL_QUANTITIES]; /* NULL where the motion has no such quantity          */
   enum scallop_regime regime;
   struct scallop_modes modes[2];          /* of a phase the first                             */
-  struct scallop_certified_steady steady; /* the values themselves, and of a phase also where it turns */
+  struct scallop_certified_steady steady; /* the values themselves */
   struct scallop_certified_phase phase;
+  arb_t change, turning;
 };
 void ball_answer_init(struct ball_answer *answer);
 void ball_answer_clear(struct ball_answer *answer);
@@ -27,8 +28,8 @@ struct series_answer {
   enum scallop_status status;
   const char *why;
   const struct series
-      *value[QUANTITIES]; /* in powers of T, the period or the duration of the phase; NULL where there is none */
-  const char *modes;      /* for T -> 0 */
+      *value[ALL_QUANTITIES]; /* in powers of T, the period or the duration of the phase; NULL where there is none */
+  const char *modes;          /* for T -> 0 */
   struct scallop_steady_expansion steady;
   struct scallop_phase_expansion phase;
 };

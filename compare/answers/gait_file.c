@@ -1,7 +1,5 @@
 #include "compare/answers/gait_file.h"
 
-#include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -10,9 +8,9 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>
 
-#include "compare/text/checksum.h"
-#include "compare/text/lines.h"
-#include "compare/command/options.h"
+#include "compare/text/memory.h"
+#include "compare/text/tsv.h"
+#include "compare/text/values.h"
 
 enum { MOST_ROWS = 100000, LEAST_ROWS = 4 };
 static const double closes = 1e-9; /* of the range: how far the last l may be from the first */
@@ -28,7 +26,7 @@ struct rows {
   struct gait_row *written;
   char *texts;
   size_t length, texts_room;
-  long count, room;
+  long count;
 };
 
 static const char *at_line(const char *file, long line, const char *format, ...)
@@ -45,23 +43,13 @@ static const char *at_line(const char *file, long line, const char *format, ...)
 
 static const char *no_memory(void) { return "out of memory"; }
 
-/* ---- the table ---- */
-
 static bool make_room(struct rows *rows)
 {
-  if (rows->count < rows->room)
-    return true;
-  long room = rows->room > 0 ? 2 * rows->room : 64;
-  struct row *more = realloc(rows->at, (size_t)room * sizeof *more);
-  if (!more)
-    return false;
-  rows->at = more;
-  struct gait_row *written = realloc(rows->written, (size_t)room * sizeof *written);
-  if (!written)
-    return false;
-  rows->written = written;
-  rows->room = room;
-  return true;
+  struct row *at = with_room(rows->at, rows->count, sizeof *at);
+  rows->at = at ? at : rows->at;
+  struct gait_row *written = with_room(rows->written, rows->count, sizeof *written);
+  rows->written = written ? written : rows->written;
+  return at && written;
 }
 
 /* Keeps a word; *at: where */
@@ -82,81 +70,51 @@ static bool keep_word(struct rows *rows, const char *word, size_t *at)
   return true;
 }
 
-/* The words of a line between blanks, which become NULs: at most `most` of them. Returns how many there are. */
-static int words_of(char *line, char **words, int most)
+static bool is_header(const struct tsv *t)
 {
-  int count = 0;
-  for (char *c = line; *c;) {
-    while (*c == ' ' || *c == '\t')
-      *c++ = '\0';
-    if (*c == '\0')
-      break;
-    if (count < most)
-      words[count] = c;
-    count++;
-    while (*c && *c != ' ' && *c != '\t')
-      c++;
-  }
-  return count;
+  return t->count == 2 && strcmp(t->cell[0], "t") == 0 && strcmp(t->cell[1], "l") == 0;
 }
 
-static bool is_header(char *const *words, int count, const struct rows *rows)
+/* NULL, or what is wrong with the row */
+static const char *read_row(struct rows *rows, const struct tsv *tsv)
 {
-  return rows->count == 0 && count == 2 && strcmp(words[0], "t") == 0 && strcmp(words[1], "l") == 0;
-}
-
-/* NULL, or what is wrong with the line */
-static const char *read_line(struct rows *rows, struct lines *lines, const char *file, bool *header)
-{
-  char *words[2];
+  const char *file = tsv->name;
+  long line = tsv->lines.number;
   double t, l;
-  if (line_fault(lines))
-    return at_line(file, lines->number, "%s", line_fault(lines));
-  int count = words_of(lines->line, words, 2);
-  if (count == 0 || words[0][0] == '#')
-    return NULL;
-  if (!*header && is_header(words, count, rows)) {
-    *header = true;
-    return NULL;
-  }
-  if (count != 2)
-    return at_line(file, lines->number, "%d column%s: two are wanted, t and l", count, count == 1 ? "" : "s");
+  if (tsv->fault)
+    return at_line(file, line, "%s", tsv->fault);
+  if (tsv->count != 2)
+    return at_line(file, line, "%d column%s: two are wanted, t and l", tsv->count, tsv->count == 1 ? "" : "s");
   for (int i = 0; i < 2; i++)
-    if (!read_number(words[i], i == 0 ? &t : &l))
-      return at_line(file, lines->number, "%s = '%.80s' is not allowed: a finite number is wanted", i == 0 ? "t" : "l",
-                     words[i]);
+    if (!read_number(tsv->cell[i], i == 0 ? &t : &l))
+      return at_line(file, line, "%s = '%.80s' is not allowed: a finite number is wanted", i == 0 ? "t" : "l", tsv->cell[i]);
   if (rows->count == MOST_ROWS)
-    return at_line(file, lines->number, "more than %d rows", MOST_ROWS);
+    return at_line(file, line, "more than %d rows", MOST_ROWS);
   if (rows->count > 0 && !(t > rows->at[rows->count - 1].t))
-    return at_line(file, lines->number, "t = %.17g does not come after %.17g of line %ld: t must increase", t,
+    return at_line(file, line, "t = %.17g does not come after %.17g of line %ld: t must increase", t,
                    rows->at[rows->count - 1].t, rows->at[rows->count - 1].line);
-  if (!make_room(rows) || !keep_word(rows, words[0], &rows->written[rows->count].t)
-      || !keep_word(rows, words[1], &rows->written[rows->count].l))
+  if (!make_room(rows) || !keep_word(rows, tsv->cell[0], &rows->written[rows->count].t)
+      || !keep_word(rows, tsv->cell[1], &rows->written[rows->count].l))
     return no_memory();
-  rows->at[rows->count++] = (struct row){ t, l, lines->number };
+  rows->at[rows->count++] = (struct row){ t, l, line };
   return NULL;
 }
 
 static const char *read_rows(struct rows *rows, const char *file, bool *unreadable)
 {
-  struct lines lines = { .file = fopen(file, "r") };
+  struct tsv tsv;
   const char *wrong = NULL;
-  bool header = false;
-  *unreadable = !lines.file;
-  if (!lines.file)
-    return at_line(file, 0, "cannot be read: %s", strerror(errno));
-  while (!wrong && next_line(&lines))
-    wrong = read_line(rows, &lines, file, &header);
-  if (!wrong && lines.error) {
-    *unreadable = true;
-    wrong = at_line(file, 0, "cannot be read: %s", lines_error_text(&lines));
-  }
-  fclose(lines.file);
-  lines_free(&lines);
+  bool first = true;
+  if (tsv_open(&tsv, strcmp(file, "-") == 0 ? "./-" : file, TSV_WORDS))
+    for (; !wrong && tsv_next(&tsv); first = false)
+      if (!first || !is_header(&tsv))
+        wrong = read_row(rows, &tsv);
+  *unreadable = tsv_error(&tsv) != NULL;
+  if (!wrong && tsv_error(&tsv))
+    wrong = at_line(file, 0, "cannot be read: %s", lines_error_text(&tsv.lines));
+  tsv_close(&tsv);
   return wrong;
 }
-
-/* ---- what it is a table of ---- */
 
 struct period {
   long least, most;        /* the first row with the smallest l, the first one after it with the largest */
@@ -206,8 +164,6 @@ static const char *look(const struct rows *rows, const char *file, struct period
                    p->until_most / p->T);
   return NULL;
 }
-
-/* ---- the spline ---- */
 
 /* Rows first to last as the knots of a phase. False: two of them are at one time, in units of 2^-53 of the phase: row *bad. */
 static bool set_knots(struct scallop_knot *knots, const struct rows *rows, const struct period *p, long first, long last,

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/text/checksum.h"
+#include "compare/text/memory.h"
 #include "compare/answers/counts.h"
 #include "compare/answers/gait_file.h"
 #include "compare/command/options.h"
@@ -213,12 +213,10 @@ static struct gait_answer unknown(const char *text)
   for (int i = 0; i < KINDS; i++)
     names[i] = kinds[i].name;
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-  const char *near = nearest(name, names);
   snprintf(message, sizeof message,
            "'%.80s' is not allowed here: it takes quadratic, sinusoidal, trapezoidal, skewed, minimum-jerk, "
-           "polynomial:C1,C2,... or "
-           "measured:FILE%s%s%s",
-           text, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+           "polynomial:C1,C2,... or measured:FILE%s",
+           text, did_you_mean(nearest(name, names)));
   return refused(GAIT_UNKNOWN);
 }
 

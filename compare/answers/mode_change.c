@@ -1,7 +1,6 @@
 #include "compare/answers/mode_change.h"
 
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -27,8 +26,6 @@ static void tell(struct told *t, const char *format, ...)
   if (t->used >= MODE_CHANGE_TEXT)
     t->used = MODE_CHANGE_TEXT - 1;
 }
-
-/* ---- one phase ---- */
 
 static int kept(const struct scallop_modes *m) { return m->count < SCALLOP_MODES_KEPT ? m->count : SCALLOP_MODES_KEPT; }
 static int direction(const struct scallop_modes *m, int i, int body) { return body == 1 ? m->kept[i].s1 : m->kept[i].s2; }
@@ -60,7 +57,7 @@ static int start_sign(const struct scallop_modes *m)
 }
 
 /* The body that never moves, or 0 */
-static int resting_body(const struct mode_state *s)
+static int resting_body(const struct answer *s)
 {
   for (int body = 1; body <= 2; body++) {
     bool rests = s->regime == SCALLOP_AT_REST;
@@ -72,8 +69,6 @@ static int resting_body(const struct mode_state *s)
   }
   return 0;
 }
-
-/* ---- causes ---- */
 
 static void tell_stops(struct told *t, const struct scallop_modes *before, const struct scallop_modes *after, int phase,
                        int body)
@@ -105,7 +100,7 @@ static void tell_turns(struct told *t, const struct scallop_modes *before, const
 
 typedef void teller(struct told *, const struct scallop_modes *, const struct scallop_modes *, int phase, int body);
 
-static void tell_all(teller *tells, struct told *t, const struct mode_state *before, const struct mode_state *after)
+static void tell_all(teller *tells, struct told *t, const struct answer *before, const struct answer *after)
 {
   for (int phase = 0; phase < 2; phase++)
     for (int body = 1; body <= 2; body++)
@@ -122,10 +117,10 @@ static bool mirror_each_other(const struct scallop_modes *a, const struct scallo
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-static void tell_signs(struct told *t, const struct mode_state *before, const struct mode_state *after)
+static void tell_signs(struct told *t, const struct answer *before, const struct answer *after)
 {
-  const int a[2] = { sign(before->v_start), start_sign(&before->modes[1]) };
-  const int b[2] = { sign(after->v_start), start_sign(&after->modes[1]) };
+  const int a[2] = { sign(before->value[Q_V_START].high), start_sign(&before->modes[1]) };
+  const int b[2] = { sign(after->value[Q_V_START].high), start_sign(&after->modes[1]) };
   for (int phase = 0; phase < 2; phase++)
     if (a[phase] * b[phase] < 0)
       tell(t, "%s velocity changes sign", phase == 0 ? "start" : "mid");
@@ -133,27 +128,15 @@ static void tell_signs(struct told *t, const struct mode_state *before, const st
       tell(t, "the %s %s from rest", phase_names[phase], b[phase] == 0 ? "begins" : "no longer begins");
 }
 
-static bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
-{
-  bool same = a->count == b->count;
-  for (int i = 0; same && i < kept(a); i++)
-    same = a->kept[i].s1 == b->kept[i].s1 && a->kept[i].s2 == b->kept[i].s2;
-  return same;
-}
-
-const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct mode_state *before, const struct mode_state *after)
+const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *before, const struct answer *after)
 {
   struct told t = { .text = text };
   int was = resting_body(before), is = resting_body(after);
-  bool mirrored = true, same = true;
-  for (int phase = 0; phase < 2; phase++) {
-    mirrored = mirrored && mirror_each_other(&before->modes[phase], &after->modes[phase]);
-    same = same && same_modes(&before->modes[phase], &after->modes[phase]);
-  }
   text[0] = '\0';
-  if (same)
+  if (same_modes(before->modes, after->modes))
     tell(&t, "no change of modes");
-  else if (mirrored) /* F1 = F2 or alpha = 1/2: it crawls the other way */
+  else if (mirror_each_other(&before->modes[0], &after->modes[0])
+           && mirror_each_other(&before->modes[1], &after->modes[1])) /* F1 = F2 or alpha = 1/2: it crawls the other way */
     tell(&t, "the bodies exchange their roles");
   else if (was != is) {
     if (was != 0)

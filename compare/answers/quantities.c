@@ -42,3 +42,43 @@ enum quantity_id quantity_of_name(const char *name)
     q++;
   return (enum quantity_id)q;
 }
+
+enum quantity_id quantity_of_formula(const struct scallop_formula *f, enum scallop_phase_kind kind)
+{
+  bool extension = kind == SCALLOP_EXTENSION;
+  switch (f->quantity) {
+  case SCALLOP_LAG: return Q_DT;
+  case SCALLOP_FIRST_SWITCH: return Q_T1;
+  case SCALLOP_REAR_AT_FIRST: return Q_AT_FIRST;
+  case SCALLOP_REAR_AT_LAST: return Q_AT_LAST;
+  case SCALLOP_REAR_AT_END: return extension ? Q_DX1 : Q_DX2;
+  case SCALLOP_FRONT_AT_END: return extension ? Q_DX2 : Q_DX1;
+  case SCALLOP_CENTRE_AT_END: return Q_DXC;
+  case SCALLOP_VELOCITY_AT_END: return Q_V_END;
+  case SCALLOP_VELOCITY_CHANGE: return Q_CHANGE;
+  case SCALLOP_STEADY_VELOCITY: return Q_V_START;
+  case SCALLOP_STEADY_DISPLACEMENT: return Q_DISPLACEMENT;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: break;
+  }
+  return Q_TURNING;
+}
+
+const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_phase_kind kind)
+{
+  static const char *const of_contraction[] = { "dT",    "t1",     "x2(t1)", "x2(T-dT)", "x2(T)",
+                                                "x1(T)", "x_C(T)", "v(T)",   "v(T)-v0" };
+  static const char *const of_extension[] = {
+    "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0"
+  };
+  if (f->quantity == SCALLOP_VELOCITY_AT_FIRST || f->quantity == SCALLOP_VELOCITY_AT_LAST)
+    return f->quantity == SCALLOP_VELOCITY_AT_FIRST ? "v(t1)" : "v(T-dT)";
+  if (f->setting == SCALLOP_STEADY)
+    return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
+  return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];
+}
+
+bool formula_takes_given(const struct scallop_formula *f)
+{
+  return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
+}

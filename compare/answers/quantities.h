@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "asymptotics/asymptotics.h"
+
 /* What a quantity is of: the steady state, or one phase from a start velocity. */
 enum quantity_of { OF_STEADY, OF_PHASE };
 
@@ -21,7 +23,14 @@ enum quantity_id {
   Q_DX1,
   Q_DX2,
   Q_DXC,
-  QUANTITIES
+  QUANTITIES,
+  /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first and at the last
+   * change of mode; v_end less v0; the velocity of a body that turns, 0. */
+  Q_AT_FIRST = QUANTITIES,
+  Q_AT_LAST,
+  Q_CHANGE,
+  Q_TURNING,
+  ALL_QUANTITIES
 };
 
 struct quantity_row {
@@ -39,5 +48,12 @@ enum quantity_id quantity_end(enum quantity_of of);
 
 /* That of this name, or QUANTITIES. */
 enum quantity_id quantity_of_name(const char *name);
+
+/* What a formula of the paper is about, in a phase of this kind. */
+enum quantity_id quantity_of_formula(const struct scallop_formula *formula, enum scallop_phase_kind kind);
+/* The same in the paper's symbols and the names of the bodies of that phase: "x1(T-dT)", "dT". */
+const char *formula_quantity_text(const struct scallop_formula *formula, enum scallop_phase_kind kind);
+/* Does the formula take switching times, or a position at one, as given? */
+bool formula_takes_given(const struct scallop_formula *formula);
 
 #endif

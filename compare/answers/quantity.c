@@ -8,24 +8,23 @@
 
 enum { MOST_ORDER = 1000, CANDIDATES = 160 };
 
-static const char *const steady_names[] = { "v_start",    "v_mid",  "displacement", "mean_velocity",
-                                            "multiplier", "regime", "modes",        NULL };
-static const char *const phase_names[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", "phase_regime", "phase_modes", NULL };
 static const char *const sample_names[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
-/* Their series are derived, and their values certified: the multiplier has no series. */
-enum { STEADY_SERIES = STEADY_MEAN_VELOCITY + 1 };
-
 static const struct {
   const char *name;
   enum quantity_kind kind;
-} single[] = { { "v0", QUANTITY_V0 },
-               { "froude", QUANTITY_FROUDE },
-               { "gait", QUANTITY_GAIT },
-               { "status", QUANTITY_STATUS },
-               { "sticking_onset", QUANTITY_ONSET },
-               { "phase", QUANTITY_PHASE_NAME },
-               { "F1_over_F2", QUANTITY_F1_OVER_F2 },
-               { "m1_over_m2", QUANTITY_M1_OVER_M2 } };
+  int which;
+} single[] = { { "v0", QUANTITY_V0, 0 },
+               { "froude", QUANTITY_FROUDE, 0 },
+               { "gait", QUANTITY_GAIT, 0 },
+               { "status", QUANTITY_STATUS, 0 },
+               { "sticking_onset", QUANTITY_ONSET, 0 },
+               { "phase", QUANTITY_PHASE_NAME, 0 },
+               { "F1_over_F2", QUANTITY_F1_OVER_F2, 0 },
+               { "m1_over_m2", QUANTITY_M1_OVER_M2, 0 },
+               { "regime", QUANTITY_REGIME, OF_STEADY },
+               { "modes", QUANTITY_MODES, OF_STEADY },
+               { "phase_regime", QUANTITY_REGIME, OF_PHASE },
+               { "phase_modes", QUANTITY_MODES, OF_PHASE } };
 enum { SINGLE = sizeof single / sizeof *single };
 
 static const struct {
@@ -50,30 +49,25 @@ static const struct scallop_formula *formula_named(const char *name)
   return NULL;
 }
 
-/* A number of the steady state or of the phase that has a series: its place, those of the phase after those of the steady state */
-static int value_named(const char *name, int steady_count)
-{
-  int steady = place_in(steady_names, steady_count, name), phase = place_in(phase_names, PHASE_NUMBERS, name);
-  return steady >= 0 ? steady : phase >= 0 ? STEADY_VALUES + phase : -1;
-}
-
 /* derived_N.VALUE or limit.VALUE */
 static bool derived_named(struct quantity *q, const char *name)
 {
   const char *dot = strchr(name, '.');
   if (!dot)
     return false;
-  q->which = value_named(dot + 1, STEADY_SERIES);
+  q->which = (int)quantity_of_name(dot + 1);
+  if (q->which == QUANTITIES || !quantity_rows[q->which].has_series)
+    return false;
   if (strncmp(name, "limit.", 6) == 0) {
     q->kind = QUANTITY_LIMIT;
-    return q->which >= 0;
+    return true;
   }
   char *end;
   q->kind = QUANTITY_DERIVED;
   if (strncmp(name, "derived_", 8) != 0 || name[8] < '1' || name[8] > '9')
     return false;
   q->order = strtol(name + 8, &end, 10);
-  return end == dot && q->order <= MOST_ORDER && q->which >= 0;
+  return end == dot && q->order <= MOST_ORDER;
 }
 
 static bool series_named(struct quantity *q, const char *name)
@@ -91,8 +85,6 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
     int place;
   } lists[] = { { QUANTITY_NUMBER, place_in(crawler_parameters, CRAWLER_NUMBERS, name) },
                 { QUANTITY_LABEL, place_in(all->label, all->labels, name) },
-                { QUANTITY_STEADY, place_in(steady_names, STEADY_VALUES, name) },
-                { QUANTITY_PHASE, place_in(phase_names, PHASE_VALUES, name) },
                 { QUANTITY_SAMPLE, place_in(sample_names, SAMPLE_VALUES, name) } };
   for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
     if (lists[i].place >= 0) {
@@ -103,12 +95,17 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
   for (int i = 0; i < SINGLE; i++)
     if (strcmp(name, single[i].name) == 0) {
       q->kind = single[i].kind;
+      q->which = single[i].which;
       return true;
     }
+  q->which = (int)quantity_of_name(name);
+  q->kind = QUANTITY_ANSWER;
+  if (q->which < QUANTITIES)
+    return true;
   if (strncmp(name, "certified.", 10) == 0) {
     q->kind = QUANTITY_CERTIFIED;
-    q->which = value_named(name + 10, STEADY_NUMBERS);
-    return q->which >= 0;
+    q->which = (int)quantity_of_name(name + 10);
+    return q->which < QUANTITIES;
   }
   return series_named(q, name);
 }
@@ -169,10 +166,8 @@ const char *quantity_near(const struct quantities *all, const char *name)
     names[n++] = single[i].name;
   for (int i = 0; i < all->labels; i++)
     names[n++] = all->label[i];
-  for (int i = 0; i < STEADY_VALUES; i++)
-    names[n++] = steady_names[i];
-  for (int i = 0; i < PHASE_VALUES; i++)
-    names[n++] = phase_names[i];
+  for (int i = 0; i < QUANTITIES; i++)
+    names[n++] = quantity_rows[i].name;
   for (const struct scallop_formula *f = scallop_published; f->name && n < CANDIDATES - 1; f++)
     names[n++] = f->name;
   names[n] = NULL;
@@ -182,8 +177,7 @@ const char *quantity_near(const struct quantities *all, const char *name)
 bool quantity_is_text(const struct quantity *q)
 {
   return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_STATUS
-         || q->kind == QUANTITY_PHASE_NAME || (q->kind == QUANTITY_STEADY && q->which >= STEADY_NUMBERS)
-         || (q->kind == QUANTITY_PHASE && q->which >= PHASE_NUMBERS);
+         || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
 }
 
 bool quantity_is_series(const struct quantity *q)
@@ -204,16 +198,13 @@ bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q
   if (q->of >= 0)
     return quantity_is_of_phase(all, &all->item[q->of]);
   switch (q->kind) {
-  case QUANTITY_PHASE: return true;
+  case QUANTITY_REGIME:
+  case QUANTITY_MODES: return q->which == OF_PHASE;
   case QUANTITY_PUBLISHED: return q->formula->setting != SCALLOP_STEADY;
+  case QUANTITY_ANSWER:
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT:
-  case QUANTITY_CERTIFIED: return q->which >= STEADY_VALUES;
+  case QUANTITY_CERTIFIED: return quantity_rows[q->which].of == OF_PHASE;
   default: return false;
   }
-}
-
-bool formula_takes_given(const struct scallop_formula *f)
-{
-  return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
 }

@@ -17,7 +17,7 @@
 
 #include <stdbool.h>
 
-#include "asymptotics/asymptotics.h"
+#include "compare/answers/quantities.h"
 #include "model/model.h"
 
 enum { QUANTITY_NAME = 64, QUANTITY_LABELS = 8, MOST_QUANTITIES = 400 };
@@ -32,10 +32,11 @@ enum quantity_kind {
   QUANTITY_PHASE_NAME,
   QUANTITY_LABEL, /* which                                                                         */
   QUANTITY_ONSET,
-  QUANTITY_STEADY, /* which: enum steady_value                                                      */
-  QUANTITY_PHASE,  /* which: enum phase_value                                                       */
+  QUANTITY_ANSWER, /* which: its place in the table (quantities.h)                                  */
+  QUANTITY_REGIME, /* which: of what motion, enum quantity_of                                       */
+  QUANTITY_MODES,  /* likewise                                                                      */
   QUANTITY_PUBLISHED,
-  QUANTITY_DERIVED, /* which: enum steady_value, or STEADY_VALUES + enum phase_value                 */
+  QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER; limit and certified too                            */
   QUANTITY_LIMIT,
   QUANTITY_EXACT, /* of: the series                                                                */
   QUANTITY_ERROR,
@@ -45,29 +46,6 @@ enum quantity_kind {
   QUANTITY_STATUS
 };
 
-enum steady_value {
-  STEADY_V_START,
-  STEADY_V_MID,
-  STEADY_DISPLACEMENT,
-  STEADY_MEAN_VELOCITY,
-  STEADY_MULTIPLIER,
-  STEADY_NUMBERS,
-  STEADY_REGIME = STEADY_NUMBERS,
-  STEADY_MODES,
-  STEADY_VALUES
-};
-enum phase_value {
-  PHASE_T1,
-  PHASE_DT,
-  PHASE_V_END,
-  PHASE_DX1,
-  PHASE_DX2,
-  PHASE_DXC,
-  PHASE_NUMBERS,
-  PHASE_REGIME = PHASE_NUMBERS,
-  PHASE_MODES,
-  PHASE_VALUES
-};
 enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
 
 struct quantity {
@@ -101,7 +79,4 @@ bool quantity_is_series(const struct quantity *q);
 bool quantity_is_compared(const struct quantities *all, const struct quantity *series);
 /* Is it about a phase, not the steady state? Of series, and of what is said of them. */
 bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q);
-/* Does the formula take switching times as given? */
-bool formula_takes_given(const struct scallop_formula *formula);
-
 #endif

@@ -2,10 +2,9 @@
 #ifndef SCALLOP_BREAKDOWN_H
 #define SCALLOP_BREAKDOWN_H
 
-#include "compare/command/compare.h"
 #include "compare/answers/quantities.h"
-
-/* ---- series beside the exact value ---- */
+#include "compare/text/message.h"
+#include "model/model.h"
 
 /* Of the steady state, and of one phase from a start velocity that does not depend on T. */
 enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
@@ -22,5 +21,9 @@ double breakdown_error(const struct scallop_crawler *crawler, const struct break
 /* The largest T up to which the absolute value of that stays below tolerance: 0 if it does not as T -> 0, INFINITY if for every T up to
  * permanent rest, nan where there is no such series. T of the crawler is not used. */
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
+
+/* The table of one crawler */
+struct options;
+enum exit_code breakdown_table(const struct options *options);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/breakdown/parts.h"
+#include "compare/breakdown/radius.h"
 
 /* sum over j of a_j T^(first + stride j): the terms that are not 0 by symmetry */
 struct terms {
@@ -33,8 +33,6 @@ static struct terms terms_of(const struct series *s, slong order)
   t.count = t.stride > 0 ? (last - t.first) / t.stride + 1 : 0;
   return t;
 }
-
-/* ---- poles of a rational function ---- */
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
@@ -195,8 +193,6 @@ bool radius_from_poles(struct radius *r, const struct series *series, slong orde
   return t.count > 0 && by_poles(r, &t);
 }
 
-/* ---- singularities of the branch ---- */
-
 static enum continued_value continued(enum quantity_id quantity)
 {
   switch (quantity) {
@@ -232,10 +228,10 @@ bool singularity_of(struct scallop_singularity *s, const struct expansions *e, b
 {
   fmpq_t v0;
   fmpq_init(v0);
-  scallop_rational_set_double(v0, e->subject->v0);
-  enum scallop_status status = e->subject->steady
+  scallop_rational_set_double(v0, e->motion->v0);
+  enum scallop_status status = e->motion->of == OF_STEADY
                                    ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
-                                   : scallop_phase_singularity(s, &e->crawler, e->subject->kind, v0,
+                                   : scallop_phase_singularity(s, &e->crawler, e->motion->phase, v0,
                                                                first_crossing ? 1 : INT_MAX, PLACE_BITS, NULL);
   fmpq_clear(v0);
   return status == SCALLOP_OK;

@@ -1,45 +1,35 @@
-/* How far a series reaches: the largest T up to which its relative error stays below a tolerance. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/breakdown/parts.h"
+#include "compare/breakdown/motion.h"
+#include "compare/breakdown/reach.h"
+#include "compare/text/halfway.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE): between two of these an error is taken to have one maximum at most. */
 enum { PER_OCTAVE = 16, OCTAVES = 128, PLACES = 2 * OCTAVES * PER_OCTAVE + 1, MIDDLE = OCTAVES * PER_OCTAVE };
 
 struct exact_cache {
-  const struct subject *subject;
   double natural;
   int last; /* the place beyond which nothing changes                                         */
-  struct answer *place[PLACES];
-  bool is_wide[PLACES];
+  enum { NOT_YET, IN_DOUBLE, IN_WIDE } how[PLACES];
+  struct answer place[PLACES];
 };
 
-struct exact_cache *exact_cache_new(const struct subject *subject)
+struct exact_cache *exact_cache_new(const struct motion *motion)
 {
   struct exact_cache *cache = calloc(1, sizeof *cache);
   if (!cache)
     return NULL;
-  cache->subject = subject;
-  cache->natural = subject_natural_time(subject);
-  double beyond = PER_OCTAVE * log2(subject_last_time(subject) / cache->natural);
+  cache->natural = motion_natural_time(motion);
+  double beyond = PER_OCTAVE * log2(motion_last_time(motion) / cache->natural);
   cache->last = MIDDLE + (int)fmin(fmax(ceil(beyond), -MIDDLE), MIDDLE);
   return cache;
-}
-
-void exact_cache_free(struct exact_cache *cache)
-{
-  for (int i = 0; cache && i < PLACES; i++)
-    free(cache->place[i]);
-  free(cache);
 }
 
 static double time_at(const struct exact_cache *cache, int place)
 {
   return cache->natural * exp2((double)(place - MIDDLE) / PER_OCTAVE);
 }
-
-/* ---- errors ---- */
 
 struct error {
   double value;  /* series/exact - 1                                                             */
@@ -100,7 +90,7 @@ static struct error error_of(const struct comparison *c, double T, const struct 
 static struct error error_in_wide(const struct comparison *c, double T, double tolerance)
 {
   struct answer e;
-  subject_in_wide(c->subject, T, &e);
+  motion_in_wide(c->motion, T, &e);
   return error_of(c, T, &e, tolerance);
 }
 
@@ -108,24 +98,26 @@ double comparison_error(const struct comparison *c, double T) { return error_in_
 
 int comparison_certified_side(const struct comparison *c, double T, double tolerance, long digits)
 {
-  arb_ptr exact = _arb_vec_init(QUANTITIES);
+  const struct motion at = motion_at(c->motion, T);
+  struct ball_answer exact;
   arb_t error, limit;
   int side = 0;
+  ball_answer_init(&exact);
   arb_init(error);
   arb_init(limit);
-  arb_set_d(limit, tolerance);
-  if (subject_in_balls(c->subject, T, digits, exact)) {
-    arb_ptr value = exact + c->item.which.quantity;
+  if (answer_of_doubles(&exact, &at, digits) && exact.value[c->item.which.quantity]) {
+    const arb_struct *value = exact.value[c->item.which.quantity];
     series_item_value(error, &c->item, c->expansions, T, BREAKDOWN_BITS);
     arb_sub(error, error, value, BREAKDOWN_BITS);
     arb_abs(error, error);
-    arb_abs(value, value);
+    arb_set_d(limit, tolerance);
     arb_mul(limit, limit, value, BREAKDOWN_BITS);
+    arb_abs(limit, limit);
     side = arb_lt(error, limit) ? -1 : arb_ge(error, limit) ? 1 : 0;
   }
   arb_clear(error);
   arb_clear(limit);
-  _arb_vec_clear(exact, QUANTITIES);
+  ball_answer_clear(&exact);
   return side;
 }
 
@@ -142,17 +134,18 @@ static bool is_plain(const struct error *e)
   return fabs(e->value) > PLAIN && fabs(e->excess) > PLAIN;
 }
 
-/* In double where that is enough. True: in binary128. */
-static bool look_at(struct look *look, const struct comparison *c, double T, double tolerance)
+/* In double where that is enough. Returns how. */
+static int look_at(struct look *look, const struct comparison *c, double T, double tolerance)
 {
+  const struct motion at = motion_at(c->motion, T);
   look->T = T;
-  subject_in_double(c->subject, T, &look->exact);
+  answer_in_double(&look->exact, &at);
   look->error = error_of(c, T, &look->exact, tolerance);
   if (is_plain(&look->error))
-    return false;
-  subject_in_wide(c->subject, T, &look->exact);
+    return IN_DOUBLE;
+  motion_in_wide(c->motion, T, &look->exact);
   look->error = error_of(c, T, &look->exact, tolerance);
-  return true;
+  return IN_WIDE;
 }
 
 /* The same at one of the places, from what is known there. */
@@ -160,16 +153,13 @@ static void look_at_place(struct look *look, const struct comparison *c, int pla
 {
   struct exact_cache *cache = c->cache;
   double T = time_at(cache, place);
-  if (cache->place[place]) {
-    *look = (struct look){ T, error_of(c, T, cache->place[place], tolerance), *cache->place[place] };
-    if (is_plain(&look->error) || cache->is_wide[place])
+  if (cache->how[place] != NOT_YET) {
+    *look = (struct look){ T, error_of(c, T, &cache->place[place], tolerance), cache->place[place] };
+    if (is_plain(&look->error) || cache->how[place] == IN_WIDE)
       return;
   }
-  cache->is_wide[place] = look_at(look, c, T, tolerance);
-  if (!cache->place[place])
-    cache->place[place] = malloc(sizeof *cache->place[place]);
-  if (cache->place[place])
-    *cache->place[place] = look->exact;
+  cache->how[place] = look_at(look, c, T, tolerance);
+  cache->place[place] = look->exact;
 }
 
 static double error_at(const struct comparison *c, int place)
@@ -181,8 +171,6 @@ static double error_at(const struct comparison *c, int place)
 
 /* Searches towards T = 0 begin here. */
 static int middle_place(const struct comparison *c) { return MIDDLE < c->cache->last ? MIDDLE : c->cache->last; }
-
-/* ---- where the error passes the tolerance ---- */
 
 /* log(|error|/tolerance). Where the error changes less than T does, more digits than a double of the error has are needed to tell where
  * it reaches the tolerance. */
@@ -259,17 +247,19 @@ static bool passes_zero(const struct comparison *c, const struct look *a, const 
   return a->exact.value[q].high * b->exact.value[q].high < 0;
 }
 
+static double exact_in_wide(const struct comparison *c, double T)
+{
+  struct answer e;
+  motion_in_wide(c->motion, T, &e);
+  return e.value[c->item.which.quantity].high;
+}
+
 /* The last T before the exact value is 0, to a double. */
 static double zero_between(const struct comparison *c, double low, double high)
 {
-  struct answer e;
-  enum quantity_id q = c->item.which.quantity;
-  subject_in_wide(c->subject, low, &e);
-  bool positive = e.value[q].high > 0;
-  for (double T; (T = low + (high - low) / 2) > low && T < high;) {
-    subject_in_wide(c->subject, T, &e);
-    *(e.value[q].high != 0 && (e.value[q].high > 0) == positive ? &low : &high) = T;
-  }
+  double sign = copysign(1, exact_in_wide(c, low));
+  for (double T; halfway(&T, low, high);)
+    *(sign * exact_in_wide(c, T) > 0 ? &low : &high) = T;
   return low;
 }
 
@@ -318,8 +308,6 @@ double comparison_limit(const struct comparison *c)
   return NAN;
 }
 
-/* ---- the search ---- */
-
 struct search {
   const struct comparison *comparison;
   double tolerance, reach;  /* found: the answer                                                    */
@@ -327,24 +315,28 @@ struct search {
   bool begun, found;
 };
 
+static void end_between(struct search *s, double low, double high)
+{
+  s->found = true;
+  s->reach = crossing(s->comparison, low, high, s->tolerance);
+}
+
 /* Goes on to the next look: between the last one and this the error has one peak at most. */
 static void go_on(struct search *s, const struct look *next)
 {
   const struct comparison *c = s->comparison;
   double T;
-  if (s->found)
-    return;
   if (s->begun && peaks_above(c, &s->before, &s->here, next, s->tolerance, &T)) {
-    s->reach = crossing(c, s->before.T, T, s->tolerance);
-    s->found = true;
+    end_between(s, s->before.T, T);
   } else if (passes_zero(c, &s->here, next)) {
-    T = zero_between(c, s->here.T,
-                     next->T); /* where no double lies on the slope beside it, the series reaches up to the zero */
-    s->reach = fabs(comparison_error(c, T)) < s->tolerance ? T : crossing(c, s->here.T, T, s->tolerance);
-    s->found = true;
+    T = zero_between(c, s->here.T, next->T);
+    if (fabs(comparison_error(c, T)) < s->tolerance) { /* no double lies on the slope beside it */
+      s->found = true;
+      s->reach = T;
+    } else
+      end_between(s, s->here.T, T);
   } else if (!(next->error.excess < 0)) {
-    s->reach = crossing(c, s->here.T, next->T, s->tolerance);
-    s->found = true;
+    end_between(s, s->here.T, next->T);
   }
   s->begun = true;
   s->before = s->here;
@@ -384,49 +376,37 @@ double comparison_reach(const struct comparison *c, double tolerance)
   return s.reach;
 }
 
-/* ---- for one crawler at a time ---- */
-
-struct one {
-  struct subject subject;
-  struct expansions expansions;
-  struct comparison comparison;
-};
-
-/* False: there is no such series. */
-static bool one_init(struct one *o, const struct scallop_crawler *crawler, const struct breakdown_series *series)
+/* tolerance = 0: the error at T of the crawler; else the reach */
+static double of_crawler(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance)
 {
-  o->subject = (struct subject){ .crawler = *crawler, .steady = true };
-  slong order = series->source == FROM_DERIVED ? series->order : 6;
-  expansions_init(&o->expansions, &o->subject, order, BREAKDOWN_BITS);
-  o->comparison = (struct comparison){ &o->subject, &o->expansions, { .name = NULL }, NULL };
+  const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
+  struct expansions e;
+  struct comparison c = { &motion, &e, { .name = NULL }, NULL };
   bool found = false;
-  while (!found && series_item_next(&o->comparison.item, &o->expansions, series->quantity, series->order)) {
+  double result = NAN;
+  if (scallop_crawler_check(crawler, NULL) != SCALLOP_OK)
+    return NAN;
+  expansions_init(&e, &motion, series->source == FROM_DERIVED ? series->order : 6, BREAKDOWN_BITS);
+  while (!found && series_item_next(&c.item, &e, series->quantity, series->order)) {
     /* of two formulas of the paper for one quantity the simpler: (27) is (26) with L_kin */
-    const struct scallop_formula *f = o->comparison.item.formula;
-    found = o->comparison.item.which.source == series->source && (!f || f->steady != text_steady_velocity_l0_lT);
+    const struct scallop_formula *f = c.item.formula;
+    found = c.item.which.source == series->source && (!f || f->steady != text_steady_velocity_l0_lT);
   }
-  return found;
+  if (found && tolerance == 0)
+    result = comparison_error(&c, crawler->T);
+  else if (found && (c.cache = exact_cache_new(&motion)))
+    result = comparison_reach(&c, tolerance);
+  free(c.cache);
+  expansions_clear(&e);
+  return result;
 }
 
 double breakdown_error(const struct scallop_crawler *crawler, const struct breakdown_series *series)
 {
-  struct one o;
-  if (scallop_crawler_check(crawler, NULL) != SCALLOP_OK)
-    return NAN;
-  double error = one_init(&o, crawler, series) ? comparison_error(&o.comparison, crawler->T) : NAN;
-  expansions_clear(&o.expansions);
-  return error;
+  return of_crawler(crawler, series, 0);
 }
 
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance)
 {
-  struct one o;
-  double reach = NAN;
-  if (scallop_crawler_check(crawler, NULL) != SCALLOP_OK)
-    return NAN;
-  if (one_init(&o, crawler, series) && (o.comparison.cache = exact_cache_new(&o.subject)))
-    reach = comparison_reach(&o.comparison, tolerance);
-  exact_cache_free(o.comparison.cache);
-  expansions_clear(&o.expansions);
-  return reach;
+  return of_crawler(crawler, series, tolerance);
 }

@@ -2,27 +2,25 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/breakdown/parts.h"
-#include "compare/answers/counts_flint.h"
-#include "compare/answers/exact.h"
+#include "compare/breakdown/series.h"
 
 static const struct ring ring = { 1, BREAKDOWN_BITS };
 
-void expansions_init(struct expansions *e, const struct subject *subject, slong order, slong precision)
+void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision)
 {
-  struct scallop_crawler crawler = subject->crawler;
+  struct scallop_crawler crawler = motion->crawler;
   fmpq_t v0;
   fmpq_init(v0);
-  *e = (struct expansions){ .subject = subject };
+  *e = (struct expansions){ .motion = motion };
   scallop_rational_init(&e->crawler);
   series_answer_init(&e->derived);
   scallop_symbols_init(&e->symbols);
   crawler.T = 1; /* not used */
   scallop_rational_of(&e->crawler, &crawler);
-  scallop_rational_set_double(v0, subject->v0);
-  answer_in_series(&e->derived, &e->crawler, subject->steady ? OF_STEADY : OF_PHASE, subject->kind, v0, order, precision);
-  enum scallop_phase_kind kind = subject->steady ? SCALLOP_EXTENSION : subject->kind;
-  scallop_symbols_set(&e->symbols, &e->crawler, kind, subject->steady ? NULL : v0, NULL, &ring);
+  scallop_rational_set_double(v0, motion->v0);
+  answer_in_series(&e->derived, &e->crawler, motion->of, motion->phase, v0, order, precision);
+  enum scallop_phase_kind kind = motion->of == OF_STEADY ? SCALLOP_EXTENSION : motion->phase;
+  scallop_symbols_set(&e->symbols, &e->crawler, kind, motion->of == OF_STEADY ? NULL : v0, NULL, &ring);
   fmpq_clear(v0);
 }
 
@@ -40,37 +38,27 @@ const struct series *expansions_of(const struct expansions *e, enum quantity_id 
   return e->derived.status == SCALLOP_OK ? e->derived.value[quantity] : NULL;
 }
 
-/* ---- which there are ---- */
-
 /* Whether the formula is about the quantity, itself or (*by_T) its product with T, or what it gains (*change). */
-static bool is_about(const struct scallop_formula *f, const struct subject *s, enum quantity_id quantity, bool *by_T,
+static bool is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity, bool *by_T,
                      bool *change)
 {
-  static const enum quantity_id of_extension[] = {
-    Q_DT, Q_T1, QUANTITIES, QUANTITIES, Q_DX1, Q_DX2, Q_DXC, Q_V_END, Q_V_END
-  };
   *by_T = *change = false;
-  if (s->steady) {
+  if (m->of == OF_STEADY) {
     *by_T = f->quantity == SCALLOP_STEADY_DISPLACEMENT && quantity == Q_MEAN_VELOCITY;
-    return f->setting == SCALLOP_STEADY
-           && (*by_T || (f->quantity == SCALLOP_STEADY_VELOCITY ? quantity == Q_V_START : quantity == Q_DISPLACEMENT));
+    return f->setting == SCALLOP_STEADY && (*by_T || quantity_of_formula(f, SCALLOP_EXTENSION) == quantity);
   }
-  bool extension = s->kind == SCALLOP_EXTENSION;
-  enum scallop_setting moving = extension ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
-  if (f->setting != (s->v0 == 0 ? SCALLOP_AT_REST_START : moving) || formula_takes_given(f))
+  enum scallop_setting moving = m->phase == SCALLOP_EXTENSION ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
+  if (f->setting != (m->v0 == 0 ? SCALLOP_AT_REST_START : moving) || formula_takes_given(f))
     return false;
-  enum quantity_id about = of_extension[f->quantity];
-  if (!extension && (about == Q_DX1 || about == Q_DX2))
-    about = about == Q_DX1 ? Q_DX2 : Q_DX1;
   *change = f->quantity == SCALLOP_VELOCITY_CHANGE;
-  return about == quantity;
+  return quantity_of_formula(f, m->phase) == quantity || (*change && quantity == Q_V_END);
 }
 
 static bool next_published(struct series_item *item, const struct expansions *e, enum quantity_id quantity)
 {
   const struct scallop_formula *f = item->name ? item->formula + 1 : scallop_published;
   for (; f->name; f++)
-    if (is_about(f, e->subject, quantity, &item->divide_by_T, &item->add_v0)) {
+    if (is_about(f, e->motion, quantity, &item->divide_by_T, &item->add_v0)) {
       item->which = (struct breakdown_series){ FROM_PUBLISHED, 0, quantity };
       item->formula = f;
       item->name = f->name;
@@ -106,27 +94,25 @@ bool series_item_next(struct series_item *item, const struct expansions *e, enum
   return true;
 }
 
-/* ---- their values ---- */
-
 /* Where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them. */
-static bool has_ends(const struct subject *s)
+static bool has_ends(const struct motion *s)
 {
   const struct scallop_shape *phase = s->crawler.gait->phase;
   bool has = true;
   for (int kind = 0; kind < 2; kind++)
-    if (s->steady || kind == (int)s->kind)
+    if (s->of == OF_STEADY || kind == (int)s->phase)
       has = has && phase[kind].l0 != 0 && phase[kind].lT != 0;
   return has;
 }
 
 static bool formula_value(arb_t value, const struct series_item *item, struct expansions *e, const fmpq_t T)
 {
-  if (!has_ends(e->subject))
+  if (!has_ends(e->motion))
     return false;
   struct series v;
   series_init(&v);
   series_set_rational(&e->symbols.value[SYMBOL_T], T);
-  enum scallop_phase_kind kind = e->subject->steady ? SCALLOP_EXTENSION : e->subject->kind;
+  enum scallop_phase_kind kind = e->motion->of == OF_STEADY ? SCALLOP_EXTENSION : e->motion->phase;
   bool found = scallop_formula_expand(&v, item->formula, &e->symbols, kind, &ring);
   if (found)
     series_coefficient(value, &v, 0, BREAKDOWN_BITS);
@@ -151,7 +137,7 @@ void series_item_value(arb_t value, const struct series_item *item, struct expan
     if (item->divide_by_T)
       arb_div(value, value, time, precision);
     if (item->add_v0) {
-      arb_set_d(time, e->subject->v0);
+      arb_set_d(time, e->motion->v0);
       arb_add(value, value, time, precision);
     }
   }

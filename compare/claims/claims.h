@@ -1,53 +1,79 @@
-/* The ledger: every asymptotic and qualitative claim of the paper, decided. */
+/* claims/: the ledger, in which every asymptotic and qualitative claim of the paper is decided.
+ *
+ * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row of the ledger
+ * is one claim for one gait under one set of conditions. There are two kinds of claims:
+ *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours). order.c goes
+ *     through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c holds one against the other;
+ *   - in words: one row in the table of words.c, with the function that decides it. Those functions use evidence.[ch] (certified
+ *     solutions, random crawlers, the texts of a row) and family.[ch] (crawlers that differ in one number).
+ *
+ * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. A claim in
+ * words is decided by a certified example, by a proof in docs/theory.md that random crawlers accompany, or by a scan; conditions and
+ * measured say which ("certified", "quasi-random", what was scanned). What is neither shown nor refuted is undecided. A refuted order
+ * names the formula that holds instead. A row that contradicts itself (a measured slope that is not the derived order, a correction
+ * that does not hold) is an error of the ledger, not a verdict.
+ */
 #ifndef SCALLOP_CLAIMS_H
 #define SCALLOP_CLAIMS_H
 
 #include <stdbool.h>
 
 #include "compare/order/order.h"
+#include "compare/text/message.h"
 #include "model/ball.h"
 #include "model/model.h"
+
+struct options;
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
 
+enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
+
 struct claim_row {
-  char claim[64];
+  char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
-  const char *conditions; /* under which it was tested                                        */
-  bool inside;            /* these are the conditions that the paper assumes                  */
-  bool ours;              /* not a claim of the paper's, but one of the formulas that hold where it does not */
-  double claimed_order;   /* nan: not a claim about an order                                  */
-  bool proven;            /* derived_order and coefficient are there                          */
-  bool exact;             /* every coefficient that was looked at vanishes                    */
-  long derived_order;     /* of the first coefficient of what is left out                     */
-  char coefficient[80];   /* exact, or a ball that does not hold 0; "" if none                */
-  double slope;           /* measured between the two smallest T; nan if there is no error    */
+  char conditions[160]; /* under which it was tested                                            */
+  bool inside;          /* these are the conditions that the paper assumes                  */
+  bool ours;            /* not a claim of the paper's, but one of the formulas that hold where it does not */
+  double claimed_order; /* nan: not a claim about an order                                  */
+  bool proven;          /* derived_order and coefficient are there                          */
+  bool exact;           /* every coefficient that was looked at vanishes                    */
+  long derived_order;   /* of the first coefficient of what is left out                     */
+  char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
+  double slope;         /* measured between the two smallest T; nan if there is no error    */
   struct order_fit fit;
-  const struct order_point *points; /* what was measured; valid in the sink                   */
+  struct order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
   int count;
   enum claim_verdict verdict;
-  char corrected[64]; /* of a refuted formula: the row of the one that holds, or ""               */
-  char measured[200]; /* of a qualitative claim: the figure that decides                  */
-  char reason[320];   /* of a verdict: why; of a refutation in words: an example to paste     */
+  char corrected[CLAIM_NAME]; /* of a refuted formula: the row of the one that holds, or ""       */
+  char measured[200];         /* of a claim in words: the figure that decides                     */
+  char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
 };
 
-typedef void claim_sink(void *context, const struct claim_row *row);
+struct ledger { /* begins as { 0 }                                                                */
+  struct claim_row *rows;
+  int count;
+  char contradiction[400]; /* "", or what contradicts itself (the last one), or that memory ran out */
+};
+void ledger_add(struct ledger *ledger, const struct claim_row *row);
+void ledger_free(struct ledger *ledger);
 
-/* The claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold where one
- * of the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 are wanted (exchanged where a row says so). gait:
- * only that one, or NULL for all. only: the names of the rows that are wanted (see claim_is_listed), or NULL. Returns NULL, or what contradicts itself: a slope that is not the derived order, a
- * refuted formula whose correction has no row that holds. Static text until the next call. */
-const char *claims_of_order(const struct scallop_rational_crawler *crawler, const struct scallop_gait *gait,
-                            const char *only, claim_sink *sink, void *context);
+/* Adds the claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold where one of
+ * the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). gait: only that one, or NULL
+ * for all. only: the names of the requested rows (see claim_is_listed), or NULL. */
+void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
+                       const struct scallop_gait *gait, const char *only);
+
+/* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait);
 
 /* Is the name one of a list, separated by commas, or the list "all"? */
 bool claim_is_listed(const char *list, const char *name);
-/* Is any of the list a claim about an order? */
-bool claims_have_order(const char *list);
 
-/* The claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
-void claims_in_words(const struct scallop_crawler *crawler, const struct scallop_gait *gait, claim_sink *sink,
-                     void *context);
+/* `scallop claims` */
+enum exit_code claims_table(const struct options *options);
+/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
+enum exit_code claims_check(const struct options *options, const char *ledger);
 
 #endif

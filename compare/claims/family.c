@@ -1,17 +1,12 @@
 #include "compare/claims/family.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/rational.h"
 #include "compare/text/table.h"
-#include "numerics/certified.h"
 
 /* Slopes over 2^-40 lose 12 digits of these; 2^-60 is 18 digits. */
-enum { DIGITS = 32, BITS = 160, NEAR = 40, AT = 60 };
+enum { DIGITS = 32, BITS = 160, NEAR = 40 };
 
 const char *family_name(const struct family *f)
 {
@@ -33,32 +28,74 @@ struct scallop_crawler family_member(const struct family *f, double x)
   return c;
 }
 
-static double speed_of(const struct family *f, const struct scallop_steady_result *r)
-{
-  return r->mean_velocity * f->crawler.T / f->crawler.L;
-}
-
-double family_speed(const struct family *f, double x)
+static struct place place_at(const struct family *f, double x)
 {
   struct scallop_crawler c = family_member(f, x);
-  struct scallop_steady_result r;
-  return counted_steady(&c, &r) < 0 ? NAN : speed_of(f, &r);
+  struct scallop_steady_result r = steady_state(&c);
+  return (struct place){ .x = x,
+                         .speed = r.mean_velocity * f->crawler.T / f->crawler.L,
+                         .v_start = r.period.v_start,
+                         .sliding = isfinite(r.mean_velocity) && r.period.regime == SCALLOP_SLIDING };
 }
 
-/* ---- proven ---- */
+double family_speed(const struct family *f, double x) { return place_at(f, x).speed; }
 
-void member_init(struct member *m)
+/* In doubles */
+
+static double speed_of(const void *family, double x) { return family_speed(family, x); }
+static double start_of(const void *family, double x) { return place_at(family, x).v_start; }
+
+static double rough_boundary(const struct family *f)
 {
-  arb_init(m->v_start);
-  arb_init(m->speed);
-  m->solved = false;
+  for (int i = 1; i < f->count; i++)
+    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0)
+      return last_positive(start_of, f, f->scan[i - 1].x, f->scan[i].x);
+  return NAN;
 }
 
-void member_clear(struct member *m)
+static void keep_maximum(struct family *f, struct place at)
 {
-  arb_clear(m->v_start);
-  arb_clear(m->speed);
+  if (at.speed > f->maximum[f->highest].speed)
+    f->highest = f->maxima;
+  f->maximum[f->maxima++] = at;
 }
+
+static void find_maxima(struct family *f)
+{
+  for (int i = 1; i + 1 < f->count && f->maxima < PEAKS_MOST; i++)
+    if (f->scan[i].speed > f->scan[i - 1].speed && f->scan[i].speed > f->scan[i + 1].speed)
+      keep_maximum(f, place_at(f, highest_between(speed_of, f, f->scan[i - 1].x, f->scan[i + 1].x)));
+}
+
+void family_scan(struct family *f, const struct scallop_crawler *c, enum varied varied, bool coarse)
+{
+  double x = 1.01, factor = coarse ? 1.04 : 1.01;
+  *f = (struct family){ .crawler = *c, .varied = varied, .count = coarse ? 229 : 900, .before = NAN, .after = NAN };
+  if (varied == VARY_FORCES) {
+    x = 1e-3 * (c->m1 + c->m2) * c->L / (c->T * c->T) / (1 + c->F1 / c->F2);
+    f->count = SCAN_MOST;
+  } else if (varied == VARY_PERIOD) {
+    x = sqrt(1e-3 * (c->m1 + c->m2) * c->L / (c->F1 + c->F2));
+    f->count = SCAN_MOST / 2;
+  }
+  for (int i = 0; i < f->count; i++, x *= factor)
+    f->scan[i] = place_at(f, x);
+  f->boundary = rough_boundary(f);
+  find_maxima(f);
+}
+
+bool family_peaks_at_boundary(const struct family *f)
+{
+  return f->maxima > 0 && fabs(f->maximum[f->highest].x / f->boundary - 1) < 1e-5;
+}
+
+/* Proven */
+
+/* A member; the family's numbers are the shortest decimals that read back, x is exactly what it is. */
+struct member {
+  arb_t v_start, speed;
+  bool solved;
+};
 
 static void exact_member(struct scallop_rational_crawler *c, const struct family *f, const fmpq_t x)
 {
@@ -74,23 +111,20 @@ static void exact_member(struct scallop_rational_crawler *c, const struct family
   }
 }
 
-void member_solve(struct member *m, const struct family *f, const fmpq_t x)
+static void member_solve(struct member *m, const struct family *f, const fmpq_t x)
 {
-  struct scallop_rational_crawler c, base;
+  struct scallop_rational_crawler c;
   struct scallop_certified_steady s;
   scallop_rational_init(&c);
-  scallop_rational_init(&base);
   scallop_certified_steady_init(&s);
   exact_member(&c, f, x);
-  rational_crawler(&base, &f->crawler);
-  m->solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
-  m->sliding = s.regime == SCALLOP_SLIDING;
-  fmpq_div(base.T, base.T, base.L);
+  m->solved = scallop_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
+  rational_crawler(&c, &f->crawler);
+  fmpq_div(c.T, c.T, c.L);
   arb_set(m->v_start, s.v_start);
-  arb_set_fmpq(m->speed, base.T, BITS);
+  arb_set_fmpq(m->speed, c.T, BITS);
   arb_mul(m->speed, m->speed, s.mean_velocity, BITS);
   scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&base);
   scallop_rational_clear(&c);
 }
 
@@ -106,64 +140,42 @@ static void solve_decimal(struct member *m, const struct family *f, double x)
   fmpq_clear(exact);
 }
 
+static void members_init(struct member *m, int count)
+{
+  for (int i = 0; i < count; i++) {
+    arb_init(m[i].v_start);
+    arb_init(m[i].speed);
+  }
+}
+
+static void members_clear(struct member *m, int count)
+{
+  for (int i = 0; i < count; i++) {
+    arb_clear(m[i].v_start);
+    arb_clear(m[i].speed);
+  }
+}
+
 bool family_rises(const struct family *f, double x, double y)
 {
-  struct member low, high;
-  member_init(&low);
-  member_init(&high);
-  solve_decimal(&low, f, x);
-  solve_decimal(&high, f, y);
-  bool rises = low.solved && high.solved && arb_lt(low.speed, high.speed);
-  member_clear(&low);
-  member_clear(&high);
+  struct member m[2];
+  members_init(m, 2);
+  solve_decimal(&m[0], f, x);
+  solve_decimal(&m[1], f, y);
+  bool rises = m[0].solved && m[1].solved && arb_lt(m[0].speed, m[1].speed);
+  members_clear(m, 2);
   return rises;
 }
 
-/* ---- the scan ---- */
-
-void family_scan(struct scan *scan, const struct family *f, bool coarse)
+void family_prove_maxima(struct family *f)
 {
-  const struct scallop_crawler *c = &f->crawler;
-  double x = 1.01, factor = coarse ? 1.04 : 1.01;
-  scan->count = coarse ? 229 : 900;
-  if (f->varied == VARY_FORCES) {
-    x = 1e-3 * (c->m1 + c->m2) * c->L / (c->T * c->T) / (1 + c->F1 / c->F2);
-    scan->count = SCAN_MOST;
-  } else if (f->varied == VARY_PERIOD) {
-    x = sqrt(1e-3 * (c->m1 + c->m2) * c->L / (c->F1 + c->F2));
-    scan->count = SCAN_MOST / 2;
+  int count = f->maxima;
+  f->maxima = f->highest = 0;
+  for (int i = 0; i < count; i++) {
+    struct place at = f->maximum[i];
+    if (family_rises(f, 0.99 * at.x, at.x) && family_rises(f, 1.01 * at.x, at.x))
+      keep_maximum(f, at);
   }
-  for (int i = 0; i < scan->count; i++, x *= factor) {
-    struct scallop_crawler member = family_member(f, x);
-    struct scallop_steady_result r;
-    bool solved = counted_steady(&member, &r) >= 0;
-    scan->x[i] = x;
-    scan->speed[i] = solved ? speed_of(f, &r) : NAN;
-    scan->v_start[i] = solved ? r.period.v_start : NAN;
-    scan->sliding[i] = solved && r.period.regime == SCALLOP_SLIDING;
-  }
-}
-
-/* ---- the boundary ---- */
-
-static double start_velocity(const struct family *f, double x)
-{
-  struct scallop_crawler c = family_member(f, x);
-  struct scallop_steady_result r;
-  return counted_steady(&c, &r) < 0 ? NAN : r.period.v_start;
-}
-
-double rough_boundary(const struct family *f, const struct scan *scan)
-{
-  int i = 1;
-  while (i < scan->count && !(scan->v_start[i - 1] > 0 && scan->v_start[i] <= 0))
-    i++;
-  if (i == scan->count)
-    return NAN;
-  double low = scan->x[i - 1], high = scan->x[i];
-  for (double mid; (mid = 0.5 * (low + high)) > low && mid < high;)
-    *(start_velocity(f, mid) > 0 ? &low : &high) = mid;
-  return low;
 }
 
 /* y = x (1 + sign 2^-bits) */
@@ -175,182 +187,97 @@ static void beside(fmpq_t y, const fmpq_t x, int sign, int bits)
   fmpq_add(y, x, y);
 }
 
-/* The mean velocity from one to the other, over 2^-40 */
-static void slope(arb_t rise, const struct member *from, const struct member *to)
+/* The mean velocity from one to the other, over 2^-40. Returns the sign that is proven, or 0. */
+static int slope(double *value, const struct member *from, const struct member *to)
 {
+  arb_t rise;
+  arb_init(rise);
   arb_sub(rise, to->speed, from->speed, BITS);
   arb_mul_2exp_si(rise, rise, NEAR);
+  *value = middle(rise);
+  int sign = !from->solved || !to->solved ? 0 : arb_is_positive(rise) - arb_is_negative(rise);
+  arb_clear(rise);
+  return sign;
 }
-
-static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 /* x, which is good to 2^-48 or so, becomes the zero of the line through the two members to the left of it. */
-static void refine(fmpq_t x, const struct member *near, const struct member *far)
+static bool refine(fmpq_t x, const struct member *far, const struct member *near)
 {
-  arb_t step, difference;
+  arb_t step;
   fmpq_t exact;
   arb_init(step);
-  arb_init(difference);
   fmpq_init(exact);
-  arb_sub(difference, far->v_start, near->v_start, BITS);
-  arb_div(step, near->v_start, difference, BITS); /* from near on, in x 2^-40 */
-  arf_get_fmpq(exact, arb_midref(step));
-  fmpq_sub_si(exact, exact, 1);
-  fmpq_div_2exp(exact, exact, NEAR);
-  fmpq_mul(exact, exact, x);
-  fmpq_add(x, x, exact);
+  bool apart = near->solved && far->solved && !arb_overlaps(near->v_start, far->v_start);
+  if (apart) {
+    arb_sub(step, far->v_start, near->v_start, BITS);
+    arb_div(step, near->v_start, step, BITS); /* from near on, in x 2^-40 */
+    arf_get_fmpq(exact, arb_midref(step));
+    fmpq_sub_si(exact, exact, 1);
+    fmpq_div_2exp(exact, exact, NEAR);
+    fmpq_mul(exact, exact, x);
+    fmpq_add(x, x, exact);
+  }
   arb_clear(step);
-  arb_clear(difference);
   fmpq_clear(exact);
+  return apart;
 }
 
-static struct boundary prove_boundary(const struct family *f, fmpq_t x)
+void family_prove_boundary(struct family *f)
 {
-  struct boundary b = { .found = false };
-  struct member far, near, here, next, after;
-  struct member *const all[] = { &far, &near, &here, &next, &after };
-  fmpq_t at;
-  arb_t rise;
-  fmpq_init(at);
-  arb_init(rise);
-  for (int i = 0; i < 5; i++)
-    member_init(all[i]);
-  beside(at, x, -1, NEAR - 1);
-  member_solve(&far, f, at);
-  beside(at, x, -1, NEAR);
-  member_solve(&near, f, at);
-  slope(rise, &far, &near);
-  b.before = middle(rise);
-  b.rises_before = far.solved && near.solved && arb_is_positive(rise);
-  if (near.solved && far.solved && !arb_overlaps(near.v_start, far.v_start)) {
-    refine(x, &near, &far);
-    beside(at, x, -1, AT);
-    member_solve(&here, f, at);
-    beside(at, x, 1, AT);
-    member_solve(&next, f, at);
-    b.found = here.solved && next.solved && arb_is_positive(here.v_start) && arb_is_nonpositive(next.v_start);
-  }
-  beside(at, x, 1, NEAR);
-  member_solve(&next, f, at);
-  beside(at, x, 1, NEAR - 1);
-  member_solve(&after, f, at);
-  slope(rise, &next, &after);
-  b.after = middle(rise);
-  b.falls_after = next.solved && after.solved && arb_is_negative(rise);
-  b.speed = middle(next.speed);
-  b.at = fmpq_get_d(x);
-  for (int i = 0; i < 5; i++)
-    member_clear(all[i]);
-  arb_clear(rise);
-  fmpq_clear(at);
-  return b;
-}
-
-struct boundary family_boundary(const struct family *f, const struct scan *scan)
-{
-  double rough = rough_boundary(f, scan);
-  if (isnan(rough))
-    return (struct boundary){ .at = NAN, .before = NAN, .after = NAN };
-  fmpq_t x;
+  enum { MEMBERS = 6 };
+  static const int bits[MEMBERS] = { NEAR - 1, NEAR, 60, 60, NEAR, NEAR - 1 };
+  struct member m[MEMBERS];
+  fmpq_t x, at;
+  if (isnan(f->boundary))
+    return;
   fmpq_init(x);
-  scallop_rational_set_double(x, rough);
-  struct boundary b = prove_boundary(f, x);
+  fmpq_init(at);
+  members_init(m, MEMBERS);
+  scallop_rational_set_double(x, f->boundary);
+  for (int i = 0; i < MEMBERS; i++) {
+    f->found = i == 2 ? refine(x, &m[0], &m[1]) : f->found;
+    beside(at, x, i < 3 ? -1 : 1, bits[i]);
+    member_solve(&m[i], f, at);
+  }
+  f->found = f->found && m[2].solved && m[3].solved && arb_is_positive(m[2].v_start) && arb_is_nonpositive(m[3].v_start);
+  f->rises_before = slope(&f->before, &m[0], &m[1]) > 0;
+  f->falls_after = slope(&f->after, &m[4], &m[5]) < 0;
+  f->boundary_speed = middle(m[4].speed);
+  f->boundary = fmpq_get_d(x);
+  members_clear(m, MEMBERS);
   fmpq_clear(x);
-  return b;
+  fmpq_clear(at);
 }
 
-/* ---- the maxima ---- */
-
-static double highest_between(const struct family *f, double a, double b)
+bool family_peak_is_proven(const struct family *f)
 {
-  const double golden = 0.6180339887498949;
-  while (b - a > 1e-7 * a) {
-    double left = b - golden * (b - a), right = a + golden * (b - a);
-    if (family_speed(f, left) > family_speed(f, right))
-      b = right;
-    else
-      a = left;
-  }
-  return 0.5 * (a + b);
+  return f->found && f->rises_before && f->falls_after && family_peaks_at_boundary(f);
 }
 
-struct peaks family_peaks(const struct family *f, const struct scan *scan, bool prove)
-{
-  struct peaks p = { .count = 0 };
-  for (int i = 1; i + 1 < scan->count && p.count < PEAKS_MOST; i++) {
-    if (!(scan->speed[i] > scan->speed[i - 1] && scan->speed[i] > scan->speed[i + 1]))
-      continue;
-    double at = highest_between(f, scan->x[i - 1], scan->x[i + 1]);
-    if (prove && !(family_rises(f, 0.99 * at, at) && family_rises(f, 1.01 * at, at)))
-      continue;
-    p.at[p.count] = at;
-    p.speed[p.count] = family_speed(f, at);
-    if (p.speed[p.count] > p.speed[p.highest])
-      p.highest = p.count;
-    p.count++;
-  }
-  return p;
-}
-
-bool peaks_at(const struct peaks *p, double x) { return p->count > 0 && fabs(p->at[p->highest] / x - 1) < 1e-5; }
-
-/* ---- commands ---- */
-
-double short_number(double x, int digits)
-{
-  char text[NUMBER_TEXT];
-  snprintf(text, sizeof text, "%.*g", digits, x);
-  return strtod(text, NULL);
-}
-
-void crawler_options(char *text, size_t size, const struct scallop_crawler *c, const bool left_out[7])
-{
-  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
-  const struct scallop_crawler d = scallop_crawler_default();
-  const double defaults[] = { d.m1, d.m2, d.F1, d.F2, d.L, d.T, d.alpha };
-  const double values[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  char number[NUMBER_TEXT];
-  *text = '\0';
-  for (int i = 0; i < 7; i++)
-    if (!(left_out && left_out[i]) && values[i] != defaults[i]) {
-      number_text(number, values[i], 0);
-      snprintf(text + strlen(text), size - strlen(text), " --%s %s", names[i], number);
-    }
-  if (c->gait != d.gait)
-    snprintf(text + strlen(text), size - strlen(text), " --gait %s", c->gait->name);
-}
-
-void crawler_command(char *text, size_t size, const char *before, const char *command, const struct scallop_crawler *c,
-                     const char *after)
-{
-  char options[160];
-  crawler_options(options, sizeof options, c, NULL);
-  snprintf(text, size, "%sscallop %s%s%s", before, command, options, after);
-}
-
-void family_points(char *text, size_t size, const struct family *f, const double *x, int count)
+void family_command(struct question *q, const struct family *f, const double *x, int count, const char *rest)
 {
   static const char *const head[] = { "F1", "F1\\tF2", "T" };
-  static const bool in_table[][7] = {
-    [VARY_RATIO] = { [2] = true }, [VARY_FORCES] = { [2] = true, [3] = true }, [VARY_PERIOD] = { [5] = true }
-  };
-  char options[160];
-  snprintf(text, size, "printf '%s\\n", head[f->varied]);
+  const struct scallop_crawler d = scallop_crawler_default();
+  struct scallop_crawler others = f->crawler; /* what is in the table is no option */
+  reason(q, "printf '%s\\n", head[f->varied]);
   for (int i = 0; i < count; i++) {
     struct scallop_crawler c = family_member(f, x[i]);
-    double first = f->varied == VARY_PERIOD ? c.T : c.F1;
-    snprintf(text + strlen(text), size - strlen(text), "%.10g", first);
+    reason(q, "%.10g", f->varied == VARY_PERIOD ? c.T : c.F1);
     if (f->varied == VARY_FORCES)
-      snprintf(text + strlen(text), size - strlen(text), "\\t%.10g", c.F2);
-    snprintf(text + strlen(text), size - strlen(text), "\\n");
+      reason(q, "\\t%.10g", c.F2);
+    reason(q, "\\n");
   }
-  crawler_options(options, sizeof options, &f->crawler, in_table[f->varied]);
-  snprintf(text + strlen(text), size - strlen(text), "' | scallop steady --points -%s", options);
+  if (f->varied == VARY_PERIOD)
+    others.T = d.T;
+  else
+    others.F1 = d.F1;
+  if (f->varied == VARY_FORCES)
+    others.F2 = d.F2;
+  command(q, "' | scallop steady --points -", &others, "%s", rest);
 }
 
-void family_command(char *text, size_t size, const struct family *f, const double *x, int count)
+const char *family_cut(const struct family *f)
 {
-  static const char *const cut[] = { "3,13", "3,4,13", "6,12,13" };
-  family_points(text, size, f, x, count);
-  snprintf(text + strlen(text), size - strlen(text), " | cut -f %s", cut[f->varied]);
+  static const char *const cut[] = { " | cut -f 3,13", " | cut -f 3,4,13", " | cut -f 6,12,13" };
+  return cut[f->varied];
 }

@@ -1,296 +1,381 @@
-/* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. */
+/* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. The claims are the
+ * rows of asymptotics' lists of formulas, each under every condition of its setting. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
-#include "compare/claims/book.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
+#include "compare/claims/evidence.h"
+#include "compare/claims/ledger.h"
+#include "compare/claims/samples.h"
 
 static const double SPEED = 0.37;
 
-static const struct condition extension_from_rest[] = {
-  { .text = "extension from rest, F1 > F2", .inside = true },
-  { .text = "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
-  { .text = NULL }
+#define EXTENSION_AT_REST SCALLOP_AT_REST_START, SCALLOP_EXTENSION
+#define CONTRACTION_AT_REST SCALLOP_AT_REST_START, SCALLOP_CONTRACTION
+#define MOVING_EXTENSION SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION
+#define MOVING_CONTRACTION SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION
+#define STEADY SCALLOP_STEADY, SCALLOP_EXTENSION
+
+static const struct condition conditions[] = {
+  { EXTENSION_AT_REST, "extension from rest, F1 > F2", .inside = true },
+  { EXTENSION_AT_REST, "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
+  { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true, .exchange_forces = true }, /* bodies exchanged */
+  { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
+  { SCALLOP_AT_REST_EQUAL_FORCES, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
+  { SCALLOP_AT_REST_EQUAL_FORCES, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
+    .equal_forces = true },
+  { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
+  { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
+  { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
+  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
+  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
+  { MOVING_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
+  { STEADY, "alpha > 1/2, F1 > F2", .inside = true },
+  { STEADY, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
+  { STEADY, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
+  { STEADY, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
+  { STEADY, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
 };
-static const struct condition contraction_from_rest[] = { /* the bodies exchanged */
-                                                          { .text = "contraction from rest, F2 > F1",
-                                                            .inside = true,
-                                                            .exchange_forces = true },
-                                                          { .text = "contraction from rest, F2 < F1", .reversed = true },
-                                                          { .text = NULL }
+enum { CONDITIONS = sizeof conditions / sizeof *conditions };
+
+/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2, and the limit of the steady state as it is derived */
+static const struct scallop_formula size_of_first_switch = { "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION,
+                                                             SCALLOP_REAR_AT_FIRST,    2,       .text = "0" };
+static const struct scallop_formula limits[] = {
+  { "limit_steady_velocity", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
+  { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
 };
-static const struct condition equal_forces[][2] = {
-  { { .text = "extension from rest, F1 = F2", .inside = true, .equal_forces = true }, { .text = NULL } },
-  { { .text = "contraction from rest, F2 = F1", .inside = true, .equal_forces = true }, { .text = NULL } },
+
+/* What a row is about. ours: the formula is not the paper's. A formula of ours for an extension has rows about contractions too, the
+ * bodies exchanged; any formula may be seen in a mirror, where the bodies have exchanged their roles. */
+struct claimed {
+  const struct scallop_formula *formula;
+  bool ours, of_contraction, mirrored;
 };
-static const struct condition moving[] = { { .text = "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
-                                           { .text = "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
-                                           { .text = "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
-                                           { .text = NULL } };
-static const struct condition steady[] = { { .text = "alpha > 1/2, F1 > F2", .inside = true },
-                                           { .text = "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
-                                           { .text = "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
-                                           { .text = "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
-                                           { .text = "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
-                                           { .text = NULL } };
-static const struct condition *conditions_of(enum scallop_setting setting, int kind)
+
+static void name_row(char name[CLAIM_NAME], const struct claimed *claimed)
 {
-  switch (setting) {
-  case SCALLOP_AT_REST_START: return kind == SCALLOP_EXTENSION ? extension_from_rest : contraction_from_rest;
-  case SCALLOP_AT_REST_EQUAL_FORCES: return equal_forces[kind];
-  case SCALLOP_STEADY: return steady;
-  case SCALLOP_MOVING_EXTENSION:
-  case SCALLOP_MOVING_CONTRACTION: break;
+  snprintf(name, CLAIM_NAME, "%s%s%s", claimed->formula->name, claimed->of_contraction ? ":contraction" : "",
+           claimed->mirrored ? ":mirrored" : "");
+}
+
+/* Each motion is solved once, and serves all the formulas about it. */
+struct solved {
+  bool opened, expands; /* expands: it has an expansion                                            */
+  struct trial trial;
+  struct sample *samples;
+};
+
+/* One gait's part of the ledger while it is filled */
+struct part {
+  const struct scallop_rational_crawler *crawler; /* with the gait                                */
+  const char *only;                               /* the requested rows, NULL for all             */
+  struct ledger *ledger;
+  struct solved solved[CONDITIONS][2]; /* [1]: in a mirror                                        */
+};
+
+/* NULL if it has no expansion */
+static const struct solved *solve(struct part *part, const struct condition *condition, bool mirrored)
+{
+  struct solved *s = &part->solved[condition - conditions][mirrored];
+  if (!s->opened) {
+    s->opened = true;
+    s->expands = trial_init(&s->trial, part->crawler, condition, mirrored);
+    s->samples = s->expands ? samples_take(&s->trial) : NULL;
   }
-  return moving;
+  return s->expands ? s : NULL;
 }
 
-static bool is_from_rest(enum scallop_setting setting)
+static void clear_part(struct part *part)
 {
-  return setting == SCALLOP_AT_REST_START || setting == SCALLOP_AT_REST_EQUAL_FORCES;
-}
-
-/* Each motion is solved once, and serves all the formulas about it. NULL if it has no expansion. */
-static struct ledger_case *case_of(struct book *book, enum scallop_setting setting, int kind, int condition, bool mirrored)
-{
-  int s = setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_MOVING_EXTENSION : setting;
-  struct ledger_case *c = &book->cases[s][kind][condition][mirrored];
-  if (!book->opened[s][kind][condition][mirrored]) {
-    book->opened[s][kind][condition][mirrored] = true;
-    if (ledger_case_init(c, book->crawler, setting, (enum scallop_phase_kind)kind, &conditions_of(setting, kind)[condition],
-                         mirrored)
-        != SCALLOP_OK) {
-      ledger_case_clear(c);
-      c->condition = NULL;
+  for (int i = 0; i < 2 * CONDITIONS; i++) {
+    struct solved *s = &part->solved[i / 2][i % 2];
+    if (s->opened) {
+      samples_free(s->samples);
+      trial_clear(&s->trial);
     }
   }
-  return c->condition ? c : NULL;
 }
 
-static void close_cases(struct book *book)
+/* Does a body turn in both phases of the limit? Seen in a mirror if the condition is reversed. */
+static enum scallop_turns turns_in_limit(struct part *part, const struct condition *condition)
 {
-  for (int s = 0; s < SETTINGS; s++)
-    for (int kind = 0; kind < 2; kind++)
-      for (int i = 0; i < MOST_CONDITIONS; i++)
-        for (int m = 0; m < 2; m++)
-          if (book->cases[s][kind][i][m].condition)
-            ledger_case_clear(&book->cases[s][kind][i][m]);
-}
-
-/* ---- rows ---- */
-
-struct claimed {
-  const struct scallop_formula *formula; /* NULL: the quantity itself                             */
-  const char *name, *equation;
-  enum scallop_setting setting;
-  enum scallop_quantity quantity;
-  int order;
-  bool limit; /* the limit of the steady state as derived                                         */
-};
-
-/* In the limit no body turns in one of the phases (seen in a mirror if the condition is reversed): its ending in the names of
- * the corrected formulas, or "". */
-static const char *no_turn(struct book *book, int condition)
-{
-  const struct ledger_case *c = case_of(book, SCALLOP_STEADY, SCALLOP_EXTENSION, condition, steady[condition].reversed);
-  const char *modes = c ? ledger_case_modes(c) : "";
-  const char *bar = strchr(modes, '|');
-  return !bar ? "" : strcmp(bar, "| ++") == 0 ? "_no_turn" : strncmp(modes, "++ |", 4) == 0 ? "_no_turn_extension" : "";
+  const struct solved *s = solve(part, condition, condition->reversed);
+  const char *modes = s ? trial_modes(&s->trial) : "", *bar = strchr(modes, '|');
+  if (bar && strcmp(bar, "| ++") == 0)
+    return SCALLOP_NO_TURN_IN_CONTRACTION;
+  return strncmp(modes, "++ |", 4) == 0 ? SCALLOP_NO_TURN_IN_EXTENSION : SCALLOP_TURNS_IN_BOTH;
 }
 
 /* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of it down. */
-static bool has_closed_limit(const struct book *book) { return book->crawler->gait == &scallop_gait_quadratic; }
+static bool has_closed_limit(const struct part *part) { return part->crawler->gait == &scallop_gait_quadratic; }
 
-static void name_correction(struct book *book, struct claim_row *row, const struct claimed *claimed,
-                            const struct condition *condition, int kind)
+static const struct scallop_formula *formula_of_ours(const char *name)
 {
-  const struct scallop_formula *f = claimed->formula;
-  const char *mirror = condition->reversed ? ":mirrored" : "";
-  if (claimed->setting != SCALLOP_STEADY) {
-    snprintf(row->corrected, sizeof row->corrected, "%s%s%s", f && f->corrected ? f->corrected : claimed->name,
-             f && f->corrected && kind == SCALLOP_CONTRACTION ? ":contraction" : "", mirror);
-  } else {
-    const char *what = claimed->quantity == SCALLOP_STEADY_VELOCITY ? "velocity" : "xC";
-    const char *turn = no_turn(book, (int)(condition - steady));
-    if (!has_closed_limit(book))
-      snprintf(row->corrected, sizeof row->corrected, "limit_steady_%s", what);
-    else if (*turn)
-      snprintf(row->corrected, sizeof row->corrected, "corrected_steady_%s%s%s", what, turn, mirror);
-    else
-      snprintf(row->corrected, sizeof row->corrected, "%s%s", claimed->name, mirror);
-  }
-  if (strcmp(row->corrected, row->claim) == 0)
-    *row->corrected = '\0';
+  const struct scallop_formula *f = scallop_corrected;
+  while (f->name && strcmp(f->name, name) != 0)
+    f++;
+  return f;
 }
 
-static const char *label(const struct claimed *claimed, int kind, bool mirrored)
+/* What holds where the claim may not */
+static struct claimed correction(struct part *part, const struct claimed *claimed, const struct condition *condition)
 {
-  /* seen in a mirror the other body is the one that turns */
-  const struct scallop_formula f = { .setting = claimed->setting, .quantity = claimed->quantity };
-  return formula_quantity_text(&f, (enum scallop_phase_kind)(mirrored ? 1 - kind : kind));
+  const struct scallop_formula *f = claimed->formula;
+  bool steady = f->setting == SCALLOP_STEADY;
+  if (steady && !has_closed_limit(part))
+    return (struct claimed){ .formula = &limits[f->quantity == SCALLOP_STEADY_DISPLACEMENT] };
+  enum scallop_turns turns = steady ? turns_in_limit(part, condition) : SCALLOP_TURNS_IN_BOTH;
+  for (const struct scallop_formula *g = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && g->name; g++)
+    if (g->turns == turns && g->quantity == f->quantity)
+      return (struct claimed){ .formula = g, .mirrored = condition->reversed };
+  if (!f->corrected)
+    return (struct claimed){ .formula = f, .mirrored = condition->reversed };
+  return (struct claimed){ .formula = formula_of_ours(f->corrected),
+                           .of_contraction = condition->kind == SCALLOP_CONTRACTION,
+                           .mirrored = condition->reversed };
 }
 
 /* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
-static void see_in_mirror(struct ledger_proof *proof, struct order_point *points, int count, enum scallop_quantity quantity)
+static void see_in_mirror(struct proof *proof, struct claim_row *row, enum scallop_quantity quantity)
 {
   if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
     return;
   series_neg(&proof->coefficient, &proof->coefficient);
-  for (int i = 0; i < count; i++)
-    points[i].err = -points[i].err;
+  for (int i = 0; i < row->count; i++)
+    row->points[i].err = -row->points[i].err;
 }
 
-static void add_row(struct book *book, const struct claimed *claimed, int kind, int index, bool mirrored)
+static void decide(struct part *part, struct claim_row *row, const struct claimed *claimed,
+                   const struct condition *condition)
 {
-  const struct condition *condition = &conditions_of(claimed->setting, kind)[index];
-  struct order_point points[LEDGER_SAMPLES];
-  struct ledger_proof proof;
-  struct claim_row row = { .equation = claimed->equation,
-                           .gait = book->crawler->gait->name,
-                           .quantity = label(claimed, kind, mirrored),
-                           .conditions = condition->text,
-                           .inside = condition->inside,
-                           .claimed_order = claimed->order == SCALLOP_EQUALITY ? INFINITY : claimed->order,
-                           .slope = NAN };
-  bool is_new = claimed->formula && !claimed->formula->phase && !claimed->formula->steady;
-  row.ours = mirrored || is_new || claimed->limit;
-  bool both_kinds = is_new && claimed->setting != SCALLOP_STEADY;
-  snprintf(row.claim, sizeof row.claim, "%s%s%s", claimed->name,
-           both_kinds && kind == SCALLOP_CONTRACTION ? ":contraction" : "", mirrored ? ":mirrored" : "");
-  if (book->only && !claim_is_listed(book->only, row.claim))
-    return;
-  struct ledger_case *c = case_of(book, claimed->setting, kind, index, mirrored);
-  ledger_proof_init(&proof);
-  if (!c || !ledger_prove(&proof, c, claimed->formula, claimed->quantity, claimed->limit)) {
-    row.verdict = CLAIM_UNDECIDED;
-    snprintf(row.reason, sizeof row.reason, "this motion has no expansion in powers of T");
+  const struct scallop_formula *f = claimed->formula;
+  const struct solved *s = solve(part, condition, claimed->mirrored);
+  struct proof proof;
+  proof_init(&proof);
+  if (!s || !trial_prove(&proof, &s->trial, f)) {
+    row->verdict = CLAIM_UNDECIDED;
+    snprintf(row->reason, sizeof row->reason, "this motion has no expansion in powers of T");
   } else {
-    row.count = ledger_measure(points, &row.slope, c, claimed->formula, claimed->quantity, claimed->limit);
-    if (mirrored)
-      see_in_mirror(&proof, points, row.count, claimed->quantity);
-    claim_judge(&row, &proof);
-    name_correction(book, &row, claimed, condition, kind);
+    const struct claimed right = correction(part, claimed, condition);
+    row->count = samples_measure(row->points, &row->slope, s->samples, &s->trial, f);
+    if (claimed->mirrored)
+      see_in_mirror(&proof, row, f->quantity);
+    ledger_judge(row, &proof);
+    name_row(row->corrected, &right);
+    if (strcmp(row->corrected, row->claim) == 0)
+      *row->corrected = '\0';
   }
-  book_enter(book, &row, points);
-  ledger_proof_clear(&proof);
+  proof_clear(&proof);
 }
 
-/* Under all conditions as it stands, or under those that reverse the roles of the bodies, in a mirror. */
-static void add_rows(struct book *book, const struct claimed *claimed, int kind, bool mirrored)
+static void add_row(struct part *part, struct claimed claimed, const struct condition *condition)
 {
-  const struct condition *conditions = conditions_of(claimed->setting, kind);
-  for (int i = 0; conditions[i].text; i++)
-    if (!mirrored || conditions[i].reversed)
-      add_row(book, claimed, kind, i, mirrored);
+  const struct scallop_formula *f = claimed.formula;
+  bool steady = f->setting == SCALLOP_STEADY, contraction = condition->kind == SCALLOP_CONTRACTION;
+  struct claim_row row = { .equation = f->equation,
+                           .gait = part->crawler->gait->name,
+                           .inside = condition->inside,
+                           .ours = claimed.ours || claimed.mirrored,
+                           .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
+                           .slope = NAN };
+  /* seen in a mirror the other body is the one that turns */
+  row.quantity = formula_quantity_text(f, contraction != claimed.mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
+  claimed.of_contraction = claimed.ours && !steady && contraction;
+  snprintf(row.conditions, sizeof row.conditions, "%s", condition->text);
+  name_row(row.claim, &claimed);
+  if (part->only && !claim_is_listed(part->only, row.claim))
+    return;
+  if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
+    return; /* for another limit */
+  decide(part, &row, &claimed, condition);
+  ledger_enter(part->ledger, &row);
 }
 
-static void add_formula(struct book *book, const struct scallop_formula *f, bool mirrored)
+/* Is the formula for such a motion? One of ours for an extension is for a contraction too. */
+static bool is_for(const struct scallop_formula *f, const struct condition *condition, bool ours)
 {
-  const struct claimed claimed = { f, f->name, f->equation, f->setting, f->quantity, f->remainder, false };
-  int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = is_from_rest(f->setting) ? 1 : first;
-  for (int kind = first; f->remainder != 0 && kind <= last; kind++)
-    add_rows(book, &claimed, kind, mirrored);
-  if (f->phase == A_x1_first_switch && !mirrored) {
-    const struct claimed size = { NULL, "A_x1_first_switch_size", f->equation, f->setting, f->quantity, 2, false };
-    add_rows(book, &size, SCALLOP_EXTENSION, false);
+  bool moving = condition->setting == SCALLOP_MOVING_EXTENSION, extension = condition->kind == SCALLOP_EXTENSION;
+  if (f->setting == SCALLOP_MOVING_CONTRACTION)
+    return moving && !extension;
+  if (f->setting == SCALLOP_MOVING_EXTENSION)
+    return moving && (extension || ours);
+  return condition->setting == f->setting;
+}
+
+/* A formula as it stands under all conditions, or in a mirror under those that reverse the roles of the bodies */
+static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, bool mirrored)
+{
+  for (int i = 0; f->remainder != 0 && i < CONDITIONS; i++)
+    if (is_for(f, &conditions[i], false) && (!mirrored || conditions[i].reversed))
+      add_row(part, (struct claimed){ .formula = f, .ours = ours, .mirrored = mirrored }, &conditions[i]);
+}
+
+/* A formula of ours that takes the place of another, where it claims to hold */
+static void add_corrected(struct part *part, const struct scallop_formula *f)
+{
+  for (int i = 0; i < CONDITIONS; i++)
+    if (is_for(f, &conditions[i], true) && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
+      add_row(part, (struct claimed){ .formula = f, .ours = true, .mirrored = conditions[i].reversed }, &conditions[i]);
+}
+
+/* (A.11), (A.12): l' and l near the end of an extension, T = L = 1. */
+
+struct end_claim {
+  const char *name, *equation, *quantity;
+  int order;
+  bool velocity;    /* l'(T-h) = -h l''(T); otherwise l(T-h) = [l(T) +] h^2/2 l''(T)             */
+  bool with_length; /* l(T) is there                                                              */
+  const char *corrected;
+  bool ours;
+};
+static const struct end_claim end_claims[] = {
+  { "A_dl_near_end", "(A.11)", "l'(T-h)", 2, true, true, "", false },
+  { "A_l_near_end", "(A.12)", "l(T-h)", 3, false, false, "corrected_l_near_end", false },
+  { "corrected_l_near_end", "(A.12)", "l(T-h)", 3, false, true, "", true },
+};
+
+/* |l'(T-h)| without its term in h, as a series in h */
+static void speed_before_end(struct series *speed, const struct scallop_piece *last, const struct ring *ring)
+{
+  struct series back;
+  series_init(&back);
+  scallop_speed_series(speed, last, NULL, ring);
+  series_set_x(&back);
+  series_neg(&back, &back);
+  series_compose(speed, speed, &back, ring);
+  series_set_zero(speed, 1);
+  series_clear(&back);
+}
+
+/* What the claim leaves out: its first coefficient that does not vanish */
+static void prove_end(struct proof *proof, const struct end_claim *claim, const struct scallop_piece *last)
+{
+  const struct ring ring = { 40, 256 };
+  struct series left_out, one;
+  arb_t x;
+  series_init(&left_out);
+  series_init(&one);
+  arb_init(x);
+  speed_before_end(&left_out, last, &ring);
+  if (!claim->velocity) {
+    series_integral(&left_out, &left_out, &ring);
+    series_set_si(&one, claim->with_length ? 0 : 1);
+    series_sub(&left_out, &one, &left_out, &ring);
   }
+  while (proof->order < ring.length && series_coefficient_is_zero(&left_out, proof->order))
+    proof->order++;
+  proof->known = ring.length;
+  proof->general = proof->order;
+  proof->found = proof->order < ring.length;
+  proof_set_coefficient(proof, &left_out, proof->order);
+  series_coefficient(x, &proof->coefficient, 0, ring.precision);
+  proof->undecided = !arb_is_exact(x) && arb_contains_zero(x);
+  series_clear(&left_out);
+  series_clear(&one);
+  arb_clear(x);
 }
 
-/* A formula of ours, where it claims to hold */
-static void add_corrected(struct book *book, const struct scallop_formula *f)
+/* The same, measured at h = 4^-k */
+static void measure_end(struct claim_row *row, const struct end_claim *claim, const struct scallop_piece *last)
 {
-  const struct claimed claimed = { f, f->name, f->equation, f->setting, f->quantity, f->remainder, false };
-  bool is_steady = f->setting == SCALLOP_STEADY;
-  for (int kind = 0; kind < (is_steady ? 1 : 2); kind++) {
-    const struct condition *conditions = conditions_of(f->setting, kind);
-    for (int i = 0; conditions[i].text; i++) {
-      const char *turn = is_steady && has_closed_limit(book) ? no_turn(book, i) : "";
-      size_t length = strlen(f->name), ending = strlen(turn);
-      if (!is_steady || (*turn && length > ending && strcmp(f->name + length - ending, turn) == 0))
-        add_row(book, &claimed, kind, i, conditions[i].reversed);
+  enum { PRECISION = 1400 };
+  arb_t h, zero, error, rate, square;
+  arb_init(h);
+  arb_init(zero);
+  arb_init(error);
+  arb_init(rate);
+  arb_init(square);
+  scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
+  for (int k = 1; k < CLAIM_POINTS; k++) {
+    arb_one(h);
+    arb_mul_2exp_si(h, h, -2 * k);
+    if (claim->velocity) {
+      scallop_ball_speed(error, last, h, PRECISION);
+      arb_addmul(error, h, rate, PRECISION);
+    } else {
+      scallop_ball_way(error, last, h, zero, PRECISION);
+      arb_neg(error, error);
+      arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
+      arb_mul(square, h, h, PRECISION);
+      arb_mul_2exp_si(square, square, -1);
+      arb_submul(error, square, rate, PRECISION);
     }
+    row->points[row->count++] =
+        (struct order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
+  }
+  const struct order_point *finest = &row->points[row->count - 1];
+  row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
+  arb_clear(h);
+  arb_clear(zero);
+  arb_clear(error);
+  arb_clear(rate);
+  arb_clear(square);
+}
+
+static void add_ends(struct part *part)
+{
+  const struct scallop_gait *gait = part->crawler->gait;
+  const struct scallop_shape *shape = &gait->phase[SCALLOP_EXTENSION];
+  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
+  for (size_t i = 0; i < sizeof end_claims / sizeof *end_claims; i++) {
+    const struct end_claim *claim = &end_claims[i];
+    struct proof proof;
+    struct claim_row row = { .equation = claim->equation,
+                             .quantity = claim->quantity,
+                             .gait = gait->name,
+                             .conditions = "h -> 0 at T = 1",
+                             .inside = true,
+                             .ours = claim->ours,
+                             .claimed_order = claim->order };
+    snprintf(row.claim, sizeof row.claim, "%s", claim->name);
+    snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);
+    if (part->only && !claim_is_listed(part->only, claim->name))
+      continue;
+    proof_init(&proof);
+    prove_end(&proof, claim, last);
+    ledger_judge(&row, &proof);
+    measure_end(&row, claim, last);
+    ledger_enter(part->ledger, &row);
+    proof_clear(&proof);
   }
 }
 
-static void add_limits(struct book *book)
-{
-  const struct claimed velocity = { .name = "limit_steady_velocity",
-                                    .equation = "(26), (27)",
-                                    .setting = SCALLOP_STEADY,
-                                    .quantity = SCALLOP_STEADY_VELOCITY,
-                                    .order = 1,
-                                    .limit = true };
-  const struct claimed displacement = { .name = "limit_steady_xC",
-                                        .equation = "(28)",
-                                        .setting = SCALLOP_STEADY,
-                                        .quantity = SCALLOP_STEADY_DISPLACEMENT,
-                                        .order = 4,
-                                        .limit = true };
-  add_rows(book, &velocity, SCALLOP_EXTENSION, false);
-  add_rows(book, &displacement, SCALLOP_EXTENSION, false);
-}
-
-/* ---- all of it ---- */
-
-static bool lists_formula(const char *list, const struct scallop_formula *formulas)
-{
-  static const char *const endings[] = { "", ":contraction", ":mirrored", ":contraction:mirrored" };
-  char name[80];
-  for (const struct scallop_formula *f = formulas; f->name; f++)
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
-      snprintf(name, sizeof name, "%s%s", f->name, endings[i]);
-      if (f->remainder != 0 && claim_is_listed(list, name))
-        return true;
-    }
-  return false;
-}
-
-bool claims_have_order(const char *list)
-{
-  static const char *const others[] = { "A_x1_first_switch_size", "limit_steady_velocity", "limit_steady_xC" };
-  bool found = lists_formula(list, scallop_equal_forces) || lists_formula(list, scallop_published)
-               || lists_formula(list, scallop_corrected);
-  for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-    found |= claim_is_listed(list, others[i]);
-  return found || claims_of_ends_listed(list);
-}
-
-static void fill(struct book *book)
+static void fill(struct part *part)
 {
   for (const struct scallop_formula *f = scallop_equal_forces; f->name; f++)
-    add_formula(book, f, false);
-  for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    add_formula(book, f, false);
-  book_add_ends(book);
+    add_formula(part, f, false, false);
+  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+    add_formula(part, f, false, false);
+    if (f->phase == A_x1_first_switch)
+      add_formula(part, &size_of_first_switch, false, false);
+  }
+  add_ends(part);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
-    add_corrected(book, f);
-  add_limits(book);
+    add_corrected(part, f);
+  add_formula(part, &limits[0], true, false);
+  add_formula(part, &limits[1], true, false);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    if (!f->corrected && (f->setting != SCALLOP_STEADY || has_closed_limit(book)))
-      add_formula(book, f, true);
+    if (!f->corrected && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
+      add_formula(part, f, false, true);
 }
 
-const char *claims_of_order(const struct scallop_rational_crawler *crawler, const struct scallop_gait *gait,
-                            const char *only, claim_sink *sink, void *context)
+void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
+                       const struct scallop_gait *gait, const char *only)
 {
-  static struct entry entries[MOST_ROWS];
   struct scallop_rational_crawler c;
-  const char *wrong = NULL;
   scallop_rational_init(&c);
   scallop_rational_copy(&c, crawler);
   for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    int first = ledger->count;
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
-    struct book book = { .crawler = &c, .only = only, .sink = sink, .context = context, .entries = entries };
-    fill(&book);
-    if (!only
-        && scallop_gait_named(
-            c.gait->name)) /* the corrections are for the gaits of the paper: with others they may not hold, either */
-      book_check_corrections(&book);
-    close_cases(&book);
-    wrong = book.contradiction ? book.contradiction : wrong;
+    struct part part = { .crawler = &c, .only = only, .ledger = ledger };
+    fill(&part);
+    if (!only && scallop_gait_named(c.gait->name))
+      ledger_check_corrections(ledger, first);
+    clear_part(&part);
   }
   scallop_rational_clear(&c);
-  return wrong;
 }

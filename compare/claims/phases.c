@@ -1,269 +1,309 @@
-/* The claims in words about a single phase. Each is decided by a certified example, whose numbers are doubles exactly. */
+/* The claims in words about a single phase, and those of the appendices that are not about an order. Each is decided by a certified
+ * example, whose numbers are doubles exactly. */
+#include <math.h>
 #include <stdio.h>
 
-#include "compare/claims/family.h"
-#include "compare/claims/proven.h"
 #include "compare/claims/words.h"
 
-enum { MEASURED = 200, REASON = 320, REST = 120 };
+/* Equal friction: (8), and the centre */
 
-/* ---- equal friction: (8), and the centre ---- */
-
-static void equal_centre_row(const struct words *w, const struct words_claim *claim)
+void equal_forces_centre(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
-  arb_t printed;
-  arb_init(printed);
+  struct scallop_crawler c = paper_crawler(q);
   c.F1 = c.F2, c.m1 = 2;
-  scallop_certified_phase_init(&p);
-  bool solved = proven_phase(&p, &c, SCALLOP_EXTENSION, 0);
-  arb_mul_2exp_si(printed, p.dx1, -1); /* (m1/m2 - 1)/2 = 1/2 */
-  snprintf(measured, sizeof measured,
-           "certified: dx_1/L = %.6f, dx_C/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx_1 is right",
-           proven_over(p.dx1, c.L), proven_over(p.dxC, c.L), proven_over(printed, c.L));
-  crawler_command(reason, REASON, "", "phase --certified", &c, " | cut -f 14,16");
-  words_enter(w, claim, "the paper's crawler, F1 = F2 = 1, m1 = 2", true,
-              words_verdict(solved && arb_overlaps(printed, p.dxC), solved && !arb_overlaps(printed, p.dxC)), measured,
-              reason);
-  scallop_certified_phase_clear(&p);
-  arb_clear(printed);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  arb_ptr printed = certified_number(q);
+  arb_mul_2exp_si(printed, p->dx1, -1); /* (m1/m2 - 1)/2 = 1/2 */
+  under(q, "the paper's crawler, F1 = F2 = 1, m1 = 2");
+  measured(q, "certified: dx_1/L = %.6f, dx_C/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx_1 is right",
+           middle(p->dx1) / c.L, middle(p->dxC) / c.L, middle(printed) / c.L);
+  command(q, "scallop phase --certified", &c, " | cut -f 14,16");
+  settle(q, arb_overlaps(printed, p->dxC), true);
 }
 
-static void still_centre_row(const struct words *w, const struct words_claim *claim)
+void still_centre(struct question *q)
 {
-  struct scallop_certified_phase p[2];
-  struct scallop_crawler c = words_paper_crawler(w);
-  bool solved = true, still = true;
+  struct scallop_crawler c = paper_crawler(q);
+  bool still = true;
   c.F1 = c.F2;
   for (int kind = 0; kind < 2; kind++) {
-    scallop_certified_phase_init(&p[kind]);
-    solved = proven_phase(&p[kind], &c, (enum scallop_phase_kind)kind, 0) && solved;
-    still = still && arb_contains_zero(p[kind].dxC) && mag_cmp_2exp_si(arb_radref(p[kind].dxC), -80) < 0;
+    arb_srcptr moved = certified_phase(q, &c, (enum scallop_phase_kind)kind, 0)->dxC;
+    still = still && arb_contains_zero(moved) && mag_cmp_2exp_si(arb_radref(moved), -80) < 0;
   }
-  words_enter(w, claim, "the paper's crawler, F1 = F2 = 1", true, words_verdict(solved && still, solved && !still),
-              still ? "by (6) x_C' = (m1-m2)/(2M) l'; certified: |dx_C| < 2^-80 in both phases" : "certified: dx_C is not 0",
-              NULL);
-  for (int kind = 0; kind < 2; kind++)
-    scallop_certified_phase_clear(&p[kind]);
+  under(q, "the paper's crawler, F1 = F2 = 1");
+  measured(q,
+           still ? "by (6) x_C' = (m1-m2)/(2M) l'; certified: |dx_C| < 2^-80 in both phases" : "certified: dx_C is not 0");
+  settle(q, still, true);
 }
 
-/* ---- which way the centre moves ---- */
+/* Which way the centre moves */
 
-static void heavy_front_row(const struct words *w, const struct words_claim *claim)
+void heavy_front(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
+  struct scallop_crawler c = paper_crawler(q);
   c.m2 = 4;
-  scallop_certified_phase_init(&p);
-  bool solved = proven_phase(&p, &c, SCALLOP_EXTENSION, 0);
-  snprintf(measured, sizeof measured, "certified: dx_C/L = %.6f, dx_1/L = %.6f, dx_2/L = %.6f", proven_over(p.dxC, c.L),
-           proven_over(p.dx1, c.L), proven_over(p.dx2, c.L));
-  crawler_command(reason, REASON, "", "phase --certified", &c, " | cut -f 14,15,16");
-  words_enter(w, claim, "the paper's crawler, m2 = 4, from rest", true,
-              words_verdict(solved && arb_is_positive(p.dxC), solved && arb_is_negative(p.dxC)), measured, reason);
-  scallop_certified_phase_clear(&p);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  under(q, "the paper's crawler, m2 = 4, from rest");
+  measured(q, "certified: dx_C/L = %.6f, dx_1/L = %.6f, dx_2/L = %.6f", middle(p->dxC) / c.L, middle(p->dx1) / c.L,
+           middle(p->dx2) / c.L);
+  command(q, "scallop phase --certified", &c, " | cut -f 14,15,16");
+  settle_by_sign(q, p->dxC);
 }
 
-static void steady_contraction_row(const struct words *w, const struct words_claim *claim)
+void steady_contraction(struct question *q)
 {
-  char measured[MEASURED], reason[REASON], rest[REST];
-  struct scallop_certified_steady s;
-  struct scallop_crawler c = words_paper_crawler(w);
-  arb_t moved;
-  arb_init(moved);
-  scallop_certified_steady_init(&s);
-  bool solved = proven_steady(&s, &c) && proven_move(moved, &c, SCALLOP_CONTRACTION, s.v_mid);
-  snprintf(measured, sizeof measured,
-           "certified: from v_mid T/L = %.6f the centre moves by dx_C/L = %.6f in the contraction",
-           proven_over(s.v_mid, c.L / c.T), proven_over(moved, c.L));
-  snprintf(rest, sizeof rest, " --v0 %.7g | cut -f 10,16", proven_middle(s.v_mid));
-  crawler_command(reason, REASON, "", "phase --phase contraction", &c, rest);
-  words_enter(w, claim, "the paper's crawler in its steady state", true,
-              words_verdict(solved && arb_is_negative(moved), solved && arb_is_positive(moved)), measured, reason);
-  scallop_certified_steady_clear(&s);
-  arb_clear(moved);
+  struct scallop_crawler c = paper_crawler(q);
+  const struct scallop_certified_steady *s = certified_steady(q, &c);
+  arb_ptr moved = certified_move(q, &c, SCALLOP_CONTRACTION, s->v_mid);
+  under(q, "the paper's crawler in its steady state");
+  measured(q, "certified: from v_mid T/L = %.6f the centre moves by dx_C/L = %.6f in the contraction",
+           middle(s->v_mid) / (c.L / c.T), middle(moved) / c.L);
+  command(q, "scallop phase --phase contraction", &c, " --v0 %.7g | cut -f 10,16", middle(s->v_mid));
+  settle(q, arb_is_negative(moved), arb_is_positive(moved));
 }
 
-static void slower_row(const struct words *w, const struct words_claim *claim)
+void longer_is_faster(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_crawler c = words_paper_crawler(w);
-  double extension = c.L / scallop_phase_duration(&c, SCALLOP_EXTENSION),
-         contraction = c.L / scallop_phase_duration(&c, SCALLOP_CONTRACTION);
-  snprintf(measured, sizeof measured,
-           "mean |l'| is L over the duration: %.6g in the longer extension, %.6g in the contraction", extension,
-           contraction);
-  crawler_command(reason, REASON, "", "trajectory --start rest --periods 1 --samples 4", &c, " | cut -f 1,7");
-  words_enter(w, claim, "the paper's crawler", true, words_verdict(extension > contraction, true), measured, reason);
+  struct scallop_crawler c = paper_crawler(q);
+  double fast[2];
+  for (int kind = 0; kind < 2; kind++)
+    fast[kind] = c.L / scallop_phase_duration(&c, (enum scallop_phase_kind)kind);
+  under(q, "the paper's crawler");
+  measured(q, "mean |l'| is L over the duration: %.6g in the longer extension, %.6g in the contraction", fast[0], fast[1]);
+  command(q, "scallop trajectory --start rest --periods 1 --samples 4", &c, " | cut -f 1,7");
+  settle(q, fast[0] > fast[1], true);
 }
 
-static void falling_velocity_row(const struct words *w, const struct words_claim *claim)
+void falling_velocity(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
-  arb_t gain;
-  arb_init(gain);
-  scallop_certified_phase_init(&p);
-  bool solved = proven_phase(&p, &c, SCALLOP_EXTENSION, 20);
-  arb_sub_ui(gain, p.v_end, 20, PROVEN_BITS);
-  snprintf(measured, sizeof measured, "certified: v_end = %.6f", proven_middle(p.v_end));
-  crawler_command(reason, REASON, "", "phase --certified --v0 20", &c, " | cut -f 10,13");
-  words_enter(w, claim, "the paper's crawler, from v0 = 20", false,
-              words_verdict(solved && arb_is_positive(gain), solved && arb_is_negative(gain)), measured, reason);
-  scallop_certified_phase_clear(&p);
-  arb_clear(gain);
+  struct scallop_crawler c = paper_crawler(q);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 20);
+  arb_ptr gain = certified_number(q);
+  arb_sub_ui(gain, p->v_end, 20, EVIDENCE_BITS);
+  under(q, "the paper's crawler, from v0 = 20");
+  q->row.inside = false;
+  measured(q, "certified: v_end = %.6f", middle(p->v_end));
+  command(q, "scallop phase --certified --v0 20", &c, " | cut -f 10,13");
+  settle_by_sign(q, gain);
 }
 
-/* ---- the first interval of an extension from rest ---- */
+/* The first interval of an extension from rest */
 
-static void acceleration_row(const struct words *w, const struct words_claim *claim)
+void first_interval_accelerates(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
-  arb_t part, rate;
-  arb_init(part);
-  arb_init(rate);
-  scallop_certified_phase_init(&p);
-  bool solved = proven_phase(&p, &c, SCALLOP_EXTENSION, 0) && p.switches;
-  arb_set_d(rate, scallop_phase_duration(&c, SCALLOP_EXTENSION));
-  arb_div(part, p.dT, rate, PROVEN_BITS);
-  proven_acceleration(rate, &c, SCALLOP_EXTENSION, part, true);
-  snprintf(measured, sizeof measured,
-           "certified: when it ends, %.6f of the duration before T, l'' = %.6f L/T^2, T the duration; l' > 0 is meant",
-           proven_middle(part), proven_middle(rate));
-  crawler_command(reason, REASON, "the steps of l, the last column, shrink while v1 < 0: ",
-                  "trajectory --start rest --periods 1 --samples 8", &c, " | cut -f 1,5,7");
-  words_enter(w, claim, "the paper's crawler, from rest", true,
-              words_verdict(solved && arb_is_positive(rate), solved && arb_is_negative(rate)), measured, reason);
-  scallop_certified_phase_clear(&p);
-  arb_clear(part);
-  arb_clear(rate);
+  struct scallop_crawler c = paper_crawler(q);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  arb_ptr part = certified_number(q), speed = certified_number(q), rate = certified_number(q);
+  arb_set_d(part, scallop_phase_duration(&c, SCALLOP_EXTENSION));
+  arb_div(part, p->dT, part, EVIDENCE_BITS);
+  certified_law(speed, rate, &c, SCALLOP_EXTENSION, part, true);
+  under(q, "the paper's crawler, from rest");
+  measured(q, "certified: when it ends, %.6f of the duration before T, l'' = %.6f L/T^2, T the duration; l' > 0 is meant",
+           middle(part), middle(rate));
+  reason(q, "the steps of l, the last column, shrink while v1 < 0: ");
+  command(q, "scallop trajectory --start rest --periods 1 --samples 8", &c, " | cut -f 1,5,7");
+  settle(q, p->switches && arb_is_positive(rate), p->switches && arb_is_negative(rate));
 }
 
-/* v1 and v2 at a quarter of the duration, both bodies having moved oppositely from rest, in L/T */
-static void quarter_velocities(arb_t v1, arb_t v2, const struct scallop_crawler *c)
+/* x = x a + b */
+static void line(arb_t x, double a, double b)
 {
-  arb_t part, gained, speed;
-  arb_init(part);
-  arb_init(gained);
-  arb_init(speed);
-  arb_one(part);
-  arb_mul_2exp_si(part, part, -2);
-  proven_speed(speed, c, SCALLOP_EXTENSION, part, false);
-  double tau = scallop_phase_duration(c, SCALLOP_EXTENSION), M = c->m1 + c->m2;
-  arb_set_d(gained, (c->F1 - c->F2) * tau / 4 * tau / c->L); /* c M, in L/tau */
-  arb_set_d(part, -c->m2);
-  arb_mul(v1, part, speed, PROVEN_BITS);
-  arb_set_d(part, c->m1);
-  arb_mul(v2, part, speed, PROVEN_BITS);
-  arb_set_d(part, M * tau / c->T);
-  arb_add(v1, v1, gained, PROVEN_BITS);
-  arb_add(v2, v2, gained, PROVEN_BITS);
-  arb_div(v1, v1, part, PROVEN_BITS);
-  arb_div(v2, v2, part, PROVEN_BITS);
-  arb_clear(part);
-  arb_clear(gained);
-  arb_clear(speed);
+  arb_t y;
+  arb_init(y);
+  arb_set_d(y, a);
+  arb_mul(x, x, y, EVIDENCE_BITS);
+  arb_set_d(y, b);
+  arb_add(x, x, y, EVIDENCE_BITS);
+  arb_clear(y);
 }
 
-/* which: m1 < m2 */
-static void slower_body_row(const struct words *w, const struct words_claim *claim)
+/* v1 and v2 at a quarter of the duration, both bodies having moved oppositely from rest */
+static void slower_body(struct question *q, struct scallop_crawler c)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
-  arb_t v1, v2, sum;
-  arb_init(v1);
-  arb_init(v2);
-  arb_init(sum);
-  if (claim->which)
-    c.m1 = 0.5;
-  scallop_certified_phase_init(&p);
-  arb_set_d(sum, scallop_phase_duration(&c, SCALLOP_EXTENSION) / 4);
-  bool opposed = proven_phase(&p, &c, SCALLOP_EXTENSION, 0) && p.switches && arb_lt(sum, p.t1);
-  quarter_velocities(v1, v2, &c);
-  arb_add(sum, v1, v2, PROVEN_BITS);
-  snprintf(measured, sizeof measured,
-           "v1 + v2 = [2 (F1-F2) t - (m2-m1) l']/M; certified at a quarter of the duration: v1 T/L = %.6f, v2 T/L = %.6f",
-           proven_middle(v1), proven_middle(v2));
-  crawler_command(reason, REASON, "", "trajectory --start rest --periods 1 --samples 16", &c,
-                  " | grep '^0.1875' | cut -f 5,6");
-  words_enter(w, claim, claim->which ? "the paper's crawler, m1 = 0.5, from rest" : "the paper's crawler, from rest", true,
-              words_verdict(opposed && arb_is_positive(sum), opposed && arb_is_negative(sum)), measured, reason);
-  scallop_certified_phase_clear(&p);
-  arb_clear(v1);
-  arb_clear(v2);
-  arb_clear(sum);
+  double tau = scallop_phase_duration(&c, SCALLOP_EXTENSION), M = c.m1 + c.m2;
+  double gained = (c.F1 - c.F2) * tau / 4 * tau / c.L; /* x_C' M, in L/tau */
+  arb_ptr quarter = certified_number(q), rate = certified_number(q), sum = certified_number(q);
+  arb_ptr v1 = certified_number(q), v2 = certified_number(q);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  arb_set_d(quarter, tau / 4);
+  bool opposed = p->switches && arb_lt(quarter, p->t1);
+  arb_set_d(quarter, 0.25);
+  certified_law(v1, rate, &c, SCALLOP_EXTENSION, quarter, false);
+  arb_set(v2, v1);
+  line(v1, -c.m2, gained);
+  line(v2, c.m1, gained);
+  arb_add(sum, v1, v2, EVIDENCE_BITS);
+  measured(q, "v1 + v2 = [2 (F1-F2) t - (m2-m1) l']/M; certified at a quarter of the duration: v1 T/L = %.6f, v2 T/L = %.6f",
+           middle(v1) / (M * tau / c.T), middle(v2) / (M * tau / c.T));
+  command(q, "scallop trajectory --start rest --periods 1 --samples 16", &c, " | grep '^0.1875' | cut -f 5,6");
+  settle(q, opposed && arb_is_positive(sum), opposed && arb_is_negative(sum));
+}
+
+void body_1_slower(struct question *q)
+{
+  under(q, "the paper's crawler, from rest");
+  slower_body(q, paper_crawler(q));
+}
+
+void light_body_1_slower(struct question *q)
+{
+  struct scallop_crawler c = paper_crawler(q);
+  c.m1 = 0.5;
+  under(q, "the paper's crawler, m1 = 0.5, from rest");
+  slower_body(q, c);
 }
 
 /* Without the last interval, the friction of the first one acting to the end, the centre would come as far as (21) has it. */
-static void last_interval_row(const struct words *w, const struct words_claim *claim)
+void last_interval_carries(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase p;
-  struct scallop_crawler c = words_paper_crawler(w);
+  struct scallop_crawler c = paper_crawler(q);
   double tau = scallop_phase_duration(&c, SCALLOP_EXTENSION);
-  arb_t without;
-  arb_init(without);
-  scallop_certified_phase_init(&p);
-  bool solved = proven_phase(&p, &c, SCALLOP_EXTENSION, 0) && p.switches;
+  const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  arb_ptr without = certified_number(q);
   arb_set_d(without, (c.F1 - c.F2) * tau * tau / 4); /* M = 2, m1 = m2 */
-  bool carries = arb_gt(p.dxC, without), brakes = arb_lt(p.dxC, without);
-  snprintf(measured, sizeof measured,
-           "certified: dx_C/L = %.9f; with the friction of the first interval to the end it would be %.9f",
-           proven_over(p.dxC, c.L), proven_over(without, c.L));
-  crawler_command(reason, REASON, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: ", "phase --certified", &c, " | cut -f 16");
-  words_enter(w, claim, "the paper's crawler, an extension from rest", true,
-              words_verdict(solved && carries, solved && brakes), measured, reason);
-  scallop_certified_phase_clear(&p);
-  arb_clear(without);
+  under(q, "the paper's crawler, an extension from rest");
+  measured(q, "certified: dx_C/L = %.9f; with the friction of the first interval to the end it would be %.9f",
+           middle(p->dxC) / c.L, middle(without) / c.L);
+  reason(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: ");
+  command(q, "scallop phase --certified", &c, " | cut -f 16");
+  settle(q, p->switches && arb_gt(p->dxC, without), p->switches && arb_lt(p->dxC, without));
 }
 
-/* ---- the contraction against the extension ---- */
-
-static void opposite_row(const struct words *w, const struct words_claim *claim)
+void opposite_phases(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct scallop_certified_phase e, c;
-  struct scallop_crawler crawler = words_paper_crawler(w);
-  arb_t sum;
-  arb_init(sum);
-  crawler.alpha = 0.5;
-  scallop_certified_phase_init(&e);
-  scallop_certified_phase_init(&c);
-  bool solved = proven_phase(&e, &crawler, SCALLOP_EXTENSION, 1) && proven_phase(&c, &crawler, SCALLOP_CONTRACTION, 1);
-  arb_add(sum, e.v_end, c.v_end, PROVEN_BITS);
-  arb_sub_ui(sum, sum, 2, PROVEN_BITS);
-  snprintf(measured, sizeof measured,
-           "certified: the velocity changes by %.6f in the extension and by %.6f in the contraction",
-           proven_middle(e.v_end) - 1, proven_middle(c.v_end) - 1);
-  crawler_command(reason, REASON, "for p in extension contraction; do ", "phase --v0 1", &crawler,
-                  " --phase $p | tail -n 1 | cut -f 10,13; done");
-  words_enter(w, claim, "the paper's crawler, alpha = 1/2, from v0 = 1", true,
-              words_verdict(solved && arb_contains_zero(sum), solved && arb_is_nonzero(sum)), measured, reason);
-  scallop_certified_phase_clear(&e);
-  scallop_certified_phase_clear(&c);
-  arb_clear(sum);
+  struct scallop_crawler c = paper_crawler(q);
+  c.alpha = 0.5;
+  arb_srcptr out = certified_phase(q, &c, SCALLOP_EXTENSION, 1)->v_end;
+  arb_srcptr back = certified_phase(q, &c, SCALLOP_CONTRACTION, 1)->v_end;
+  arb_ptr sum = certified_number(q);
+  arb_add(sum, out, back, EVIDENCE_BITS);
+  arb_sub_ui(sum, sum, 2, EVIDENCE_BITS);
+  under(q, "the paper's crawler, alpha = 1/2, from v0 = 1");
+  measured(q, "certified: the velocity changes by %.6f in the extension and by %.6f in the contraction", middle(out) - 1,
+           middle(back) - 1);
+  reason(q, "for p in extension contraction; do ");
+  command(q, "scallop phase --v0 1", &c, " --phase $p | tail -n 1 | cut -f 10,13; done");
+  settle(q, arb_contains_zero(sum), arb_is_nonzero(sum));
 }
 
-static const char forward[] = "centre_moves_forward_in_an_extension";
+/* Is the first switching time a smaller and smaller part of the duration as T -> 0? From the steady start velocity, or v0 = 1 */
 
-const struct words_claim words_of_phases[] = {
-  { "equal_forces_centre", "(8)", "dx_C", WORDS_EACH_GAIT, equal_centre_row, 0 },
-  { "equal_forces_and_masses_keep_the_centre", "4.1", "dx_C", WORDS_EACH_GAIT, still_centre_row, 0 },
-  { "velocity_rises_over_extension", "4.2", "v_end", WORDS_EACH_GAIT, falling_velocity_row, 0 },
-  { forward, "4.3", "dx_C", WORDS_EACH_GAIT, heavy_front_row, 0 },
-  { "centre_moves_backward_in_a_contraction", "4.3", "dx_C", WORDS_EACH_GAIT, steady_contraction_row, 0 },
-  { "longer_extension_is_faster", "4.3", "l'", WORDS_EACH_GAIT, slower_row, 0 },
-  { "first_interval_accelerates_l", "4.3.1", "l''", WORDS_EACH_GAIT, acceleration_row, 0 },
-  { "body_1_is_slower_in_the_first_interval", "4.3.1", "v1, v2", WORDS_EACH_GAIT, slower_body_row, false },
-  { "body_1_is_slower_in_the_first_interval", "4.3.1", "v1, v2", WORDS_EACH_GAIT, slower_body_row, true },
-  { "last_interval_carries_the_centre_forward", "4.3.1, 5", "dx_C", WORDS_EACH_GAIT, last_interval_row, 0 },
-  { "contraction_is_the_opposite_of_the_extension", "4.3.3", "v_end", WORDS_EACH_GAIT, opposite_row, 0 },
-  { .claim = NULL }
-};
+static void small_t1(struct question *q, bool from_steady_state)
+{
+  double part[2], v0 = 1;
+  bool turns = true;
+  struct scallop_crawler c = paper_crawler(q);
+  for (int i = 0; i < 2; i++) {
+    c.T = i ? 1e-20 : 1e-10;
+    if (from_steady_state)
+      v0 = middle(certified_steady(q, &c)->v_start);
+    const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, v0);
+    turns = p->switches && turns;
+    part[i] = middle(p->t1) / scallop_phase_duration(&c, SCALLOP_EXTENSION);
+  }
+  measured(q, "certified: t1 is %.4g of the duration at T = 1e-10 and %.4g at T = 1e-20", part[0], part[1]);
+  command(q, "scallop phase", &c, " --v0 %.7g | cut -f 6,11", v0);
+  settle(q, turns && part[1] < 1e-6 * part[0], turns);
+}
+
+void t1_from_1(struct question *q)
+{
+  under(q, "the paper's crawler, from v0 = 1");
+  small_t1(q, false);
+}
+
+void t1_from_steady_state(struct question *q)
+{
+  under(q, "the paper's crawler, from its steady v_start ~ 1/T, to a double's digits");
+  small_t1(q, true);
+}
+
+void swallowed_term(struct question *q)
+{
+  double over[2];
+  bool turns = true;
+  struct scallop_crawler c = paper_crawler(q);
+  for (int i = 0; i < 2; i++) {
+    c.T = i ? 1e-20 : 1e-10;
+    double tau = scallop_phase_duration(&c, SCALLOP_CONTRACTION);
+    const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_CONTRACTION, 1);
+    turns = p->switches && turns;
+    over[i] = middle(p->at_first) / tau / tau;
+  }
+  bool swallowed = turns && over[0] > 0 && fabs(over[1] / over[0] - 1) < 1e-6;
+  under(q, "the paper's crawler, from v0 = 1");
+  measured(
+      q,
+      "certified: the term, x2(t1) - x2(0), is %.6f tau^2 at T = 1e-10 and %.6f tau^2 at 1e-20, tau the duration: of the "
+      "remainder's order",
+      over[0], over[1]);
+  c = paper_crawler(q);
+  reason(q, "it is x0' t1/2, and t1 goes as T^2: printf 'T\\n1e-10\\n1e-20\\n' | ");
+  command(q, "scallop phase --points - --phase contraction --v0 1", &c, " | cut -f 6,11");
+  settle(q, turns && !swallowed, swallowed);
+}
+
+/* Formulas printed with "=" and no remainder, for any l. In both phases, with m the mass of the body that does not turn, d = F1 - F2,
+ * S = F1 + F2 and s = -1 in an extension, 1 in a contraction:
+ *   t1 = x0' M/(S - s m l''(0)),   dT = [s x0' M (m l''(0) - d)/(m l''(0) - s S) - d T]/(m l''(T) - d). */
+
+/* m l'' at the start or the end of the phase */
+static void end_force(arb_t force, const struct scallop_crawler *c, enum scallop_phase_kind kind, bool from_end)
+{
+  double tau = scallop_phase_duration(c, kind), m = kind == SCALLOP_EXTENSION ? c->m2 : c->m1;
+  arb_t at, speed;
+  arb_init(at);
+  arb_init(speed);
+  certified_law(speed, force, c, kind, at, from_end);
+  arb_set_d(speed, tau * tau);
+  arb_div(force, force, speed, EVIDENCE_BITS);
+  line(force, m * c->L, 0);
+  arb_clear(at);
+  arb_clear(speed);
+}
+
+static void printed_time(arb_t time, const struct scallop_crawler *c, enum scallop_phase_kind kind, bool is_t1, double v0)
+{
+  double d = c->F1 - c->F2, S = c->F1 + c->F2, s = kind == SCALLOP_EXTENSION ? -1 : 1, M = c->m1 + c->m2;
+  arb_t below;
+  arb_init(below);
+  end_force(below, c, kind, false);
+  arb_set(time, below);
+  if (is_t1) {
+    line(below, -s, S);
+    arb_set_d(time, v0 * M);
+  } else {
+    line(time, s * v0 * M, -s * v0 * M * d);
+    line(below, 1, -s * S);
+    arb_div(time, time, below, EVIDENCE_BITS);
+    line(time, 1, -d * scallop_phase_duration(c, kind));
+    end_force(below, c, kind, true);
+    line(below, 1, -d);
+  }
+  arb_div(time, time, below, EVIDENCE_BITS);
+  arb_clear(below);
+}
+
+static void without_remainder(struct question *q, enum scallop_phase_kind kind, bool is_t1, double v0)
+{
+  struct scallop_crawler c = paper_crawler(q);
+  const struct scallop_certified_phase *p = certified_phase(q, &c, kind, v0);
+  arb_srcptr exact = is_t1 ? p->t1 : p->dT;
+  arb_ptr difference = certified_number(q);
+  printed_time(difference, &c, kind, is_t1, v0);
+  double printed = middle(difference);
+  arb_sub(difference, difference, exact, EVIDENCE_BITS);
+  bool holds = q->solved && p->switches && arb_contains_zero(difference);
+  under(q, "as printed, without a remainder; the paper's crawler, from %s", v0 > 0 ? "v0 = 1" : "rest");
+  measured(q, "certified: %s = %.12f; the formula gives %.12f%s", q->row.quantity, middle(exact), printed,
+           holds ? ", the same to 30 digits" : "");
+  command(q, "scallop phase --certified", &c, " --v0 %g --phase %s | cut -f %d", v0,
+          kind == SCALLOP_EXTENSION ? "extension" : "contraction", is_t1 ? 11 : 12);
+  settle(q, holds, p->switches && arb_is_nonzero(difference));
+}
+
+void dT_from_rest(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, false, 0); }
+void t1_of_extension(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, true, 1); }
+void dT_of_extension(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, false, 1); }
+void t1_of_contraction(struct question *q) { without_remainder(q, SCALLOP_CONTRACTION, true, 1); }
+void dT_of_contraction(struct question *q) { without_remainder(q, SCALLOP_CONTRACTION, false, 1); }

@@ -1,145 +1,310 @@
-/* The steady state in words: for which alpha the published velocity is right, whether there is one steady state, and when it is
- * reached; and a single phase against its duration. */
+/* The claims in words about steady states: what is needed to move, which way, how many there are, when one is reached, and (27) for
+ * which alpha. Each is decided by a certified example. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/evaluate.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/words.h"
-#include "compare/answers/counts_flint.h"
 #include "compare/answers/rational.h"
-#include "numerics/certified.h"
 
-enum { MEASURED = 200, REASON = 320, BITS = 160, DIGITS = 30 };
+/* One steady state that decides */
 
-static const char *gait_option(const struct words *w)
+static bool slides_and_moves(const struct scallop_certified_steady *s)
 {
-  return w->crawler.gait == &scallop_gait_quadratic ? "" : " --gait sinusoidal";
+  return s->regime == SCALLOP_SLIDING && arb_is_nonzero(s->displacement);
 }
 
-static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
-
-/* ---- (27): v_start T -> (F1-F2)(2 alpha-1) L_kin m* / (alpha^2 F1 m1 + (1-alpha)^2 F2 m2) ---- */
-
-/* alpha^2 a + (1-alpha)^2 b */
-static void weighted(fmpq_t sum, const fmpq_t alpha, const fmpq_t a, const fmpq_t b)
+static bool sticks_and_moves(const struct scallop_certified_steady *s)
 {
-  fmpq_t square;
-  fmpq_init(square);
-  fmpq_set_si(sum, 1, 1);
-  fmpq_sub(sum, sum, alpha);
-  fmpq_mul(sum, sum, sum);
-  fmpq_mul(sum, sum, b);
-  fmpq_mul(square, alpha, alpha);
-  fmpq_mul(square, square, a);
-  fmpq_add(sum, sum, square);
-  fmpq_clear(square);
+  return s->regime == SCALLOP_STICK_SLIP && arb_is_nonzero(s->displacement);
 }
 
-/* Where (27) is positive what it says of the quadratic gait; mirrored: with F2 m2 and F1 m1 exchanged below the line */
-static void published_velocity(fmpq_t u, const struct scallop_rational_crawler *c, bool mirrored)
+static bool never_moves(const struct scallop_certified_steady *s)
 {
-  fmpq_t first, second, below;
-  fmpq_init(first);
-  fmpq_init(second);
-  fmpq_init(below);
-  fmpq_mul(first, c->F1, c->m1);
-  fmpq_mul(second, c->F2, c->m2);
-  weighted(below, c->alpha, mirrored ? second : first, mirrored ? first : second);
-  fmpq_add(first, c->m1, c->m2);
-  fmpq_mul(below, below, first);
-  fmpq_mul(below, below, c->T);
-  fmpq_sub(u, c->F1, c->F2);
-  fmpq_mul(u, u, c->L);
-  fmpq_mul(u, u, c->m1);
-  fmpq_mul(u, u, c->m2);
-  fmpq_mul_si(first, c->alpha, 2);
-  fmpq_sub_si(first, first, 1);
-  fmpq_mul(u, u, first);
-  fmpq_div(u, u, below);
-  fmpq_clear(first);
-  fmpq_clear(second);
-  fmpq_clear(below);
+  return s->regime == SCALLOP_AT_REST && arb_is_zero(s->displacement);
 }
 
-/* (27) over the certified v_start at T = 1e-20, minus 1; NAN if there is none */
-static double relative_error(const struct scallop_crawler *crawler, int alpha_hundredths, bool mirrored)
+static bool body_2_alone_sticks(const struct scallop_certified_steady *s)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady s;
-  double error = NAN;
-  arb_t u;
-  fmpq_t q;
-  arb_init(u);
-  fmpq_init(q);
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&s);
-  rational_crawler(&c, crawler);
-  fmpq_set_si(c.alpha, alpha_hundredths, 100);
-  scallop_rational_parse(c.T, "1e-20");
-  if (counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK) {
-    published_velocity(q, &c, mirrored);
-    arb_set_fmpq(u, q, BITS);
-    if (crawler->gait != &scallop_gait_quadratic) { /* L_kin = pi^2 L/8 */
-      arb_t pi;
-      arb_init(pi);
-      arb_const_pi(pi, BITS);
-      arb_mul(pi, pi, pi, BITS);
-      arb_mul_2exp_si(pi, pi, -3);
-      arb_mul(u, u, pi, BITS);
-      arb_clear(pi);
+  bool second = false, first = false;
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < s->modes[kind].count && i < SCALLOP_MODES_KEPT; i++) {
+      second = second || s->modes[kind].kept[i].s2 == 0;
+      first = first || s->modes[kind].kept[i].s1 == 0;
     }
-    arb_div(u, u, s.v_start, BITS);
-    arb_sub_ui(u, u, 1, BITS);
-    error = middle(u);
+  return second && !first;
+}
+
+static bool starts_and_moves_back(const struct scallop_certified_steady *s)
+{
+  return s->regime == SCALLOP_SLIDING && arb_is_negative(s->v_start) && arb_is_negative(s->displacement);
+}
+
+/* What was measured of a certified steady state, and a command that prints it */
+static const struct scallop_certified_steady *describe(struct question *q, const struct scallop_crawler *c)
+{
+  const struct scallop_certified_steady *s = certified_steady(q, c);
+  char modes[MOTION_MODES_TEXT];
+  measured(q, "certified: Froude %.6g, v_start T/L = %.6f, displacement/L = %.6f, modes %s", middle(s->froude),
+           middle(s->v_start) / (c->L / c->T), middle(s->displacement) / c->L,
+           motion_modes_text(modes, OF_STEADY, s->modes));
+  command(q, "scallop steady --certified", c, " | cut -f 9,10,12,15,16");
+  return s;
+}
+
+typedef bool deed(const struct scallop_certified_steady *s);
+
+/* The paper's crawler with these numbers (0: the paper's) does that; does this refute the claim, or show it? */
+static void example(struct question *q, const char *conditions, struct scallop_crawler with, deed *does, bool refutes)
+{
+  struct scallop_crawler c = paper_crawler(q);
+  double *const to[] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
+  const double from[] = { with.m1, with.m2, with.F1, with.F2, with.L, with.T, with.alpha };
+  for (int i = 0; i < 7; i++)
+    *to[i] = from[i] > 0 ? from[i] : *to[i];
+  under(q, "%s", conditions);
+  bool shown = does(describe(q, &c));
+  settle(q, shown && !refutes, shown);
+}
+
+#define WITH(...) ((struct scallop_crawler){ __VA_ARGS__ })
+
+void body_2_sticks(struct question *q)
+{
+  example(q, "m1 = 0.1, m2 = 1.9, F1 = 5.1, F2 = 1.2, L = 1, T = 0.93, alpha = 0.71",
+          WITH(0.1, 1.9, 5.1, 1.2, 1, 0.93, 0.71, NULL), body_2_alone_sticks, true);
+}
+void low_froude(struct question *q)
+{
+  example(q, "the paper's crawler, F1 = 34.9776: sliding", WITH(.F1 = 34.9776), slides_and_moves, true);
+}
+void lower_froude(struct question *q) { example(q, "the paper's crawler, T = 6", WITH(.T = 6), sticks_and_moves, true); }
+void lowest_froude(struct question *q) { example(q, "the paper's crawler, T = 14", WITH(.T = 14), sticks_and_moves, true); }
+void sliding_moves(struct question *q) { example(q, "the paper's crawler", WITH(.m1 = 0), slides_and_moves, false); }
+void stick_slip_moves(struct question *q)
+{
+  example(q, "the paper's crawler, F1 = 300", WITH(.F1 = 300), sticks_and_moves, false);
+}
+void stays_at_rest(struct question *q) { example(q, "the paper's crawler, F1 = 1000", WITH(.F1 = 1000), never_moves, true); }
+void equal_coefficients_move(struct question *q)
+{
+  example(q, "the paper's crawler, m1 = 4: F1/m1 = F2/m2", WITH(.m1 = 4), slides_and_moves, false);
+}
+void starts_back(struct question *q)
+{
+  example(q, "the paper's crawler, F1 = 90, alpha = 0.55", WITH(.F1 = 90, .alpha = 0.55), starts_and_moves_back, true);
+}
+
+/* Two regimes of sliding: v_start in the direction of translation at a small ratio of forces, and against it at a large one */
+void two_regimes_exist(struct question *q)
+{
+  const struct scallop_certified_steady *s[2];
+  for (int i = 0; i < 2; i++) {
+    struct scallop_crawler c = paper_crawler(q);
+    c.F1 = i ? 40 : 4;
+    s[i] = certified_steady(q, &c);
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&c);
-  arb_clear(u);
-  fmpq_clear(q);
+  const double L = q->crawler.L, unit = L / q->crawler.T;
+  bool along = slides_and_moves(s[0]) && arb_is_positive(s[0]->displacement) && arb_is_positive(s[0]->v_start);
+  bool against = slides_and_moves(s[1]) && arb_is_positive(s[1]->displacement) && arb_is_negative(s[1]->v_start);
+  under(q, "the paper's crawler, F1/F2 = 4 and 40");
+  measured(q, "certified: sliding, v_start T/L = %.6f and displacement/L = %.6f at F1/F2 = 4, %.6f and %.6f at 40",
+           middle(s[0]->v_start) / unit, middle(s[0]->displacement) / L, middle(s[1]->v_start) / unit,
+           middle(s[1]->displacement) / L);
+  settle(q, along && against, false);
+}
+
+/* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */
+
+static double displacement_at(const void *crawler, double F1)
+{
+  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
+  c.F1 = F1;
+  return steady_state(&c).period.displacement;
+}
+
+void standstill(struct question *q)
+{
+  const struct scallop_certified_steady *s[2];
+  struct scallop_crawler c = paper_crawler(q);
+  char modes[2][MOTION_MODES_TEXT];
+  c.alpha = 0.55;
+  double F1 = last_positive(displacement_at, &c, 70, 94), place[2];
+  for (int i = 0; i < 2; i++) {
+    struct scallop_crawler at = c;
+    place[i] = at.F1 = short_number(F1 * (i ? 1 + 1e-10 : 1 - 1e-10), 12);
+    s[i] = certified_steady(q, &at);
+    motion_modes_text(modes[i], OF_STEADY, s[i]->modes);
+  }
+  bool slide = s[0]->regime == SCALLOP_SLIDING && s[1]->regime == SCALLOP_SLIDING && strcmp(modes[0], modes[1]) == 0;
+  bool zero = slide && arb_is_positive(s[0]->displacement) && arb_is_negative(s[1]->displacement);
+  under(q, "the paper's crawler, alpha = 0.55; F1 varied");
+  if (zero && q->solved)
+    measured(q, "certified: displacement/L %.2e at F1 = %.12g, %.2e at %.12g: 0 between; sliding at both, %s",
+             middle(s[0]->displacement) / c.L, place[0], middle(s[1]->displacement) / c.L, place[1], modes[0]);
+  else
+    measured(q, "that it changes its sign for F1 from 70 to 94, sliding, is not proven");
+  reason(q, "displacement changes its sign: printf 'F1\\n%.12g\\n%.12g\\n' | ", place[0], place[1]);
+  command(q, "scallop steady --points - --certified", &c, " | cut -f 3,12,15");
+  settle(q, false, zero);
+}
+
+/* Figure 4B against the start velocity: where dv_C rises (sign 1) or falls (-1) with the duration of an extension from rest, at the
+ * durations named, v_start should have that sign. */
+static void slope_of_figure_4B(struct question *q, struct scallop_crawler c, int sign, const double *durations, int count)
+{
+  struct scallop_crawler one = c;
+  arb_ptr change = certified_number(q);
+  double first = NAN;
+  bool always = true;
+  one.alpha = 0.5;
+  for (int i = 0; i < count; i++) {
+    one.T = short_number(2 * durations[i], 6);
+    certified_phase(q, &one, SCALLOP_EXTENSION, 0);
+    if (i == 0)
+      continue;
+    arb_sub(change, q->phase[i].v_end, q->phase[i - 1].v_end, EVIDENCE_BITS);
+    always = always && (sign > 0 ? arb_is_positive(change) : arb_is_negative(change));
+    first = i == 1 ? middle(change) : first;
+  }
+  const struct scallop_certified_steady *s = certified_steady(q, &c);
+  bool as_said = always && arb_is_positive(s->displacement);
+  bool opposite = sign > 0 ? arb_is_negative(s->v_start) : arb_is_positive(s->v_start);
+  measured(q, "certified: from duration %g to %g dv_C changes by %.6f; v_start T/L = %.6f, displacement/L = %.6f",
+           durations[0], durations[1], first, middle(s->v_start) / (c.L / c.T), middle(s->displacement) / c.L);
+  command(q, "scallop steady --certified", &c, " | cut -f 9,10,12,15,16");
+  settle(q, as_said && !opposite, as_said);
+}
+
+void forward_where_dv_rises(struct question *q)
+{
+  static const double durations[] = { 0.485, 0.49, 0.51, 0.515 };
+  struct scallop_crawler c = paper_crawler(q);
+  c.alpha = 0.51;
+  under(q, "the paper's crawler, alpha = 0.51: dv_C rises at both durations, 0.51 T and 0.49 T");
+  slope_of_figure_4B(q, c, 1, durations, 4);
+}
+void backward_where_dv_falls(struct question *q)
+{
+  static const double durations[] = { 1.64, 1.65, 1.66 };
+  struct scallop_crawler c = paper_crawler(q);
+  c.T = 2.2;
+  under(q, "the paper's crawler, alpha = 0.75, T = 2.2: dv_C falls at the duration alpha T");
+  slope_of_figure_4B(q, c, -1, durations, 3);
+}
+
+/* L_kin = l0 lT/[2 (lT - l0)]: L for the quadratic gait, pi^2 L/8 for the sinusoidal one */
+void kinematic_length(struct question *q)
+{
+  arb_ptr l0 = certified_number(q), lT = certified_number(q), speed = certified_number(q);
+  arb_ptr length = certified_number(q), printed = certified_number(q), zero = certified_number(q);
+  bool sinusoidal = q->crawler.gait == &scallop_gait_sinusoidal;
+  if (!sinusoidal && q->crawler.gait != &scallop_gait_quadratic)
+    return;
+  certified_law(speed, l0, &q->crawler, SCALLOP_EXTENSION, zero, false);
+  certified_law(speed, lT, &q->crawler, SCALLOP_EXTENSION, zero, true);
+  arb_mul(length, l0, lT, EVIDENCE_BITS);
+  arb_sub(lT, lT, l0, EVIDENCE_BITS);
+  arb_mul_2exp_si(lT, lT, 1);
+  arb_div(length, length, lT, EVIDENCE_BITS);
+  arb_one(printed);
+  if (sinusoidal) {
+    arb_const_pi(printed, EVIDENCE_BITS);
+    arb_sqr(printed, printed, EVIDENCE_BITS);
+    arb_mul_2exp_si(printed, printed, -3);
+  }
+  bool equal = arb_overlaps(length, printed);
+  under(q, "L_kin = L for the quadratic gait, pi^2 L/8 for the sinusoidal one");
+  measured(q, "certified: l0 lT/[2 (lT - l0)] = %.12f L", middle(length));
+  settle(q, equal && arb_rel_accuracy_bits(length) > 100, !equal);
+}
+
+/* (27), v_start T -> (F1-F2)(2 alpha-1) L_kin m* / (alpha^2 F1 m1 + (1-alpha)^2 F2 m2), for which alpha? */
+
+/* (27) over the certified v_start at T = 1e-20, minus 1; mirrored: of the bodies exchanged, and with the opposite sign */
+static double relative_error(const struct scallop_crawler *crawler, double alpha, bool mirrored)
+{
+  const struct ring ring = { 1, EVIDENCE_BITS };
+  const struct scallop_formula *formula = scallop_published;
+  struct scallop_rational_crawler exact;
+  struct scallop_symbols symbols;
+  struct series value;
+  struct question q;
+  struct scallop_crawler c = *crawler;
+  double error = NAN;
+  while (strcmp(formula->name, "text_steady_velocity") != 0)
+    formula++;
+  c.alpha = alpha;
+  c.T = 1e-20;
+  question_init(&q);
+  series_init(&value);
+  scallop_symbols_init(&symbols);
+  scallop_rational_init(&exact);
+  arb_srcptr v_start = certified_steady(&q, &c)->v_start;
+  if (mirrored)
+    c = (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
+  rational_crawler(&exact, &c);
+  scallop_symbols_set(&symbols, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
+  series_set_rational(&symbols.value[SYMBOL_T], exact.T);
+  if (q.solved && scallop_formula_expand(&value, formula, &symbols, SCALLOP_EXTENSION, &ring)) {
+    arb_ptr ratio = certified_number(&q);
+    series_coefficient(ratio, &value, 0, EVIDENCE_BITS);
+    arb_div(ratio, ratio, v_start, EVIDENCE_BITS);
+    if (mirrored)
+      arb_neg(ratio, ratio);
+    arb_sub_ui(ratio, ratio, 1, EVIDENCE_BITS);
+    error = middle(ratio);
+  }
+  scallop_rational_clear(&exact);
+  scallop_symbols_clear(&symbols);
+  series_clear(&value);
+  question_clear(&q);
   return error;
 }
 
-enum { LONGER_EXTENSION, LONGER_CONTRACTION, MIRRORED };
-
-static void alpha_row(const struct words *w, const struct words_claim *claim)
+/* alpha in hundredths, from first on by 8; shown: one alpha to name */
+static void velocity_in_the_limit(struct question *q, int first, int shown, bool mirrored)
 {
-  bool mirrored = claim->which == MIRRORED, longer = claim->which == LONGER_EXTENSION;
-  int first = longer ? 51 : 1, last = longer ? 99 : 49, example = longer ? 75 : 25;
-  char conditions[120], measured[MEASURED], reason[REASON];
+  int last = first + 48, at = first;
   double worst = 0;
-  int at = first;
   for (int i = first; i <= last; i += 8) {
-    double error = relative_error(&w->crawler, i, mirrored);
+    double error = relative_error(&q->crawler, i / 100., mirrored);
     if (!(fabs(error) <= fabs(worst))) {
       worst = error;
       at = i;
     }
   }
   bool holds = fabs(worst) < 1e-15;
-  snprintf(conditions, sizeof conditions, "%s, T = 1e-20, alpha from %.2f to %.2f by 0.08%s", words_whose(w), first / 100.,
-           last / 100., mirrored ? "; with F1 m1 and F2 m2 exchanged below the line" : "");
+  under(q, "%s, T = 1e-20, alpha from %.2f to %.2f by 0.08%s", q->whose, first / 100., last / 100.,
+        mirrored ? "; with F1 m1 and F2 m2 exchanged below the line" : "");
+  q->row.inside = first > 50;
   if (holds)
-    snprintf(measured, sizeof measured, "relative error, certified: below 1e-15 throughout");
+    measured(q, "relative error, certified: below 1e-15 throughout");
   else
-    snprintf(measured, sizeof measured, "relative error, certified: %.6f at alpha = %.2f, largest %.6f at alpha = %.2f",
-             relative_error(&w->crawler, example, mirrored), example / 100., worst, at / 100.);
-  snprintf(reason, sizeof reason,
-           "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^text_steady_velocity.(27)'",
-           example / 100., gait_option(w));
-  words_enter(w, claim, conditions, longer, words_verdict(holds, isfinite(worst)), measured,
-              w->of_the_paper ? reason : NULL);
+    measured(q, "relative error, certified: %.6f at alpha = %.2f, largest %.6f at alpha = %.2f",
+             relative_error(&q->crawler, shown / 100., mirrored), shown / 100., worst, at / 100.);
+  if (q->of_the_paper) {
+    const struct scallop_crawler c = paper_crawler(q);
+    reason(q, "published against exact: scallop series --T 1e-6 --alpha %.2f", shown / 100.);
+    command(q, "", &c, " | grep '^text_steady_velocity.(27)'");
+  }
+  settle(q, holds, isfinite(worst));
 }
+void velocity_of_longer_extension(struct question *q) { velocity_in_the_limit(q, 51, 75, false); }
+void velocity_of_longer_contraction(struct question *q) { velocity_in_the_limit(q, 1, 25, false); }
+void velocity_mirrored(struct question *q) { velocity_in_the_limit(q, 1, 25, true); }
 
-/* ---- when is the steady state reached? ---- */
+/* Is the steady state reached? */
 
-/* Periods from rest until the velocity is within 1e-6 L/T of the steady one and, with *same, until it is the same; 0: not in 1000 */
+/* Periods from rest until the velocity is within 1e-6 L/T of the steady one, or, with `same`, until it is the same; 0: not in 1000 */
 static int periods_until(const struct scallop_crawler *c, bool same)
 {
   struct scallop_period_result p = { .v_end = 0 };
-  double v = words_steady(c).period.v_start, before = NAN;
+  double v = steady_state(c).period.v_start;
   for (int n = 1; n <= 1000; n++) {
-    before = p.v_end;
+    double before = p.v_end;
     if (scallop_period(c, before, &p) < 0)
       return 0;
     if (same ? p.v_end == before : fabs(p.v_end - v) <= 1e-6 * c->L / c->T)
@@ -148,71 +313,31 @@ static int periods_until(const struct scallop_crawler *c, bool same)
   return 0;
 }
 
-/* The certified multiplier; false: there is none. *zero: it is exactly 0. */
-static bool proven_multiplier(const struct scallop_crawler *crawler, double *multiplier, bool *zero)
+static void reached(struct question *q, double T)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&s);
-  rational_crawler(&c, crawler);
-  bool solved = counted_certified_steady(&c, DIGITS, &s, NULL) == SCALLOP_OK;
-  *multiplier = middle(s.multiplier);
-  *zero = arb_is_zero(s.multiplier);
-  solved = solved && (*zero || arb_is_positive(s.multiplier));
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&c);
-  return solved;
-}
-
-/* which: T */
-static void reached_row(const struct words *w, const struct words_claim *claim)
-{
-  double T = claim->which;
-  char conditions[120], measured[MEASURED], reason[REASON];
-  struct scallop_crawler c = w->crawler;
-  double multiplier;
-  bool zero;
+  struct scallop_crawler c = q->crawler;
   c.T = T;
-  bool proven = proven_multiplier(&c, &multiplier, &zero);
+  arb_srcptr multiplier = certified_steady(q, &c)->multiplier;
+  bool zero = arb_is_zero(multiplier), proven = q->solved && (zero || arb_is_positive(multiplier));
   if (!proven)
-    snprintf(measured, sizeof measured, "not proven");
+    measured(q, "not proven");
   else if (zero)
-    snprintf(measured, sizeof measured, "certified multiplier 0; from rest the velocity is the steady one after %d period",
-             periods_until(&c, true));
+    measured(q, "certified multiplier 0; from rest the velocity is the steady one after %d period", periods_until(&c, true));
   else
-    snprintf(measured, sizeof measured,
+    measured(q,
              "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d periods",
-             multiplier, periods_until(&c, false));
-  snprintf(conditions, sizeof conditions, "the paper's crawler, T = %g, from rest; read as: after finitely many periods", T);
-  snprintf(reason, sizeof reason, "the multiplier is not 0: scallop steady --certified --T %g%s | cut -f 14", T,
-           gait_option(w));
-  words_enter(w, claim, conditions, true, words_verdict(proven && zero, proven), measured, reason);
+             middle(multiplier), periods_until(&c, false));
+  under(q, "the paper's crawler, T = %g, from rest; read as: after finitely many periods", T);
+  reason(q, "the multiplier is not 0: ");
+  command(q, "scallop steady --certified", &c, " | cut -f 14");
+  settle(q, proven && zero, proven);
 }
+void reached_at_T_2(struct question *q) { reached(q, 2); }
+void reached_at_T_4(struct question *q) { reached(q, 4); }
 
-/* ---- one steady state, or many? ---- */
+/* Two gaits that the paper does not have */
 
-static void unique_row(const struct words *w, const struct words_claim *claim)
-{
-  enum { CRAWLERS = 400 };
-  char measured[MEASURED];
-  int single = 0;
-  gsl_qrng *q = gsl_qrng_alloc(gsl_qrng_sobol, 6);
-  for (int i = 0; q && i < CRAWLERS; i++) {
-    struct scallop_crawler c = words_random(q, w->crawler.gait);
-    struct scallop_steady_result r;
-    single += counted_steady(&c, &r) == SCALLOP_OK && r.v_low == r.v_high;
-  }
-  if (q)
-    gsl_qrng_free(q);
-  snprintf(measured, sizeof measured,
-           "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
-           "quasi-random crawlers",
-           single);
-  words_enter(w, claim, "l' continuous, any masses, forces > 0 and alpha", true, words_verdict(single == CRAWLERS, true),
-              measured, NULL);
-}
-
+/* l' constant out and back: many steady states */
 static const struct scallop_piece out[] = {
   { .begin = 0, .end = 1, .direction = 1, .jump = true, .linear = true, .velocity = 1, .curve = &scallop_curve_linear }
 };
@@ -223,162 +348,42 @@ static const struct scallop_gait sawtooth = {
   "sawtooth", { { out, 1, 0, 0, 1, 1, false, false }, { back, 1, 0, 0, 1, -1, false, false } }
 };
 
-static void jumps_row(const struct words *w, const struct words_claim *claim)
+void unique_with_jumps(struct question *q)
 {
-  char measured[MEASURED], reason[REASON];
-  struct words of = *w;
+  struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result r;
-  of.crawler = scallop_crawler_default();
-  of.crawler.alpha = 0.5;
-  of.crawler.gait = &sawtooth;
-  bool many = counted_steady(&of.crawler, &r) == SCALLOP_INTERVAL;
-  double unit = of.crawler.L / of.crawler.T;
-  snprintf(measured, sizeof measured, "every v_start T/L from %.6f to %.6f is steady", r.v_low / unit, r.v_high / unit);
-  snprintf(reason, sizeof reason,
-           "by hand: while |x_C'| < L/T the bodies move oppositely throughout; x_C' gains (F1-F2)T/(2M) = 0.75 in the "
-           "extension and loses it again");
-  words_enter(&of, claim, "l' constant out and back, with jumps; alpha = 1/2, else the paper's crawler", false,
-              words_verdict(!many, true), measured, reason);
+  c.alpha = 0.5;
+  c.gait = &sawtooth;
+  bool many = scallop_steady(&c, &r) == SCALLOP_INTERVAL;
+  double unit = c.L / c.T;
+  q->row.gait = sawtooth.name;
+  q->row.inside = false;
+  under(q, "l' constant out and back, with jumps; alpha = 1/2, else the paper's crawler");
+  measured(q, "every v_start T/L from %.6f to %.6f is steady", r.v_low / unit, r.v_high / unit);
+  reason(q, "by hand: while |x_C'| < L/T the bodies move oppositely throughout; x_C' gains (F1-F2)T/(2M) = 0.75 in the "
+            "extension and loses it again");
+  settle(q, !many, true);
 }
 
-/* ---- one extension from a start velocity, against its duration ---- */
-
-static double moved(const struct words *w, double F1, double v0, double T)
-{
-  struct scallop_crawler c = w->crawler;
-  struct scallop_phase_result r;
-  c.F1 = F1;
-  c.T = T;
-  return counted_phase(&c, SCALLOP_EXTENSION, v0, &r) < 0 ? NAN : r.dxC / c.L;
-}
-
-static bool certainly_less(const struct words *w, double F1, double v0, double T, double longer)
-{
-  struct scallop_rational_crawler c;
-  struct scallop_certified_phase p[2];
-  struct scallop_crawler crawler = w->crawler;
-  fmpq_t v;
-  bool solved = true;
-  fmpq_init(v);
-  scallop_rational_set_double(v, v0);
-  crawler.F1 = F1;
-  scallop_rational_init(&c);
-  for (int i = 0; i < 2; i++) {
-    scallop_certified_phase_init(&p[i]);
-    crawler.T = i ? longer : T;
-    rational_crawler(&c, &crawler);
-    solved = counted_certified_phase(&c, SCALLOP_EXTENSION, v, DIGITS, &p[i], NULL) == SCALLOP_OK && solved;
-  }
-  bool less = solved && arb_lt(p[1].dxC, p[0].dxC);
-  for (int i = 0; i < 2; i++)
-    scallop_certified_phase_clear(&p[i]);
-  scallop_rational_clear(&c);
-  fmpq_clear(v);
-  return less;
-}
-
-struct fall {
-  double F1, v0, T, longer, size;
+/* Section 4.2 takes l(t) = l(T - t) for symmetric; its argument needs l'' to change sign from phase to phase. A gait with the first and
+ * not the second: phases of equal duration, the extension gathering speed in its first fifth and losing it in the rest, the contraction
+ * the same backward in time. */
+static const struct scallop_piece quick_start[] = { SCALLOP_RAMP(0, 0.2, SCALLOP_FROM_START, 1, 10),
+                                                    SCALLOP_RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
+static const struct scallop_piece quick_end[] = { SCALLOP_RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
+                                                  SCALLOP_RAMP(0.2, 0, SCALLOP_FROM_END, -1, 10) };
+static const struct scallop_gait reversible = {
+  "reversible", { { quick_start, 2, 10, -2.5, 2, 1, true, true }, { quick_end, 2, -2.5, 10, 2, -1, true, true } }
 };
 
-/* The largest fall of the displacement between two durations, T from 0.05 on by 2 % */
-static void largest_fall(struct fall *worst, const struct words *w, double F1, double v0)
+void reversible_kinematics(struct question *q)
 {
-  enum { DURATIONS = 260 };
-  double T = 0.05, most = -INFINITY, at = T;
-  for (int i = 0; i < DURATIONS; i++, T *= 1.02) {
-    double x = moved(w, F1, v0, T);
-    if (most - x > worst->size)
-      *worst = (struct fall){ F1, v0, at, T, most - x };
-    if (x > most) {
-      most = x;
-      at = T;
-    }
-  }
+  struct scallop_crawler c = scallop_crawler_default();
+  c.alpha = 0.5;
+  c.gait = &reversible;
+  double moved = steady_state(&c).period.displacement / c.L;
+  q->row.gait = reversible.name;
+  under(q, "l(t) = l(T - t): l' rises for 0.2 of the extension and falls for 0.8, alpha = 1/2, else the paper's crawler");
+  measured(q, "displacement/L: %.6f", moved);
+  settle(q, fabs(moved) <= EVIDENCE_ZERO, true);
 }
-
-static double short_duration(double T)
-{
-  char text[40];
-  snprintf(text, sizeof text, "%.4g", T);
-  return strtod(text, NULL);
-}
-
-enum { STRONGER_REAR, WEAKER_REAR };
-
-static void from_velocity_row(const struct words *w, const struct words_claim *claim)
-{
-  static const struct {
-    double forces[4];
-    int count;
-    const char *text;
-  } over[] = { { { 2, 4, 10, 40 }, 4, "F1/F2 = 2, 4, 10, 40" }, { { 0.25, 0.5 }, 2, "F1/F2 = 1/4, 1/2" } };
-  static const double velocities[] = { 0.5, 1, 2, 5, 10, 20 };
-  char conditions[120], measured[MEASURED] = "it never falls by more than 1e-14 L", reason[REASON] = "";
-  struct fall worst = { .size = 1e-14 };
-  for (int i = 0; i < over[claim->which].count; i++)
-    for (size_t j = 0; j < sizeof velocities / sizeof *velocities; j++)
-      largest_fall(&worst, w, over[claim->which].forces[i], velocities[j]);
-  bool falls = worst.F1 > 0, proven = false;
-  if (falls) {
-    double T = short_duration(worst.T), longer = short_duration(worst.longer);
-    proven = certainly_less(w, worst.F1, worst.v0, T, longer);
-    snprintf(
-        measured, sizeof measured,
-        "%s: from v0 = %g at F1 = %g dx_C/L is %.6f for T = %.4g and %.6f for T = %.4g; these extensions last %.6g and %.6g",
-        proven ? "certified" : "not proven", worst.v0, worst.F1, moved(w, worst.F1, worst.v0, T), T,
-        moved(w, worst.F1, worst.v0, longer), longer, T * w->crawler.alpha, longer * w->crawler.alpha);
-    snprintf(reason, sizeof reason,
-             "dxC falls from the first row to the second: printf 'T\\n%.4g\\n%.4g\\n' | scallop phase --points - --F1 %g "
-             "--v0 %g%s | cut -f 6,16",
-             T, longer, worst.F1, worst.v0, gait_option(w));
-  }
-  snprintf(conditions, sizeof conditions,
-           "the paper's crawler, %s, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%", over[claim->which].text);
-  words_enter(w, claim, conditions, false, words_verdict(!falls, proven), measured, reason);
-}
-
-/* From rest the displacement grows in the direction of F1 - F2, proven in docs/theory.md: here at random, past sticking too. */
-static void from_rest_row(const struct words *w, const struct words_claim *claim)
-{
-  enum { CRAWLERS = 100, DURATIONS = 150 };
-  char measured[MEASURED];
-  int fell = 0;
-  gsl_qrng *q = gsl_qrng_alloc(gsl_qrng_sobol, 6);
-  for (int i = 0; q && i < CRAWLERS; i++) {
-    struct words one = *w;
-    one.crawler = words_random(q, w->crawler.gait);
-    double T = 0.01 * words_natural_time(&one.crawler), before = -INFINITY;
-    bool falls = false;
-    for (int j = 0; j < DURATIONS; j++, T *= 1.05) {
-      double x = moved(&one, one.crawler.F1, 0, T) * (one.crawler.F1 > one.crawler.F2 ? 1 : -1);
-      falls = falls || !(x >= before - 1e-14);
-      before = x;
-    }
-    fell += falls;
-  }
-  if (q)
-    gsl_qrng_free(q);
-  snprintf(measured, sizeof measured,
-           "proven (docs/theory.md, One extension against its duration); of 100 quasi-random crawlers and 150 durations "
-           "each it falls for %d",
-           fell);
-  words_enter(w, claim, "from rest, any masses, forces and duration; in the direction of F1 - F2", true,
-              words_verdict(q && fell == 0, true), measured, NULL);
-}
-
-static const char limit[] = "text_steady_velocity_in_the_limit", grows[] = "displacement_grows_with_duration";
-
-const struct words_claim words_of_steady_states[] = {
-  { "steady_state_is_unique", "5", "v_start", WORDS_ONCE, jumps_row, 0 },
-  { limit, "(27)", "v_start", WORDS_EACH_CRAWLER, alpha_row, LONGER_EXTENSION },
-  { limit, "(27)", "v_start", WORDS_EACH_CRAWLER, alpha_row, LONGER_CONTRACTION },
-  { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start", WORDS_OF_THE_PAPER, alpha_row, MIRRORED },
-  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_velocity_row, STRONGER_REAR },
-  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_velocity_row, WEAKER_REAR },
-  { grows, "4.4", "dx_C", WORDS_OF_THE_PAPER, from_rest_row, 0 },
-  { "steady_state_is_unique", "5", "v_start", WORDS_OF_THE_PAPER, unique_row, 0 },
-  { "steady_state_is_reached", "5", "v", WORDS_OF_THE_PAPER, reached_row, 2 },
-  { "steady_state_is_reached", "5", "v", WORDS_OF_THE_PAPER, reached_row, 4 },
-  { .claim = NULL }
-};

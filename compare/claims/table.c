@@ -1,11 +1,13 @@
-/* The ledger as a table, and its verdicts against those of a ledger that was written before. */
+/* The ledger as a table, and its verdicts against those of the ledger that comes with the tool. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "compare/claims/claims.h"
-#include "compare/claims/read.h"
-#include "compare/command/compare.h"
 #include "compare/answers/rational.h"
-#include "compare/command/with_flint.h"
+#include "compare/claims/claims.h"
+#include "compare/command/compare.h"
+#include "compare/text/memory.h"
+#include "compare/text/shipped.h"
+#include "compare/text/tsv.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
@@ -15,25 +17,25 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
 static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
                                              "inside", "h",        "err",      "pairwise", "use",           NULL };
 
-struct ledger {
-  struct table table;
-  int verdicts[2][4]; /* of the paper's claims, outside and inside of its conditions           */
-  int ours[4];
-};
-
-static void write_errors(void *context, const struct claim_row *row)
+static void write_texts(struct table *t, const char *const *texts, int count)
 {
-  struct ledger *ledger = context;
-  struct table *t = &ledger->table;
+  for (int i = 0; i < count; i++)
+    table_text(t, *texts[i] ? texts[i] : "-");
+}
+
+/* What the rows of both tables begin with */
+static void write_claim(struct table *t, const struct claim_row *row)
+{
+  write_texts(t, (const char *const[]){ row->claim, row->equation, row->quantity, row->gait }, 4);
+  table_number(t, row->claimed_order);
+}
+
+static void write_errors(struct table *t, const struct claim_row *row)
+{
   for (int i = 0; i < row->count; i++) {
     const struct order_point *p = &row->points[i];
-    table_text(t, row->claim);
-    table_text(t, row->equation);
-    table_text(t, row->quantity);
-    table_text(t, row->gait);
-    table_number(t, row->claimed_order);
-    table_text(t, row->conditions);
-    table_text(t, row->inside ? "yes" : "no");
+    write_claim(t, row);
+    write_texts(t, (const char *const[]){ row->conditions, row->inside ? "yes" : "no" }, 2);
     table_number(t, p->h);
     table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
     table_rounded(t, p->pairwise, "%.2f");
@@ -49,55 +51,52 @@ static const char *derived_text(const struct claim_row *row)
   return !row->proven ? "-" : row->exact ? "none" : text;
 }
 
-static void write_row(void *context, const struct claim_row *row)
+static void write_row(struct table *t, const struct claim_row *row)
 {
-  struct ledger *ledger = context;
-  struct table *t = &ledger->table;
-  table_text(t, row->claim);
-  table_text(t, row->equation);
-  table_text(t, row->quantity);
-  table_text(t, row->gait);
-  table_number(t, row->claimed_order);
+  const char *const texts[] = {
+    claim_verdict_text(row->verdict),
+    derived_text(row),
+    row->coefficient,
+    row->corrected,
+    row->conditions,
+    row->inside ? "yes" : "no",
+    row->ours ? "corrected" : "paper",
+    row->measured,
+    row->reason,
+  };
+  write_claim(t, row);
   table_rounded(t, row->fit.order, "%.6f");
   table_rounded(t, row->fit.lo, "%.6f");
   table_rounded(t, row->fit.hi, "%.6f");
   table_rounded(t, row->fit.used, "%.0f");
-  table_text(t, claim_verdict_text(row->verdict));
-  table_text(t, derived_text(row));
-  table_text(t, *row->coefficient ? row->coefficient : "-");
-  table_text(t, *row->corrected ? row->corrected : "-");
-  table_text(t, row->conditions);
-  table_text(t, row->inside ? "yes" : "no");
-  table_text(t, row->ours ? "corrected" : "paper");
-  table_text(t, *row->measured ? row->measured : "-");
-  table_text(t, *row->reason ? row->reason : "-");
-  (row->ours ? ledger->ours : ledger->verdicts[row->inside])[row->verdict]++;
+  write_texts(t, texts, sizeof texts / sizeof *texts);
 }
 
 static void summarise(const struct ledger *ledger)
 {
+  int verdicts[2][4] = { { 0 } }, ours[4] = { 0 }; /* of the paper's claims, outside and inside of its conditions */
+  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++)
+    (row->ours ? ours : verdicts[row->inside])[row->verdict]++;
   for (int inside = 1; inside >= 0; inside--) {
-    const int *v = ledger->verdicts[inside];
+    const int *v = verdicts[inside];
     fprintf(stderr, "%s the paper's conditions: %d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
             inside ? "inside " : "outside", v[CLAIM_HOLDS], v[CLAIM_SHARPER], v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
   }
   fprintf(stderr, "formulas that take the place of refuted ones: %d hold, %d are sharper than claimed, %d do not hold\n",
-          ledger->ours[CLAIM_HOLDS], ledger->ours[CLAIM_SHARPER],
-          ledger->ours[CLAIM_REFUTED] + ledger->ours[CLAIM_UNDECIDED]);
+          ours[CLAIM_HOLDS], ours[CLAIM_SHARPER], ours[CLAIM_REFUTED] + ours[CLAIM_UNDECIDED]);
 }
 
-/* NULL, or what contradicts itself */
-static const char *each_row(const struct options *o, claim_sink *sink, void *context)
+/* All rows, or those about the requested errors */
+static void fill(struct ledger *ledger, const struct options *o)
 {
-  const struct scallop_gait *gait = o->point.has_gait ? o->point.crawler.gait : NULL;
+  const struct point *p = &o->point;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
-  rational_point(&exact, NULL, &o->point);
-  const char *wrong = claims_of_order(&exact, gait ? exact.gait : NULL, o->errors, sink, context);
+  rational_point(&exact, NULL, p);
+  ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
   scallop_rational_clear(&exact);
   if (!o->errors)
-    claims_in_words(&o->point.crawler, gait, sink, context);
-  return wrong;
+    ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
 }
 
 static bool begin(struct table *table, const struct options *o, const char *const *names)
@@ -116,99 +115,139 @@ static bool begin(struct table *table, const struct options *o, const char *cons
   return true;
 }
 
-static enum exit_code end(struct table *table, const char *wrong)
+static enum exit_code end(struct table *table, const struct ledger *ledger)
 {
   if (!table_close(table))
     return EXIT_FILE;
-  if (wrong)
-    complain("claims", "the ledger contradicts itself: %s", wrong);
-  return wrong ? EXIT_UNSOLVED : EXIT_DONE;
+  if (*ledger->contradiction)
+    complain("claims", "the ledger contradicts itself: %s", ledger->contradiction);
+  return *ledger->contradiction ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-static enum exit_code write_ledger(const struct options *options)
+static enum exit_code write_ledger(const struct options *o)
 {
-  struct ledger ledger = { .verdicts = { { 0 } } };
-  if (!begin(&ledger.table, options, options->errors ? error_columns : columns))
-    return EXIT_FILE;
-  const char *wrong = each_row(options, options->errors ? write_errors : write_row, &ledger);
-  enum exit_code code = end(&ledger.table, wrong);
-  if (code == EXIT_DONE && !options->quiet && !options->errors)
+  struct table table;
+  struct ledger ledger = { .rows = NULL };
+  enum exit_code code = EXIT_FILE;
+  fill(&ledger, o);
+  if (o->errors && ledger.count == 0) {
+    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
+             o->errors);
+    code = EXIT_USAGE;
+  } else if (begin(&table, o, o->errors ? error_columns : columns)) {
+    for (int i = 0; i < ledger.count; i++)
+      (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
+    code = end(&table, &ledger);
+  }
+  if (code == EXIT_DONE && !o->quiet && !o->errors)
     summarise(&ledger);
+  ledger_free(&ledger);
   return code;
 }
 
-/* ---- --check: the verdicts against those of a ledger that was written before ---- */
+/* --check */
 
+enum { KEYS = 5, VERDICT = KEYS, ORDER, KEPT };
+static const char *const kept_columns[KEPT] = { "claim",      "equation", "quantity",     "gait",
+                                                "conditions", "verdict",  "derived_order" };
 static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
                                              "conditions",      "verdict",  "derived_order", "committed",
                                              "committed_order", NULL };
 
-struct check {
-  struct table table;
-  struct committed_ledger ledger;
-  int verdicts, differ;
+struct committed { /* a row of the earlier ledger */
+  const char *cell[KEPT];
+  bool met; /* some row of today's is this one */
 };
 
-static void write_difference(struct check *check, const char *const *key, const char *now, const char *order,
-                             const char *then, const char *order_then)
+struct check {
+  struct table table;
+  struct tsv tsv;
+  struct committed *rows;
+  int count, differ;
+};
+
+/* NULL, or what is wrong. The cells are those of check->tsv. */
+static const char *read_committed(struct check *check, const char *ledger)
 {
-  struct table *t = &check->table;
-  for (int i = 0; i < COMMITTED_KEYS; i++)
-    table_text(t, key[i]);
-  table_text(t, now);
-  table_text(t, order);
-  table_text(t, then);
-  table_text(t, order_then);
+  struct tsv *t = &check->tsv;
+  int place[KEPT];
+  if (!tsv_open_text(t, "the ledger that comes with the tool", ledger) || !tsv_next(t) || !tsv_take_header(t))
+    return "out of memory";
+  for (int k = 0; k < KEPT; k++)
+    if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
+      return tsv_at(t, "there is no column '%s'", kept_columns[k]);
+  while (tsv_next(t)) {
+    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
+    if (!rows)
+      return "out of memory";
+    check->rows = rows;
+    if (t->count != t->columns)
+      return tsv_at(t, "%d columns where the header has %d", t->count, t->columns);
+    rows[check->count] = (struct committed){ .met = false };
+    for (int k = 0; k < KEPT; k++)
+      rows[check->count].cell[k] = t->cell[place[k]];
+    check->count++;
+  }
+  return NULL;
+}
+
+/* The keys, and the verdict and order of both ledgers */
+static void write_difference(struct check *check, const char *const *keys, const char *const *now, const char *const *then)
+{
+  write_texts(&check->table, keys, KEYS);
+  write_texts(&check->table, now, 2);
+  write_texts(&check->table, then, 2);
   check->differ++;
 }
 
-static void check_row(void *context, const struct claim_row *row)
+static const char *const none[] = { "-", "-" };
+
+static void check_row(struct check *check, const struct claim_row *row)
 {
-  struct check *check = context;
-  const char *const key[COMMITTED_KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
-  const char *verdict = claim_verdict_text(row->verdict), *order = derived_text(row);
-  check->verdicts++;
-  for (int i = 0; i < check->ledger.count; i++) {
-    struct committed *c = &check->ledger.rows[i];
-    bool same = true;
-    for (int k = 0; k < COMMITTED_KEYS; k++)
-      same = same && strcmp(key[k], c->key[k]) == 0;
-    if (!same || c->met)
+  const char *const keys[KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
+  const char *const now[] = { claim_verdict_text(row->verdict), derived_text(row) };
+  for (struct committed *c = check->rows, *last = c + check->count; c < last; c++) {
+    bool same = !c->met;
+    for (int k = 0; same && k < KEYS; k++)
+      same = strcmp(keys[k], c->cell[k]) == 0;
+    if (!same)
       continue;
     c->met = true;
-    if (strcmp(verdict, c->verdict) != 0 || strcmp(order, c->order) != 0)
-      write_difference(check, key, verdict, order, c->verdict, c->order);
+    if (strcmp(now[0], c->cell[VERDICT]) != 0 || strcmp(now[1], c->cell[ORDER]) != 0)
+      write_difference(check, keys, now, &c->cell[VERDICT]);
     return;
   }
-  write_difference(check, key, verdict, order, "-", "-");
+  write_difference(check, keys, now, none);
 }
 
-static enum exit_code check_ledger(const struct options *o)
+enum exit_code claims_check(const struct options *o, const char *committed)
 {
-  struct check check = { .differ = 0 };
-  const char *wrong = NULL;
-  enum exit_code code = committed_read(&check.ledger, o->against);
-  if (code == EXIT_DONE && !begin(&check.table, o, check_columns))
+  struct check check = { .count = 0 };
+  struct ledger ledger = { .rows = NULL };
+  const char *wrong = read_committed(&check, committed);
+  enum exit_code code = wrong ? EXIT_UNSOLVED : EXIT_DONE;
+  if (wrong)
+    complain("claims", "%s", wrong);
+  else if (!begin(&check.table, o, check_columns))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
-    wrong = each_row(o, check_row, &check);
-    for (const struct committed *row = check.ledger.rows; row < check.ledger.rows + check.ledger.count; row++)
-      if (!row->met && (!o->point.has_gait || strcmp(row->key[3], o->point.crawler.gait->name) == 0))
-        write_difference(&check, row->key, "-", "-", row->verdict, row->order);
-    code = end(&check.table, wrong);
+    fill(&ledger, o);
+    for (int i = 0; i < ledger.count; i++)
+      check_row(&check, &ledger.rows[i]);
+    for (const struct committed *c = check.rows; c < check.rows + check.count; c++)
+      if (!c->met && (!o->point.has_gait || strcmp(c->cell[3], o->point.crawler.gait->name) == 0))
+        write_difference(&check, c->cell, none, &c->cell[VERDICT]);
+    code = end(&check.table, &ledger);
   }
   if (code == EXIT_DONE && !o->quiet)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", check.verdicts, check.differ, ledger_name(o->against));
-  committed_free(&check.ledger);
+    fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger.count, check.differ, check.tsv.name);
+  free(check.rows);
+  tsv_close(&check.tsv);
+  ledger_free(&ledger);
   return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
 }
 
 enum exit_code claims_table(const struct options *options)
 {
-  if (options->errors && !claims_have_order(options->errors)) {
-    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
-             options->errors);
-    return EXIT_USAGE;
-  }
-  return options->check ? check_ledger(options) : write_ledger(options);
+  return options->check ? claims_check(options, shipped_text(shipped_ledger, "claims")) : write_ledger(options);
 }

@@ -1,266 +1,165 @@
-/* What the claims in words share, and those about the figures: one extension against its duration, the steady state against F1/F2,
- * alpha and T. */
-#include <float.h>
+/* The claims in words, in the order of the ledger: name, place in the paper, what it is about, for what it is decided, and by which
+ * function. A new claim is a row here and its function. */
+#include "compare/claims/words.h"
+
 #include <math.h>
 #include <stdio.h>
 
-#include <gsl/gsl_qrng.h>
+/* For what a claim is decided: once, for each gait, for each gait with the paper's crawler and with the ledger's, with the paper's. */
+enum scope { ONCE, EACH_GAIT, EACH_CRAWLER, OF_THE_PAPER };
 
-#include "compare/breakdown/parts.h"
-#include "compare/claims/words.h"
-#include "compare/answers/counts.h"
+static const char forward[] = "longer_extension_moves_forward", extends[] = "centre_moves_forward_in_an_extension";
+static const char rises[] = "velocity_rises_over_extension", slower[] = "body_1_is_slower_in_the_first_interval";
+static const char froude[] = "moving_needs_a_high_Froude_number", one_degree[] = "one_degree_of_freedom_can_move";
+static const char suffice[] = "two_asymmetries_suffice_to_move", v_mid[] = "v_mid_peaks_where_v_start_is_0";
+static const char loss[] = "contraction_loses_least_where_v_start_is_0", changes[] = "start_velocity_changes_sign";
+static const char peaks[] = "mean_velocity_peaks_where_v_start_is_0", decays[] = "mean_velocity_decays_once_sticking_begins";
+static const char limit[] = "text_steady_velocity_in_the_limit", grows[] = "displacement_grows_with_duration";
+static const char unique[] = "steady_state_is_unique", reached[] = "steady_state_is_reached";
 
-const char *words_whose(const struct words *l) { return l->of_the_paper ? "the paper's crawler" : "the ledger's crawler"; }
+static const struct claim {
+  const char *name, *place, *quantity;
+  enum scope scope;
+  decide *decide;
+} claims[] = {
+  { "reversible_kinematics_do_not_move", "4.2", "displacement", ONCE, reversible_kinematics },
+  { unique, "5", "v_start", ONCE, unique_with_jumps },
 
-struct scallop_crawler words_paper_crawler(const struct words *w)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = w->crawler.gait;
-  return c;
-}
+  { "equal_forces_do_not_move", "4.1", "displacement", EACH_GAIT, equal_forces_do_not_move },
+  { "symmetric_timing_does_not_move", "4.2", "displacement", EACH_GAIT, symmetric_timing_does_not_move },
+  { "steady_state_attracts", "4.3.2", "multiplier", EACH_GAIT, steady_state_attracts },
+  { "motion_always_settles", "5", "v", EACH_GAIT, motion_settles },
+  { forward, "4.4", "displacement", EACH_GAIT, sliding_moves_forward },
+  { forward, "4.4", "displacement", EACH_GAIT, sticking_moves_forward },
+  { "one_body_always_moves", "2", "modes", EACH_GAIT, one_body_moves },
+  { "which_body_is_1_does_not_matter", "2", "displacement", EACH_GAIT, bodies_are_exchanged },
+  { "equal_forces_bodies_oppose", "(6), (7)", "modes", EACH_GAIT, equal_forces_oppose },
+  { rises, "4.2", "v_mid", EACH_GAIT, velocity_rises },
+  { "symmetric_timing_starts_backward", "4.2", "v_start", EACH_GAIT, symmetric_timing_starts_backward },
+  { extends, "4.3", "dx_C", EACH_GAIT, centre_moves_forward },
+  { "extension_from_rest_has_two_intervals", "4.3.1", "modes", EACH_GAIT, two_intervals },
+  { "first_interval_is_the_greater_part", "4.3.1", "dT", EACH_GAIT, first_interval_is_greater },
+  { "last_interval_grows_with_duration", "4.3.1", "dT", EACH_GAIT, last_interval_grows },
+  { "start_velocity_adds_displacement", "4.3.2", "dx_C", EACH_GAIT, start_velocity_adds_displacement },
+  { "start_velocity_takes_velocity_change", "4.3.2", "v_end", EACH_GAIT, start_velocity_takes_velocity },
+  { "start_velocity_is_forward_at_high_Froude", "5", "v_start", EACH_GAIT, starts_forward_at_high_froude },
+  { peaks, "4.4", "mean velocity", EACH_GAIT, peak_at_random },
 
-enum claim_verdict words_verdict(bool holds, bool proven)
-{
-  return holds ? CLAIM_HOLDS : proven ? CLAIM_REFUTED : CLAIM_UNDECIDED;
-}
+  { "equal_forces_centre", "(8)", "dx_C", EACH_GAIT, equal_forces_centre },
+  { "equal_forces_and_masses_keep_the_centre", "4.1", "dx_C", EACH_GAIT, still_centre },
+  { rises, "4.2", "v_end", EACH_GAIT, falling_velocity },
+  { extends, "4.3", "dx_C", EACH_GAIT, heavy_front },
+  { "centre_moves_backward_in_a_contraction", "4.3", "dx_C", EACH_GAIT, steady_contraction },
+  { "longer_extension_is_faster", "4.3", "l'", EACH_GAIT, longer_is_faster },
+  { "first_interval_accelerates_l", "4.3.1", "l''", EACH_GAIT, first_interval_accelerates },
+  { slower, "4.3.1", "v1, v2", EACH_GAIT, body_1_slower },
+  { slower, "4.3.1", "v1, v2", EACH_GAIT, light_body_1_slower },
+  { "last_interval_carries_the_centre_forward", "4.3.1, 5", "dx_C", EACH_GAIT, last_interval_carries },
+  { "contraction_is_the_opposite_of_the_extension", "4.3.3", "v_end", EACH_GAIT, opposite_phases },
 
-void words_enter(const struct words *w, const struct words_claim *claim, const char *conditions, bool inside,
-                 enum claim_verdict verdict, const char *measured, const char *reason)
-{
-  struct claim_row row = { .equation = claim->section,
-                           .quantity = claim->quantity,
-                           .gait = w->crawler.gait->name,
-                           .conditions = conditions,
-                           .inside = inside,
-                           .claimed_order = NAN,
-                           .slope = NAN,
-                           .fit = { .order = NAN, .lo = NAN, .hi = NAN },
-                           .verdict = verdict };
-  snprintf(row.claim, sizeof row.claim, "%s", claim->claim);
-  snprintf(row.measured, sizeof row.measured, "%s", measured);
-  if (verdict != CLAIM_HOLDS && reason)
-    snprintf(row.reason, sizeof row.reason, "%s", reason);
-  w->sink(w->context, &row);
-}
+  { "only_body_1_sticks", "2", "modes", EACH_GAIT, body_2_sticks },
+  { "with_one_body_stuck_that_of_less_friction_moves", "2", "modes", EACH_GAIT, body_2_sticks },
+  { froude, "2, 5", "displacement", EACH_GAIT, low_froude },
+  { froude, "2, 5", "displacement", EACH_GAIT, lower_froude },
+  { froude, "2, 5", "displacement", EACH_GAIT, lowest_froude },
+  { one_degree, "3, 5", "displacement", EACH_GAIT, sliding_moves },
+  { one_degree, "3, 5", "displacement", EACH_GAIT, stick_slip_moves },
+  { suffice, "3 (c), abstract", "displacement", EACH_GAIT, standstill },
+  { suffice, "3 (c), abstract", "displacement", EACH_GAIT, stays_at_rest },
+  { "the_forces_must_differ_not_the_coefficients", "4.3.3", "displacement", EACH_GAIT, equal_coefficients_move },
+  { "kinematic_length", "4.3.3", "L_kin", EACH_GAIT, kinematic_length },
+  { "start_velocity_is_forward_where_dv_C_rises", "4.4", "v_start", EACH_GAIT, forward_where_dv_rises },
+  { "start_velocity_is_backward_where_dv_C_falls", "4.4", "v_start", EACH_GAIT, backward_where_dv_falls },
+  { v_mid, "4.4", "v_mid", EACH_GAIT, v_mid_peaks_by_ratio },
+  { v_mid, "4.4", "v_mid", EACH_GAIT, v_mid_peaks_by_forces },
+  { v_mid, "4.4", "v_mid", EACH_GAIT, v_mid_peaks_by_period },
+  { loss, "4.4", "dx_C", EACH_GAIT, contraction_loses_by_ratio },
+  { loss, "4.4", "dx_C", EACH_GAIT, contraction_loses_by_forces },
+  { loss, "4.4", "dx_C", EACH_GAIT, contraction_loses_by_period },
+  { "start_velocity_opposes_motion_at_low_Froude", "5", "v_start", EACH_GAIT, starts_back },
+  { "start_velocity_has_two_regimes", "4.5, 5", "v_start", EACH_GAIT, two_regimes_exist },
 
-struct scallop_steady_result words_steady(const struct scallop_crawler *c)
-{
-  struct scallop_steady_result r;
-  if (counted_steady(c, &r) < 0)
-    return (struct scallop_steady_result){ .mean_velocity = NAN,
-                                           .period = { .v_start = NAN, .displacement = NAN, .multiplier = NAN } };
-  return r;
-}
+  { "t1_is_small", "(A.6)", "t1", EACH_GAIT, t1_from_1 },
+  { "t1_is_small", "(A.6), 4.3.3", "t1", EACH_GAIT, t1_from_steady_state },
+  { "B_x2_first_switch_exceeds_its_remainder", "(B.3)", "x2(t1)", EACH_GAIT, swallowed_term },
+  { "rest_dT_without_remainder", "(13)", "dT", EACH_GAIT, dT_from_rest },
+  { "A_t1_without_remainder", "(A.5)", "t1", EACH_GAIT, t1_of_extension },
+  { "A_dT_without_remainder", "(A.14)", "dT", EACH_GAIT, dT_of_extension },
+  { "B_t1_without_remainder", "(B.2)", "t1", EACH_GAIT, t1_of_contraction },
+  { "B_dT_without_remainder", "(B.5)", "dT", EACH_GAIT, dT_of_contraction },
 
-/* The duration at which the Froude number is 1 */
-double words_natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L); }
-
-/* ---- section 4.2 takes l(t) = l(T - t) for symmetric; its argument needs l'' to change sign from phase to phase.
- * A gait with the first and not the second: phases of equal duration, the extension gathering speed in its first fifth
- * and losing it in the rest, the contraction the same backward in time. ---- */
-
-static const struct scallop_piece quick_start[] = { SCALLOP_RAMP(0, 0.2, SCALLOP_FROM_START, 1, 10),
-                                                    SCALLOP_RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
-static const struct scallop_piece quick_end[] = { SCALLOP_RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
-                                                  SCALLOP_RAMP(0.2, 0, SCALLOP_FROM_END, -1, 10) };
-static const struct scallop_gait reversible = {
-  "reversible", { { quick_start, 2, 10, -2.5, 2, 1, true, true }, { quick_end, 2, -2.5, 10, 2, -1, true, true } }
+  { changes, "4.4", "v_start", EACH_CRAWLER, sign_changes_by_ratio },
+  { peaks, "4.4", "mean velocity", EACH_CRAWLER, peaks_by_ratio },
+  { "mean_velocity_has_one_maximum", "4.5", "mean velocity", EACH_CRAWLER, one_maximum },
+  { decays, "4.5", "mean velocity", EACH_CRAWLER, decays_by_ratio },
+  { changes, "4.4", "v_start", EACH_CRAWLER, sign_changes_by_forces },
+  { peaks, "4.4", "mean velocity", EACH_CRAWLER, peaks_by_forces },
+  { decays, "4.5", "mean velocity", EACH_CRAWLER, decays_by_forces },
+  { changes, "4.4", "v_start", EACH_CRAWLER, sign_changes_by_period },
+  { peaks, "4.4", "mean velocity", EACH_CRAWLER, peaks_by_period },
+  { decays, "4.5", "mean velocity", EACH_CRAWLER, decays_by_period },
+  { peaks, "4.4", "mean velocity", OF_THE_PAPER, peak_for_alphas },
+  { peaks, "4.4", "mean velocity", OF_THE_PAPER, peak_for_masses },
+  { grows, "4.4", "dx_C", EACH_CRAWLER, displacement_grows },
+  { "velocity_change_is_not_monotone", "4.4", "dv_C", EACH_CRAWLER, velocity_change_peaks },
+  { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", EACH_CRAWLER, no_velocity_at_ratio_1 },
+  { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", EACH_CRAWLER, no_velocity_at_large_ratio },
+  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", EACH_CRAWLER, velocity_grows_with_alpha },
+  { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", EACH_CRAWLER, velocity_as_1_over_T },
+  { limit, "(27)", "v_start", EACH_CRAWLER, velocity_of_longer_extension },
+  { limit, "(27)", "v_start", EACH_CRAWLER, velocity_of_longer_contraction },
+  { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start", OF_THE_PAPER, velocity_mirrored },
+  { grows, "4.4", "dx_C", OF_THE_PAPER, displacement_of_strong_rear },
+  { grows, "4.4", "dx_C", OF_THE_PAPER, displacement_of_weak_rear },
+  { grows, "4.4", "dx_C", OF_THE_PAPER, displacement_from_rest },
+  { unique, "5", "v_start", OF_THE_PAPER, steady_state_is_unique },
+  { reached, "5", "v", OF_THE_PAPER, reached_at_T_2 },
+  { reached, "5", "v", OF_THE_PAPER, reached_at_T_4 },
 };
+enum { CLAIMS = sizeof claims / sizeof *claims };
 
-static void reversible_kinematics(const struct words *l, const struct words_claim *claim)
+static void add_row(struct ledger *ledger, const struct claim *claim, const struct scallop_crawler *crawler,
+                    bool of_the_paper)
 {
-  struct words r = *l;
-  char text[120];
-  r.crawler = scallop_crawler_default();
-  r.crawler.alpha = 0.5;
-  r.crawler.gait = &reversible;
-  double moved = words_steady(&r.crawler).period.displacement / r.crawler.L;
-  snprintf(text, sizeof text, "displacement/L: %.6f", moved);
-  words_enter(&r, claim,
-              "l(t) = l(T - t): l' rises for 0.2 of the extension and falls for 0.8, alpha = 1/2, else the paper's crawler",
-              true, words_verdict(fabs(moved) <= WORDS_ZERO, true), text, NULL);
+  struct question q;
+  question_init(&q);
+  q.crawler = *crawler;
+  q.of_the_paper = of_the_paper;
+  q.whose = of_the_paper ? "the paper's crawler" : "the ledger's crawler";
+  q.row = (struct claim_row){ .equation = claim->place,
+                              .quantity = claim->quantity,
+                              .gait = crawler->gait->name,
+                              .inside = of_the_paper,
+                              .claimed_order = NAN,
+                              .slope = NAN,
+                              .fit = { .order = NAN, .lo = NAN, .hi = NAN } };
+  snprintf(q.row.claim, sizeof q.row.claim, "%s", claim->name);
+  claim->decide(&q);
+  if (q.row.verdict == CLAIM_HOLDS)
+    *q.row.reason = '\0';
+  if (*q.row.conditions)
+    ledger_add(ledger, &q.row);
+  question_clear(&q);
 }
 
-/* ---- one extension from rest against its duration, figure 4 ---- */
-
-static struct scallop_phase_result extension(const struct scallop_crawler *crawler, double ratio, double T)
+static void add_rows(struct ledger *ledger, enum scope first, enum scope last, const struct scallop_crawler *crawler,
+                     bool of_the_paper)
 {
-  struct scallop_crawler c = *crawler;
-  struct scallop_phase_result r;
-  c.F1 = ratio * c.F2;
-  c.alpha = 0.5;
-  c.T = 2 * T;
-  if (counted_phase(&c, SCALLOP_EXTENSION, 0, &r) < 0)
-    return (struct scallop_phase_result){ .dxC = NAN, .v_end = NAN, .regime = SCALLOP_AT_REST };
-  return r;
+  for (int i = 0; i < CLAIMS; i++)
+    if (claims[i].scope >= first && claims[i].scope <= last)
+      add_row(ledger, &claims[i], crawler, of_the_paper);
 }
 
-/* The longest extension from rest without sticking, to neighbouring doubles; nan if there is none */
-static double onset_of_sticking(const struct scallop_crawler *crawler, double ratio)
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait)
 {
-  struct subject s = { .crawler = *crawler, .kind = SCALLOP_EXTENSION };
-  struct events events;
-  double onset = NAN;
-  s.crawler.F1 = ratio * s.crawler.F2;
-  events_find(&events, &s, "");
-  for (int i = 0; i < events.count && isnan(onset); i++)
-    if (events.event[i].regime == SCALLOP_STICK_SLIP)
-      onset = events.event[i].T;
-  events_clear(&events);
-  return onset;
-}
-
-/* The duration between a and b after which the velocity is highest */
-static double highest_velocity(const struct scallop_crawler *crawler, double ratio, double a, double b)
-{
-  while (b - a > 1e-8 * b) {
-    double left = a + (b - a) / 3, right = b - (b - a) / 3;
-    if (extension(crawler, ratio, left).v_end < extension(crawler, ratio, right).v_end)
-      a = left;
-    else
-      b = right;
+  struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
+  own.T = 0.5 * natural_time(crawler);
+  if (!gait)
+    add_rows(ledger, ONCE, ONCE, &paper, true);
+  for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    paper.gait = own.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
+    add_rows(ledger, EACH_GAIT, EACH_GAIT, &paper, true);
+    add_rows(ledger, EACH_CRAWLER, OF_THE_PAPER, &paper, true);
+    add_rows(ledger, EACH_CRAWLER, EACH_CRAWLER, &own, false);
   }
-  return a + (b - a) / 2;
 }
-
-struct durations {
-  double least;   /* d(dx_C) over d((F1-F2)T^2/(2M)) */
-  double peak_at; /* of dv_C, over the onset of sticking */
-};
-
-static struct durations up_to_sticking(const struct scallop_crawler *c, double ratio)
-{
-  enum { STEPS = 400 };
-  struct durations d = { .least = INFINITY };
-  double onset = onset_of_sticking(c, ratio), T = onset / (10 * STEPS), highest = 0;
-  double before = extension(c, ratio, T).dxC, growth = (ratio - 1) * c->F2 / (2 * (c->m1 + c->m2));
-  for (int j = 1; j <= STEPS; j++) {
-    double longer = onset * j / STEPS;
-    struct scallop_phase_result r = extension(c, ratio, longer);
-    d.least = fmin(d.least, (r.dxC - before) / (growth * (longer - T) * (longer + T)));
-    before = r.dxC;
-    T = longer;
-    if (r.v_end > highest) {
-      highest = r.v_end;
-      d.peak_at = (double)j / STEPS;
-    }
-  }
-  double step = onset / STEPS;
-  d.peak_at = highest_velocity(c, ratio, d.peak_at * onset - step, d.peak_at * onset + step) / onset;
-  return d;
-}
-
-enum { GROWTH, PEAK };
-
-static void over_durations(const struct words *l, const struct words_claim *claim)
-{
-  static const double ratios[] = { 2, 10, 40 };
-  double least = INFINITY, peak_at[3];
-  int peaks_inside = 0;
-  char range[80];
-  snprintf(range, sizeof range, "%s, from rest, F1/F2 = 2, 10, 40", words_whose(l));
-  for (int i = 0; i < 3; i++) {
-    struct durations d = up_to_sticking(&l->crawler, ratios[i]);
-    least = fmin(least, d.least);
-    peak_at[i] = d.peak_at;
-    peaks_inside += d.peak_at < 0.99;
-  }
-  char text[120];
-  if (claim->which == GROWTH)
-    snprintf(text, sizeof text, "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %.6f", least);
-  else
-    snprintf(text, sizeof text, "dv_C peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", peak_at[0],
-             peak_at[1], peak_at[2]);
-  bool holds = claim->which == GROWTH ? least > 0 : peaks_inside == 3;
-  words_enter(l, claim, range, l->of_the_paper, words_verdict(holds, true), text, NULL);
-}
-
-/* ---- the steady state against F1/F2 and alpha, figure 5 ---- */
-
-static struct scallop_crawler with_ratio(const struct words *l, double ratio)
-{
-  struct scallop_crawler c = l->crawler;
-  c.F1 = ratio * c.F2;
-  return c;
-}
-
-static void at_ratio_1(const struct words *l, const struct words_claim *claim)
-{
-  char text[120];
-  struct scallop_crawler equal = with_ratio(l, 1);
-  double at_1 = fabs(words_steady(&equal).mean_velocity) * equal.T / equal.L;
-  snprintf(text, sizeof text, "|mean velocity| T/L at F1/F2 = 1: %s", at_1 <= WORDS_ZERO ? "below 1e-14" : "above 1e-14");
-  words_enter(l, claim, words_whose(l), l->of_the_paper, words_verdict(at_1 <= WORDS_ZERO, true), text, NULL);
-}
-
-static void at_large_ratio(const struct words *l, const struct words_claim *claim)
-{
-  static const double ratios[] = { 1e2, 1e4, 1e6 };
-  char text[120];
-  double far[3];
-  for (int i = 0; i < 3; i++) {
-    struct scallop_crawler c = with_ratio(l, ratios[i]);
-    far[i] = words_steady(&c).mean_velocity * c.T / c.L;
-  }
-  snprintf(text, sizeof text, "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: %.3g, %.3g, %.3g", far[0], far[1], far[2]);
-  words_enter(l, claim, words_whose(l), l->of_the_paper, words_verdict(fabs(far[2]) <= WORDS_ZERO, true), text, NULL);
-}
-
-static void over_alpha(const struct words *l, const struct words_claim *claim)
-{
-  double before = -INFINITY, least_rise = INFINITY, at_least = NAN;
-  char text[120], range[80];
-  snprintf(range, sizeof range, "%s, alpha from 0.50 to 0.99", words_whose(l));
-  for (int i = 50; i < 100; i++) {
-    struct scallop_crawler c = l->crawler;
-    c.alpha = i / 100.0;
-    double u = words_steady(&c).mean_velocity * c.T / c.L;
-    if (u - before < least_rise) {
-      least_rise = u - before;
-      at_least = c.alpha;
-    }
-    before = u;
-  }
-  snprintf(text, sizeof text, "least change of mean velocity T/L between alphas 0.01 apart: %.3g at alpha = %.2f",
-           least_rise, at_least);
-  words_enter(l, claim, range, l->of_the_paper, words_verdict(least_rise > 0, true), text, NULL);
-}
-
-static void over_period(const struct words *l, const struct words_claim *claim)
-{
-  enum { POINTS = 24 };
-  struct order_point points[POINTS];
-  char text[120];
-  for (int k = 0; k < POINTS; k++) {
-    struct scallop_crawler c = l->crawler;
-    c.T = ldexp(c.T, -k);
-    double u = words_steady(&c).mean_velocity;
-    points[k] = (struct order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
-  }
-  struct order_fit fit = order_estimate(points, POINTS);
-  bool holds = fit.state == ORDER_FITTED && fabs(fit.order + 1) <= 0.02;
-  struct claim_row row = { .slope = NAN,
-                           .equation = claim->section,
-                           .quantity = claim->quantity,
-                           .gait = l->crawler.gait->name,
-                           .conditions = words_whose(l),
-                           .inside = l->of_the_paper,
-                           .claimed_order = -1,
-                           .fit = fit,
-                           .verdict = holds ? CLAIM_HOLDS : CLAIM_REFUTED };
-  snprintf(text, sizeof text, "mean velocity ~ T^%.3f", fit.order);
-  snprintf(row.claim, sizeof row.claim, "%s", claim->claim);
-  snprintf(row.measured, sizeof row.measured, "%s", text);
-  l->sink(l->context, &row);
-}
-
-const struct words_claim words_of_figures[] = {
-  { "reversible_kinematics_do_not_move", "4.2", "displacement", WORDS_ONCE, reversible_kinematics, 0 },
-  { "displacement_grows_with_duration", "4.4", "dx_C", WORDS_EACH_CRAWLER, over_durations, GROWTH },
-  { "velocity_change_is_not_monotone", "4.4", "dv_C", WORDS_EACH_CRAWLER, over_durations, PEAK },
-  { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", WORDS_EACH_CRAWLER, at_ratio_1, 0 },
-  { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", WORDS_EACH_CRAWLER, at_large_ratio, 0 },
-  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", WORDS_EACH_CRAWLER, over_alpha, 0 },
-  { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", WORDS_EACH_CRAWLER, over_period, 0 },
-  { .claim = NULL }
-};

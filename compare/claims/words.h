@@ -1,52 +1,35 @@
-/* What the files of the claims in words share. Not public. */
+/* The functions that decide the claims in words, one for each row of the table in words.c. Not public. */
 #ifndef SCALLOP_CLAIMS_WORDS_H
 #define SCALLOP_CLAIMS_WORDS_H
 
-#include <gsl/gsl_qrng.h>
+#include "compare/claims/evidence.h"
 
-#include "compare/claims/claims.h"
-#include "numerics/numerics.h"
+/* Fills in conditions, measured, reason and verdict, and inside where that is not true; without conditions there is no row. */
+typedef void decide(struct question *q);
 
-struct words {
-  struct scallop_crawler crawler; /* with the gait in question                                        */
-  bool of_the_paper;              /* it is the one of the paper's figures                             */
-  claim_sink *sink;
-  void *context;
-};
-
-/* A displacement in L that is only rounding: a dozen terms of size up to 1, the start velocity known to an ulp. */
-#define WORDS_ZERO 1e-14
-
-const char *words_whose(const struct words *w);
-/* The paper's crawler with the gait in question */
-struct scallop_crawler words_paper_crawler(const struct words *w);
-
-/* For what a claim is decided: once, for each gait, for each gait with the paper's crawler and with the ledger's, with the paper's. */
-enum words_scope { WORDS_ONCE, WORDS_EACH_GAIT, WORDS_EACH_CRAWLER, WORDS_OF_THE_PAPER };
-
-/* A claim, where the paper makes it, and the function that decides it: it enters one row. which: what the function varies from row to
- * row. A table ends with a row without a claim; claims_in_words.c has the list of tables. */
-struct words_claim {
-  const char *claim, *section, *quantity;
-  enum words_scope scope;
-  void (*decide)(const struct words *w, const struct words_claim *claim);
-  int which;
-};
-extern const struct words_claim words_at_random[], words_of_peaks[], words_of_figures[], words_of_steady_states[],
-    words_of_phases[], words_of_regimes[], words_of_appendices[];
-
-/* holds, or refuted where that is proven, or else undecided */
-enum claim_verdict words_verdict(bool holds, bool proven);
-/* A row; reason: of a verdict other than holds, may be NULL. The texts need to last for the call only. */
-void words_enter(const struct words *w, const struct words_claim *claim, const char *conditions, bool inside,
-                 enum claim_verdict verdict, const char *measured, const char *reason);
-
-/* nan where there is none */
-struct scallop_steady_result words_steady(const struct scallop_crawler *c);
-/* The duration at which the Froude number is 1 */
-double words_natural_time(const struct scallop_crawler *c);
-/* Masses and forces within a factor of 10 of 1, L = 1, 0.05 < alpha < 0.95, eps from 0.01 to 10; the same bits on every machine.
- * q has 6 dimensions. */
-struct scallop_crawler words_random(gsl_qrng *q, const struct scallop_gait *gait);
+/* random.c: every crawler */
+decide equal_forces_do_not_move, symmetric_timing_does_not_move, steady_state_attracts, motion_settles,
+    sliding_moves_forward, sticking_moves_forward, one_body_moves, bodies_are_exchanged, equal_forces_oppose, velocity_rises,
+    symmetric_timing_starts_backward, centre_moves_forward, two_intervals, first_interval_is_greater, last_interval_grows,
+    start_velocity_adds_displacement, start_velocity_takes_velocity, starts_forward_at_high_froude, displacement_from_rest,
+    steady_state_is_unique;
+/* phases.c: a single phase */
+decide equal_forces_centre, still_centre, falling_velocity, heavy_front, steady_contraction, longer_is_faster,
+    first_interval_accelerates, body_1_slower, light_body_1_slower, last_interval_carries, opposite_phases, t1_from_1,
+    t1_from_steady_state, swallowed_term, dT_from_rest, t1_of_extension, dT_of_extension, t1_of_contraction,
+    dT_of_contraction;
+/* steady.c: steady states */
+decide reversible_kinematics, unique_with_jumps, body_2_sticks, low_froude, lower_froude, lowest_froude, sliding_moves,
+    stick_slip_moves, standstill, stays_at_rest, equal_coefficients_move, kinematic_length, forward_where_dv_rises,
+    backward_where_dv_falls, starts_back, two_regimes_exist, velocity_of_longer_extension, velocity_of_longer_contraction,
+    velocity_mirrored, reached_at_T_2, reached_at_T_4;
+/* boundary.c: where the start velocity vanishes */
+decide peak_at_random, sign_changes_by_ratio, sign_changes_by_forces, sign_changes_by_period, peaks_by_ratio,
+    peaks_by_forces, peaks_by_period, one_maximum, decays_by_ratio, decays_by_forces, decays_by_period, peak_for_alphas,
+    peak_for_masses, v_mid_peaks_by_ratio, v_mid_peaks_by_forces, v_mid_peaks_by_period, contraction_loses_by_ratio,
+    contraction_loses_by_forces, contraction_loses_by_period;
+/* figures.c */
+decide displacement_grows, velocity_change_peaks, displacement_of_strong_rear, displacement_of_weak_rear,
+    no_velocity_at_ratio_1, no_velocity_at_large_ratio, velocity_grows_with_alpha, velocity_as_1_over_T;
 
 #endif

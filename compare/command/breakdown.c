@@ -1,7 +1,10 @@
 #include <stddef.h>
 
+#include "compare/breakdown/breakdown.h"
 #include "compare/maps/axis.h"
+#include "compare/maps/maps.h"
 #include "compare/command/compare.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",       "L",      "alpha",  "gait",  "phase",
@@ -25,9 +28,9 @@ static enum exit_code run(const struct options *options)
   }
   if (!has_flint(options, "this command"))
     return EXIT_UNSOLVED;
-  return !options->map[0]      ? breakdown_table(options)
-         : options->boundaries ? breakdown_boundaries(options)
-                               : breakdown_map(options);
+  return !options->map[0]      ? with_flint.breakdown(options)
+         : options->boundaries ? with_flint.boundaries(options)
+                               : with_flint.map(options);
 }
 
 static const struct unless_given unless_given[] = {
@@ -64,7 +67,7 @@ const struct command command_breakdown = {
       "at T (1 -+ 2^-50) is proven to be on either side of the tolerance; radius: the note is proven), binary128, double\n"
       "(where no mode shows it), exact, derived. The parameters are exactly the doubles that are read.\n"
       "\n"
-      "--map X Y: a grid over two of F1/F2 (F2 stays), m1/m2 (m2 stays), alpha, T and froude\n"
+      "--map X Y: a grid over two of F1/F2 (or F1_over_F2; F2 stays), m1/m2 (or m1_over_m2; m2 stays), alpha, T, froude\n"
       "(--x, --y FROM:TO:N, with :log or :linear). One row for each point, x running fastest: the crawler, its steady\n"
       "state, and for each series the relative error at this T and the T it reaches to for 1e-2 and 1e-6. With -o FILE the\n"
       "rows done are kept in FILE.rows; if the run is interrupted, the same command goes on from there.\n"

@@ -4,8 +4,8 @@
 #include "compare/answers/gaits.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "L",      "alpha", "gait", "errors",
-                                       "check", "against", "format", "digits", "output", "quiet", NULL };
+static const char *const accepts[] = { "m1",     "m2",    "F1",     "F2",     "L",      "alpha", "gait",
+                                       "errors", "check", "format", "digits", "output", "quiet", NULL };
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
@@ -39,7 +39,7 @@ static enum exit_code run(const struct options *options)
   }
   if (!can_be_scaled(options))
     return EXIT_UNSOLVED;
-  return has_flint(options, "the ledger") ? claims_table(options) : EXIT_UNSOLVED;
+  return has_flint(options, "the ledger") ? with_flint.claims(options) : EXIT_UNSOLVED;
 }
 
 static const struct unless_given unless_given[] = {
@@ -66,7 +66,7 @@ const struct command command_claims = {
       "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
       "names may not hold, either: see their verdicts.\n"
       "--check: the verdicts are compared with those of the ledger that comes with the tool (data/claims.tsv of its\n"
-      "sources); anything that differs is printed, and the exit code is 1. --against FILE: with those of FILE.\n"
+      "sources); anything that differs is printed, and the exit code is 1.\n"
       "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
       "`scallop order` reads such a table.",
   .defaults = &generic,

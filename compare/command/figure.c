@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/run.h"
-#include "compare/scenes/shipped.h"
+#include "compare/command/run.h"
+#include "compare/text/shipped.h"
 
 static const char *const accepts[] = { "m1",      "m2",    "F1",     "F2",     "L",      "T",     "alpha", "gait",
                                        "explain", "stats", "format", "digits", "output", "quiet", NULL };
@@ -14,8 +14,11 @@ static enum exit_code run(const struct options *options)
   bool known = strlen(options->operand) == 1 && strchr("2345", options->operand[0]);
   snprintf(name, sizeof name, "figure%.4s", options->operand);
   const char *scene = known ? shipped_text(shipped_scenes, name) : NULL;
-  if (scene)
-    return run_scenes(options, &(struct scene_source){ .path = name, .text = scene }, 1, true);
+  if (scene) {
+    struct options to_output = *options; /* whatever file the scene names */
+    to_output.has_output = to_output.no_plots = true;
+    return run_scenes(&to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
+  }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", options->operand);
   return EXIT_USAGE;
 }

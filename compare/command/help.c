@@ -5,53 +5,38 @@
 #include "compare/command/compare.h"
 #include "compare/command/option_table.h"
 
-const struct request requests[] = {
-  { "help", "[COMMAND]", "what there is, or what a command takes and prints; also -h, and help without dashes" },
-  { "version", NULL, "the version" },
-  { "man", "PAGE", "a page of the manual, for man(1): scallop or a command's name; list: the names of all pages" },
-  { "completion", "SHELL", "a script by which the shell completes commands, options and values: bash" },
-  { NULL, NULL, NULL }
-};
-
-const char program_example[] = "scallop steady --F1 3 --T 0.5";
-
-const char program_purpose[] = "a two-body crawler on dry friction, its exact motion and the\n"
-                               "asymptotic series said to describe it, side by side";
-
-static const char file_failed[] = "a file or standard output could not be read or written; a closed pipe is such a case: "
-                                  "scallop ... | head -n 1";
-
-const char *const exit_meanings[] = { [EXIT_DONE] = "done",
-                                      [EXIT_CHECK_FAILED] = "a check failed",
-                                      [EXIT_USAGE] = "bad usage or input",
-                                      [EXIT_UNSOLVED] = "a computation could not be done",
-                                      [EXIT_FILE] = file_failed,
-                                      NULL };
-
-const char exit_notes[] =
-    "A run that a signal ends returns the signal's. Whatever ends it, -o FILE leaves the earlier file or the "
-    "new one.";
+static const char program_text[] =
+    "\nscallop COMMAND --help prints what a command takes and what it returns. In place of a command:\n"
+    "  --help [COMMAND]    this text, or that of a command; also -h, and help without dashes\n"
+    "  --version           the version\n"
+    "  --completion bash   a script by which bash completes commands, options and file names\n"
+    "\nExit codes:\n"
+    "  0  done\n"
+    "  1  a check failed\n"
+    "  2  bad usage or input\n"
+    "  3  a computation could not be done\n"
+    "  4  a file or standard output could not be read or written; a closed pipe is such a case: scallop ... | head\n"
+    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the new table is "
+    "complete.\n";
 
 /* An option, what it takes, and what for. */
 static void option_line(FILE *to, const char *name, const char *placeholder, const char *help)
 {
   char left[40];
   snprintf(left, sizeof left, "--%s %s", name, placeholder ? placeholder : "");
-  fprintf(to, "  %-18s %s\n", left, help);
+  fprintf(to, "  %-18s  %s\n", left, help);
 }
 
 void help_program(FILE *to)
 {
-  fprintf(to, "Example: %s\n\nscallop COMMAND [options]: %s.\n\nCommands:\n", program_example, program_purpose);
+  fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
+        "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
+        "asymptotic series said to describe it, side by side.\n\n"
+        "Commands:\n",
+        to);
   for (const struct command *const *c = commands; *c; c++)
     fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
-  fputs("\nscallop COMMAND --help tells what a command takes and prints. In place of a command:\n", to);
-  for (const struct request *r = requests; r->name; r++)
-    option_line(to, r->name, r->placeholder, r->help);
-  fputs("\nExit codes:\n", to);
-  for (int code = 0; exit_meanings[code]; code++)
-    fprintf(to, "%d  %s\n", code, exit_meanings[code]);
-  fprintf(to, "%s\n", exit_notes);
+  fputs(program_text, to);
 }
 
 /* Is name one of names, which blanks separate? */
@@ -73,7 +58,9 @@ static const char *unless_given(const struct command *command, const char *name,
   return has_value ? "%s" : NULL;
 }
 
-void help_option(const struct command *command, const char *name, char text[HELP_OPTION])
+/* What one of its options is for and, in brackets, what holds where it is not given. */
+enum { HELP_OPTION = 320 };
+static void describe(const struct command *command, const char *name, char text[HELP_OPTION])
 {
   const struct option_description *option = describe_option(name, command);
   const char *otherwise = unless_given(command, name, option->kind->show != NULL), *place;
@@ -100,7 +87,7 @@ void help_command(FILE *to, const struct command *command)
           command->about);
   for (const char *const *name = command->accepts; *name; name++) {
     char text[HELP_OPTION];
-    help_option(command, *name, text);
+    describe(command, *name, text);
     option_line(to, *name, describe_option(*name, command)->placeholder, text);
   }
   option_line(to, "help", NULL, "this text");

@@ -10,15 +10,12 @@
 
 #include "compare/command/commands.h"
 #include "compare/command/compare.h"
-#include "compare/command/completion.h"
 #include "compare/command/help.h"
-#include "compare/command/man.h"
+#include "compare/text/shipped.h"
 
-/* Says what is wrong with a word, for which the near one may have been meant (or NULL), and where they are listed. */
-static int unknown(const char *what, const char *name, const char *near, const char *listed)
+static int unknown_command(const char *name)
 {
-  fprintf(stderr, "scallop: %s '%s'%s%s%s (see %s)\n", what, name, near ? ": did you mean '" : "", near ? near : "",
-          near ? "'?" : "", listed);
+  fprintf(stderr, "scallop: unknown command '%s'%s (see scallop --help)\n", name, did_you_mean(nearest_command(name)));
   return EXIT_USAGE;
 }
 
@@ -55,7 +52,7 @@ static int give_help(const char *name)
 {
   const struct command *command = name ? command_named(name) : NULL;
   if (name && !command && !is_help(name))
-    return unknown("unknown command", name, nearest_command(name), "scallop --help");
+    return unknown_command(name);
   if (command)
     help_command(stdout, command);
   else
@@ -63,28 +60,13 @@ static int give_help(const char *name)
   return flushed();
 }
 
-static int give_page(const char *name)
-{
-  if (!name) {
-    fputs("scallop: --man needs a page: scallop, the name of a command, or list for the names of all\n", stderr);
-    return EXIT_USAGE;
-  }
-  if (!man_page(stdout, name))
-    return unknown("--man: there is no page", name, nearest_command(man_subject(name)), "scallop --man list");
-  return flushed();
-}
-
 static int give_completion(const char *shell)
 {
-  if (!shell) {
-    fputs("scallop: --completion needs a shell: bash\n", stderr);
+  if (!shell || strcmp(shell, "bash") != 0) {
+    fprintf(stderr, "scallop: --completion takes the name of a shell, bash, and not '%s'\n", shell ? shell : "");
     return EXIT_USAGE;
   }
-  if (strcmp(shell, "bash") != 0) {
-    fprintf(stderr, "scallop: --completion: '%s' is not allowed here: it takes bash\n", shell);
-    return EXIT_USAGE;
-  }
-  completion_script(stdout);
+  fputs(shipped_completion->text, stdout);
   return flushed();
 }
 
@@ -108,12 +90,16 @@ static int answer(const char *first, const char *value)
     puts("scallop " SCALLOP_VERSION);
     return flushed();
   }
-  if (is_request(first, "--man", &value))
-    return give_page(value);
+  if (is_request(first, "--man", &value)) {
+    fputs("scallop: there is no --man any more: `make install` installs the manual, which `man scallop` and "
+          "`man scallop-steady` show\n",
+          stderr);
+    return EXIT_USAGE;
+  }
   if (is_request(first, "--completion", &value))
     return give_completion(value);
   if (first[0] != '-')
-    return unknown("unknown command", first, nearest_command(first), "scallop --help");
+    return unknown_command(first);
   fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
           first, first);
   return EXIT_USAGE;

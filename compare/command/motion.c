@@ -5,6 +5,7 @@
 
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
 static const char *const steady_accepts[] = { "m1",        "m2",    "F1",     "F2",     "L",      "T",      "alpha", "gait",
@@ -29,11 +30,13 @@ static void solve(struct cells *c, const struct options *o)
   const struct motion motion = motion_of(&o->point, what(o));
   const char *more = NULL;
   long digits = o->digits > 0 ? o->digits : CERTIFIED_DIGITS;
-  bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, &o->point, motion.of, digits, &more)
+  bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, &o->point, motion.of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
-  snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
   c->why = done ? NULL : c->reason;
+  if (!done)
+    snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "",
+             more ? more : "");
 }
 
 /* Digits with an exponent at most: what every reader takes for a number */
@@ -114,7 +117,7 @@ static const char *row(struct table *t, const struct options *o, const char *ref
   table_text(t, c.why ? "-" : motion_modes_text(modes, what(o), c.answer.modes));
   table_text(t, c.why ? c.why : o->certified ? "certified" : answer_status_text(status, &c.answer));
   if (o->certified)
-    decimals_free(c.decimals);
+    with_flint.decimals_free(c.decimals);
   return c.why;
 }
 

@@ -6,7 +6,7 @@
 
 #include "compare/command/compare.h"
 #include "compare/answers/gaits.h"
-#include "compare/command/plot.h"
+#include "compare/text/plot.h"
 #include "compare/text/values.h"
 
 enum { MOST_ORDER = 1000, MOST_CASES = 1000000, MOST_COUNT = 1000000000 };
@@ -116,7 +116,7 @@ static const char *set_file(struct options *o, const char *name, const char *tex
   else if (strcmp(name, "into") == 0)
     o->folder = text;
   else
-    *(strcmp(name, "points") == 0 ? &o->points : &o->from) = text;
+    o->points = text;
   return NULL;
 }
 
@@ -153,14 +153,6 @@ static const char *set_range(struct options *o, const char *name, const char *te
 {
   o->range[*name == 'x' ? 0 : 1] = text;
   return *text == '\0' ? not_allowed(text, "FROM:TO:COUNT") : NULL;
-}
-
-static const char *set_against(struct options *o, const char *name, const char *text)
-{
-  (void)name;
-  o->against = text;
-  o->check = true;
-  return *text == '\0' ? not_allowed(text, "a file name") : NULL;
 }
 
 static const char *set_source(struct options *o, const char *name, const char *text)
@@ -277,10 +269,10 @@ static const struct option_kind of_crawler_number = { set_parameter, show_crawle
                                 of_format = { set_format, show_format, NULL }, of_source = { set_source, show_source, NULL },
                                 of_digits = { set_digits, show_digits, write_digits_range },
                                 of_errors = { set_errors, NULL, NULL }, of_flag = { set_flag, NULL, NULL },
-                                of_family = { set_family, NULL, NULL }, of_against = { set_against, NULL, NULL },
-                                of_word = { set_word, NULL, NULL }, of_map = { set_map, NULL, NULL },
-                                of_range = { set_range, NULL, NULL }, of_file = { set_file, NULL, NULL },
-                                of_limit = { set_limit, NULL, NULL }, of_quiet = { set_quiet, NULL, NULL };
+                                of_family = { set_family, NULL, NULL }, of_word = { set_word, NULL, NULL },
+                                of_map = { set_map, NULL, NULL }, of_range = { set_range, NULL, NULL },
+                                of_file = { set_file, NULL, NULL }, of_limit = { set_limit, NULL, NULL },
+                                of_quiet = { set_quiet, NULL, NULL };
 
 static const struct option_description descriptions[] = {
   { "m1", "M", "mass of body 1", &of_crawler_number },
@@ -311,7 +303,6 @@ static const struct option_description descriptions[] = {
   { "error", NULL, "after each number an estimate of its error", &of_flag },
   { "check", NULL, "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
     &of_flag },
-  { "against", "FILE", "the same with another ledger", &of_against },
   { "source.breakdown", "SOURCE", "this series only: published, derived or limit", &of_source },
   { "source", "SOURCE", "published, derived or limit", &of_source },
   { "order", "N", "derive all terms below T^N, N from 1 to 1000", &of_count },
@@ -325,7 +316,6 @@ static const struct option_description descriptions[] = {
   { "certified", NULL, "in ball arithmetic: every digit printed is proven", &of_flag },
   { "quick", NULL, "few settings, few T and a short limit: a look, in seconds", &of_flag },
   { "summary", NULL, "for each wanted error the cheapest method, and how many times as long the others take", &of_flag },
-  { "from", "FILE", "that summary of a table which was written before; nothing is measured", &of_file },
   { "limit", "SECONDS", "for each method and setting, from 0.001 to 3600", &of_limit },
   { "points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", &of_file },
   { "format", "F", "tsv or json, one object a line", &of_format },

@@ -20,21 +20,41 @@ static bool refuse(int *code)
   return false;
 }
 
+static const struct {
+  const char *command, *option, *instead;
+} dropped[] = {
+  { "workprec", "from",
+    "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
+    "share/scallop/" },
+  { "claims", "against", "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff" },
+};
+
+static bool refuse_option(const struct options *o, const char *argument, const char *name, int *code)
+{
+  const char *command = o->command->name, *near = nearest(name + strspn(name, "-"), o->command->accepts);
+  char option[80];
+  snprintf(option, sizeof option, "--%.70s", near ? near : "");
+  for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++)
+    if (strcmp(command, dropped[i].command) == 0 && strcmp(name, dropped[i].option) == 0) {
+      complain(command, "the option '%s' is no longer there: %s", argument, dropped[i].instead);
+      return refuse(code);
+    }
+  if (describe_option(name, o->command))
+    complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
+  else
+    complain(command, "unknown option '%s'%s (see scallop %s --help)", argument, did_you_mean(near ? option : NULL),
+             command);
+  return refuse(code);
+}
+
 /* The option called name, whose value is text, or the next argument. argument: as it was written. */
 static bool take_option(struct options *o, int count, char **arguments, int *i, int *code, char *name, const char *text)
 {
   const char *argument = arguments[*i];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
   const struct option_description *d = option_accepted(o->command, name) ? describe_option(name, o->command) : NULL;
-  if (!d || (!two_dashes && strcmp(argument, "-o") != 0)) {
-    const char *near = nearest(name + strspn(name, "-"), o->command->accepts);
-    bool elsewhere = describe_option(name, o->command) != NULL;
-    complain(o->command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
-             elsewhere ? "this command does not take the" : "unknown", argument,
-             near && !elsewhere ? ": did you mean '--" : "", near && !elsewhere ? near : "", near && !elsewhere ? "'?" : "",
-             o->command->name);
-    return refuse(code);
-  }
+  if (!d || (!two_dashes && strcmp(argument, "-o") != 0))
+    return refuse_option(o, argument, name, code);
   if (d->placeholder && !text) {
     if (*i + 1 == count) {
       complain(o->command->name, "--%s needs a value: --%s %s", name, name, d->placeholder);

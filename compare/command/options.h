@@ -20,8 +20,7 @@ struct options {
   double start_velocity; /* that number                                                     */
   const char *points;    /* file name, "-" for standard input, or NULL                      */
   const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
-  bool check;            /* claims: compare the verdicts with an earlier ledger; stress       */
-  const char *against;   /* claims: that ledger, NULL: the one that comes with the tool       */
+  bool check;            /* claims: compare the verdicts with those of the tool's ledger; stress       */
   const char *source;    /* series: "published", "derived" or "limit"                        */
   long order;            /* series: terms below T^order                                      */
   bool bound, certified;
@@ -30,12 +29,10 @@ struct options {
   int operand_count;
   const char *output; /* NULL: standard output                                           */
   const char *folder; /* run: where files without a folder go, or NULL                      */
-  struct table *into; /* the table to continue in place of output, or NULL               */
   enum format format;
   long digits; /* significant digits; 0: as many as read back exactly             */
   long periods, samples;
   double expect, tolerance;
-  const char *from;                          /* workprec: a table to summarise, or NULL                              */
   const char *family;                        /* stress: the only family, or NULL                                    */
   long cases, seed;                          /* stress: of each family, 0: as many as is usual; of their parameters   */
   bool full, stiff, error;                   /* stress; steady and phase                                          */

@@ -1,10 +1,10 @@
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/command/compare.h"
-#include "compare/text/lines.h"
+#include "compare/text/memory.h"
+#include "compare/text/tsv.h"
 #include "compare/order/order.h"
 
 static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
@@ -17,20 +17,20 @@ static const char *const summary_columns[] = { "order",    "lo",        "hi",   
 struct series {
   char *name; /* these texts                                                                     */
   struct order_point *points;
-  int count, room;
+  int count;
   struct order_fit fit;
   enum order_verdict verdict;
 };
 
 struct list {
   struct series *series;
-  int count, room;
+  int count;
   long rows; /* of all of them                                                                  */
 };
 
-enum { MESSAGE = 120, NAME = 1024, MOST_SERIES = 4096, MOST_ROWS = 1000000 };
+enum { NAME = 1024, MOST_SERIES = 4096, MOST_ROWS = 1000000 };
 
-struct layout {
+struct layout { /* places of columns, -1: not there */
   int h, value, noise, columns;
   bool values;
 };
@@ -44,24 +44,13 @@ static void list_clear(struct list *list)
   free(list->series);
 }
 
-/* Room for one more of that size in an array, or NULL: out of memory */
-static void *grown(void *array, int count, int *room, size_t size)
-{
-  if (count < *room)
-    return array;
-  int larger = *room ? 2 * *room : 64;
-  void *moved = realloc(array, (size_t)larger * size);
-  *room = moved ? larger : *room;
-  return moved;
-}
-
 /* The series of that name, a new one if there is none; NULL: out of memory, or too many */
 static struct series *series_named(struct list *list, const char *name)
 {
   for (int i = list->count - 1; i >= 0; i--)
     if (strcmp(list->series[i].name, name) == 0)
       return &list->series[i];
-  struct series *all = list->count < MOST_SERIES ? grown(list->series, list->count, &list->room, sizeof *all) : NULL;
+  struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
@@ -73,7 +62,7 @@ static struct series *series_named(struct list *list, const char *name)
 
 static bool append(struct series *s, struct order_point point)
 {
-  struct order_point *points = grown(s->points, s->count, &s->room, sizeof point);
+  struct order_point *points = with_room(s->points, s->count, sizeof point);
   if (!points)
     return false;
   s->points = points;
@@ -89,41 +78,36 @@ static bool read_any(const char *text, double *value)
   return end != text && *end == '\0';
 }
 
-/* At tabs if there are any, since a cell may then hold blanks; else at blanks. */
-static int split(char *line, char **cells, int most)
+/* Sets *place where the header names the column. False: it is named twice. */
+static bool find_column(const struct tsv *t, const char *name, int *place)
 {
-  int n = 0;
-  const char *ends = strchr(line, '\t') ? "\t" : " ";
-  for (char *cell = strtok(line, ends); cell && n < most; cell = strtok(NULL, ends))
-    cells[n++] = cell;
-  return n;
+  int found = tsv_column(t, name);
+  for (int i = found + 1; found >= 0 && i < t->columns; i++)
+    if (strcmp(t->column[i], name) == 0)
+      return false;
+  *place = found >= 0 ? found : *place;
+  return true;
 }
 
-/* A header names h and err (or value), and may name noise; without a header the columns are h and err. */
-static const char *read_layout(char **cells, int count, struct layout *layout, bool *header)
+/* A header names h and err (or value), and may name noise; without a header the columns are h and err. Takes the first row, and
+ * returns NULL or what is wrong with it. */
+static const char *read_layout(struct tsv *t, struct layout *layout)
 {
   double number;
-  *layout = (struct layout){ .h = 0, .value = 1, .noise = -1, .columns = count };
-  *header = false;
-  if (read_any(cells[0], &number))
-    return count == 2 ? NULL : "without a header line there must be two columns, h and err";
-  *header = true;
-  layout->h = layout->value = -1;
-  for (int i = 0; i < count; i++) {
-    bool err = strcmp(cells[i], "err") == 0 || strcmp(cells[i], "error") == 0, value = strcmp(cells[i], "value") == 0;
-    if ((err || value) && layout->value >= 0)
-      return "one column 'err' or 'value' is wanted, not two";
-    if (err || value)
-      layout->value = i;
-    layout->values |= value;
-    bool h = strcmp(cells[i], "h") == 0, noise = strcmp(cells[i], "noise") == 0;
-    if ((h && layout->h >= 0) || (noise && layout->noise >= 0))
-      return "a column is there twice";
-    if (h)
-      layout->h = i;
-    if (noise)
-      layout->noise = i;
-  }
+  int err = -1, error = -1, value = -1;
+  *layout = (struct layout){ .h = 0, .value = 1, .noise = -1, .columns = t->count };
+  if (read_any(t->cell[0], &number))
+    return t->count == 2 ? NULL : "without a header line there must be two columns, h and err";
+  if (!tsv_take_header(t))
+    return "out of memory";
+  layout->h = -1;
+  if (!find_column(t, "h", &layout->h) || !find_column(t, "noise", &layout->noise))
+    return "a column is there twice";
+  if (!find_column(t, "err", &err) || !find_column(t, "error", &error) || !find_column(t, "value", &value)
+      || (err >= 0) + (error >= 0) + (value >= 0) > 1)
+    return "one column 'err' or 'value' is wanted, not two";
+  layout->value = err >= 0 ? err : error >= 0 ? error : value;
+  layout->values = value >= 0;
   return layout->h >= 0 && layout->value >= 0
              ? NULL
              : "the header must name the columns 'h' and 'err' (or 'value'), separated by blanks or tabs";
@@ -140,37 +124,27 @@ static void read_name(char name[NAME], char *const *cells, const struct layout *
       used += (size_t)snprintf(name + used, NAME - used, "%s%s", used ? "; " : "", cells[i]);
 }
 
-/* Takes a line in. Returns NULL, or what is wrong with it, for which message has room. */
-static const char *read_line(char *line, struct list *list, struct layout *layout, bool *started, char message[MESSAGE])
+/* Takes a row in. Returns NULL, or what is wrong with it. */
+static const char *read_row(struct tsv *t, struct list *list, const struct layout *layout)
 {
-  enum { MOST = 64 };
-  char *cells[MOST];
-  bool header = false;
-  int count = split(line, cells, MOST);
-  if (count == 0 || cells[0][0] == '#')
-    return NULL;
-  if (!*started) {
-    const char *wrong = read_layout(cells, count, layout, &header);
-    *started = true;
-    if (wrong || header)
-      return wrong;
-  }
-  if (count != layout->columns)
+  if (t->count != layout->columns)
     return "the number of columns changes";
   struct order_point point = { .noise = 0 };
   const struct {
     int column;
     double *value;
   } wanted[] = { { layout->h, &point.h }, { layout->value, &point.err }, { layout->noise, &point.noise } };
+  static char message[120];
   for (int i = 0; i < 3; i++)
-    if (wanted[i].column >= 0 && !read_any(cells[wanted[i].column], wanted[i].value)) {
-      snprintf(message, MESSAGE, "column %d: '%.60s' is not a number", wanted[i].column + 1, cells[wanted[i].column]);
+    if (wanted[i].column >= 0 && !read_any(t->cell[wanted[i].column], wanted[i].value)) {
+      snprintf(message, sizeof message, "column %d: '%.60s' is not a number", wanted[i].column + 1,
+               t->cell[wanted[i].column]);
       return message;
     }
   if (list->rows++ == MOST_ROWS)
     return "more than a million rows";
   char name[NAME];
-  read_name(name, cells, layout);
+  read_name(name, t->cell, layout);
   struct series *s = series_named(list, name);
   if (!s)
     return list->count == MOST_SERIES ? "more than 4096 series: rows with the same text left of h are one" : "out of memory";
@@ -195,29 +169,24 @@ static bool join_single_points(struct list *list)
 
 static enum exit_code read_file(const struct options *options, struct list *list, bool *values)
 {
-  bool standard = strcmp(options->operand, "-") == 0, started = false;
-  const char *name = standard ? "standard input" : options->operand, *wrong = NULL;
-  struct lines lines = { .file = standard ? stdin : fopen(name, "r") };
-  struct layout layout = { .values = false };
-  char message[MESSAGE];
-  if (!lines.file) {
-    complain("order", "cannot read %s: %s", name, strerror(errno));
-    return EXIT_FILE;
-  }
-  while (!wrong && next_line(&lines))
-    wrong = line_fault(&lines) ? line_fault(&lines) : read_line(lines.line, list, &layout, &started, message);
-  bool failed = lines.error != 0;
+  struct tsv t;
+  struct layout layout = { .columns = 0 };
+  const char *wrong = NULL;
+  if (tsv_open(&t, options->operand, TSV_WORDS))
+    while (!wrong && tsv_next(&t)) {
+      bool first = layout.columns == 0;
+      wrong = t.fault ? t.fault : first ? read_layout(&t, &layout) : NULL;
+      if (!wrong && (!first || t.columns == 0))
+        wrong = read_row(&t, list, &layout);
+    }
   if (!wrong && !join_single_points(list))
     wrong = "out of memory";
-  if (wrong)
-    complain("order", "%s:%ld: %s", name, lines.number, wrong);
-  else if (failed)
-    complain("order", "cannot read %s: %s", name, lines_error_text(&lines));
+  bool failed = tsv_error(&t) != NULL;
+  if (wrong || failed)
+    complain("order", "%s", wrong ? tsv_at(&t, "%s", wrong) : tsv_error(&t));
   else if (list->count == 0)
-    complain("order", "%s: no data: lines of 'h err' are wanted", name);
-  lines_free(&lines);
-  if (!standard)
-    fclose(lines.file);
+    complain("order", "%s: no data: lines of 'h err' are wanted", t.name);
+  tsv_close(&t);
   *values = layout.values;
   return failed ? EXIT_FILE : wrong || list->count == 0 ? EXIT_USAGE : EXIT_DONE;
 }

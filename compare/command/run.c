@@ -6,11 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/command/compare.h"
-#include "compare/scenes/places.h"
-#include "compare/scenes/run.h"
-#include "compare/scenes/text.h"
-#include "compare/scenes/shipped.h"
+#include "compare/command/option_table.h"
+#include "compare/command/run.h"
+#include "compare/text/shipped.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1",    "m2",     "F1",         "F2",      "L",     "T",
@@ -23,12 +21,7 @@ struct scenes {
   int count;
   const char *input; /* the text of the one on standard input, or NULL */
   struct scene *scene[MOST_SCENES];
-  struct plan *plan[MOST_SCENES];
-  struct scene_outputs outputs[MOST_SCENES];
-  char *owned[MOST_SCENES][2 * SCENE_WANTS]; /* paths of tables and plots                              */
 };
-
-/* ---- where tables go ---- */
 
 static int tables_of(const struct scenes *all)
 {
@@ -36,36 +29,6 @@ static int tables_of(const struct scenes *all)
   for (int i = 0; i < all->count; i++)
     tables += all->scene[i]->wants;
   return tables;
-}
-
-static const char *in_folder(char **owned, const char *folder, const char *file)
-{
-  size_t room = strlen(folder) + strlen(file) + 2;
-  if (!folder[0] || file[0] == '/')
-    return file;
-  *owned = malloc(room);
-  if (*owned)
-    snprintf(*owned, room, "%s/%s", folder, file);
-  return *owned;
-}
-
-/* False: no memory. */
-static bool place_tables(struct scenes *all, const struct options *o, bool to_output)
-{
-  bool named = to_output || (o->has_output && !o->explain);
-  for (int i = 0; i < all->count; i++)
-    for (int w = 0; w < all->scene[i]->wants; w++) {
-      const char *file = named ? o->output : all->scene[i]->want[w].file;
-      const char *folder = o->folder && !named ? o->folder : "";
-      const char *plot = !to_output && !o->no_plots && file && all->scene[i]->want[w].has_plot
-                             ? all->scene[i]->want[w].plot.file
-                             : NULL;
-      all->outputs[i].file[w] = file ? in_folder(&all->owned[i][w], folder, file) : NULL;
-      all->outputs[i].plot[w] = plot ? in_folder(&all->owned[i][SCENE_WANTS + w], folder, plot) : NULL;
-      if ((file && !all->outputs[i].file[w]) || (plot && !all->outputs[i].plot[w]))
-        return false;
-    }
-  return true;
 }
 
 /* Tables and plots all go to different places, and none in that of a file that is read. */
@@ -80,41 +43,38 @@ static bool check_places(const struct scenes *all, const struct options *o)
   if (good && o->explain)
     good = !o->has_output || places_writes(places, o->command->name, o->output);
   for (int i = 0; good && !o->explain && i < all->count; i++)
-    for (int w = 0; good && w < all->scene[i]->wants; w++)
-      good = places_writes(places, o->command->name, all->outputs[i].file[w])
-             && (!all->outputs[i].plot[w] || places_writes(places, o->command->name, all->outputs[i].plot[w]));
+    for (int w = 0; good && w < all->scene[i]->wants; w++) {
+      const struct scene_want *want = &all->scene[i]->want[w];
+      good = places_writes(places, o->command->name, want->file)
+             && (!want->has_plot || places_writes(places, o->command->name, want->plot.file));
+    }
   free(places);
   return good;
 }
 
-/* ---- what the user sees of the plan ---- */
-
-static const char *const plan_columns[] = { "scene", "stage", "work", "known", "seconds", "why", NULL };
-
-/* What is done first, then what is left out. */
+/* What is done first, then what is not requested. */
 static enum exit_code explain(const struct scenes *all, const struct options *o)
 {
+  static const char *const columns[] = { "scene", "stage", "count", "known", "for", NULL };
   static struct table table;
   if (!table_open(&table, o))
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: run --explain");
-  table_note(&table, "work: what the counters of --stats will say; seconds: on one core, right to a factor of ten or so; "
-                     "where a point cannot be solved, less is done");
-  table_columns(&table, plan_columns);
+  table_note(&table, "count: as --stats will count, where every point can be solved");
+  table_columns(&table, columns);
   table_begin_rows(&table);
   for (int i = 0; i < all->count; i++)
     for (int left_out = 0; left_out < 2; left_out++)
-      for (int k = 0; k < COUNTS; k++) {
-        const struct plan_stage *s = &all->plan[i]->stage[k];
-        if ((s->known == PLAN_LEFT_OUT) != (left_out == 1))
+      for (int k = 0; k < COUNT_PLANNED; k++) {
+        const struct plan_stage *s = &all->scene[i]->plan.stage[k];
+        if ((s->count == 0) != (left_out == 1))
           continue;
         table_text(&table, all->scene[i]->name);
         table_text(&table, count_name((enum count)k));
-        table_rounded(&table, s->work, "%.15g");
-        table_text(&table, plan_known_text(s->known));
-        table_rounded(&table, s->seconds, "%.2g");
-        table_text(&table, s->why);
+        table_rounded(&table, s->count, "%.15g");
+        table_text(&table, s->count == 0 ? "not requested" : s->is_at_most ? "at most" : "exactly");
+        table_text(&table, s->count == 0 ? "-" : s->reason);
       }
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
@@ -129,27 +89,81 @@ static void print_stats(void)
     fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
 }
 
-/* ---- the run ---- */
+/* The tables of commands that a scene can want, each with an option that its name stands for. */
+static const struct {
+  const char *what;
+  const struct command *command;
+  char *option[2];
+} tables[] = { { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
+               { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
+               { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } } };
+
+enum { MOST_ARGUMENTS = 128 };
+
+/* The parameters of the scene that the command takes, as options. Returns how many arguments there are then. */
+static int add_parameters(char **arguments, int count, const struct command *command, const struct point *base)
+{
+  static char *const flags[] = { "--m1", "--m2", "--F1", "--F2", "--L", "--T", "--alpha", "--gait", "--v0" };
+  bool has_map = false;
+  for (int i = 0; i < count; i++)
+    has_map |= strcmp(arguments[i], "--map") == 0;
+  for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
+    const char *name = flags[i] + 2, *text = i < CRAWLER_NUMBERS   ? base->written[i]
+                                             : i > CRAWLER_NUMBERS ? base->written_v0
+                                             : base->has_gait      ? base->crawler.gait->name
+                                                                   : NULL;
+    bool idle = command == &command_breakdown && !has_map && strcmp(name, "T") == 0; /* all T are looked at */
+    if (!text || idle || !option_accepted(command, name))
+      continue;
+    arguments[count++] = flags[i];
+    arguments[count++] = (char *)text;
+  }
+  return count;
+}
+
+static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct options *o,
+                                  bool only_read)
+{
+  char *arguments[MOST_ARGUMENTS] = { "scallop" }, digits[32];
+  struct options options;
+  int table = 0, count = 2, code = EXIT_DONE;
+  while (strcmp(tables[table].what, w->what) != 0)
+    table++;
+  const struct command *command = tables[table].command;
+  arguments[1] = (char *)command->name;
+  for (int i = 0; i < 2 && tables[table].option[i]; i++)
+    arguments[count++] = tables[table].option[i];
+  for (int i = 0; i < w->argument_count; i++)
+    arguments[count++] = w->arguments[i];
+  count = add_parameters(arguments, count, command, &scene->base);
+  if (o->quiet && option_accepted(command, "quiet"))
+    arguments[count++] = "--quiet";
+  snprintf(digits, sizeof digits, "--digits=%ld", o->digits);
+  if (o->digits > 0 && option_accepted(command, "digits"))
+    arguments[count++] = digits;
+  if (options_read(&options, command, count, arguments, &code) && !only_read) {
+    options.output = w->file;
+    options.format = w->format;
+    code = (int)command->run(&options);
+  }
+  options_free(&options);
+  return (enum exit_code)code;
+}
 
 static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
 {
-  for (int i = 0; i < count; i++) {
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < count && code == EXIT_DONE; i++) {
     struct scene *scene = malloc(sizeof *scene);
-    struct plan *plan = malloc(sizeof *plan);
-    enum exit_code code = scene && plan ? scene_read(scene, &sources[i], o) : EXIT_UNSOLVED;
-    if (code != EXIT_DONE) {
-      if (!scene || !plan)
-        complain(o->command->name, "out of memory");
+    if (!scene)
+      complain(o->command->name, "out of memory");
+    code = scene ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
+    if (code == EXIT_DONE)
+      all->scene[all->count++] = scene;
+    else
       free(scene);
-      free(plan);
-      return code;
-    }
-    plan_make(plan, scene);
-    all->scene[i] = scene;
-    all->plan[i] = plan;
-    all->count++;
   }
-  return EXIT_DONE;
+  return code;
 }
 
 static void free_all(struct scenes *all)
@@ -157,16 +171,13 @@ static void free_all(struct scenes *all)
   for (int i = 0; i < all->count; i++) {
     scene_free(all->scene[i]);
     free(all->scene[i]);
-    free(all->plan[i]);
-    for (int w = 0; w < 2 * SCENE_WANTS; w++)
-      free(all->owned[i][w]);
   }
 }
 
 static bool needs_flint(const struct scenes *all)
 {
   for (int i = 0; i < all->count; i++)
-    if (all->plan[i]->needs_flint)
+    if (all->scene[i]->plan.needs_flint)
       return true;
   return false;
 }
@@ -199,17 +210,13 @@ static bool hand_over(const struct scenes *all, const struct options *o)
   return has_flint(o, "this scene");
 }
 
-static enum exit_code run_all(struct scenes *all, const struct options *o, bool to_output)
+static enum exit_code run_all(struct scenes *all, const struct options *o)
 {
   enum exit_code code = EXIT_DONE;
   if (o->has_output && !o->explain && tables_of(all) > 1) {
     complain(o->command->name, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
              tables_of(all));
     return EXIT_USAGE;
-  }
-  if (!place_tables(all, o, to_output)) {
-    complain(o->command->name, "out of memory");
-    return EXIT_UNSOLVED;
   }
   if (!check_places(all, o))
     return EXIT_USAGE;
@@ -218,13 +225,13 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->quiet; i++)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
-              scene_points(all->scene[i]), all->scene[i]->wants);
+              sweep_points(&all->scene[i]->sweep), all->scene[i]->wants);
     return EXIT_DONE;
   }
   if (needs_flint(all) && !hand_over(all, o))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
-    enum exit_code one = scene_run(all->scene[i], all->plan[i], &all->outputs[i], o);
+    enum exit_code one = scene_run(all->scene[i], o);
     code = one > code ? one : code;
   }
   if (o->stats)
@@ -232,7 +239,7 @@ static enum exit_code run_all(struct scenes *all, const struct options *o, bool 
   return code;
 }
 
-enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count, bool to_output)
+enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count)
 {
   struct scenes *all = calloc(1, sizeof *all);
   if (!all || count > MOST_SCENES) {
@@ -245,7 +252,7 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
       all->input = sources[i].text;
   enum exit_code code = read_all(all, o, sources, count);
   if (code == EXIT_DONE)
-    code = run_all(all, o, to_output);
+    code = run_all(all, o);
   free_all(all);
   free(all);
   return code;
@@ -275,7 +282,7 @@ static enum exit_code run(const struct options *o)
       return read;
     sources[i] = (struct scene_source){ .path = "-", .text = input };
   }
-  enum exit_code code = run_scenes(o, sources, count, false);
+  enum exit_code code = run_scenes(o, sources, count);
   free(input);
   return code;
 }
@@ -301,8 +308,8 @@ const struct command command_run = {
       "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
       "the tool: figure2 to figure5, claims, errors, stress, workprec and the maps are. '-' is a scene on standard input.\n"
       "Parameters, --digits and --format given here take the place of the scene's.\n"
-      "--explain: the plan instead of the work. Columns: scene; stage; work: how often, as --stats will count it; known:\n"
-      "exactly, at most, about, at least, or left out; seconds: about; why.",
+      "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
+      "exactly, at most, or not requested; for: the quantity or table that first needs it.",
   .unless_given = unless_given,
   .proven = "where a scene has certified values",
   .run = run,

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
-#include "compare/answers/exact.h"
+#include "numerics/numerics.h"
+#include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/with_flint.h"
@@ -27,33 +27,34 @@ typedef void value_sink(void *context, const struct value *value);
 static enum scallop_status each_value(const struct options *o, value_sink *sink, void *context)
 {
   const struct scallop_crawler *c = &o->point.crawler;
-  struct scallop_steady_result steady;
-  enum scallop_status status = counted_steady(c, &steady);
-  if (status < 0)
-    return status;
+  const struct motion period = motion_of(&o->point, OF_STEADY);
+  struct answer steady;
+  if (!answer_in_double(&steady, &period))
+    return steady.status;
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     struct value v = { .formula = f, .phase = "period", .quantity = formula_quantity_text(f, SCALLOP_EXTENSION) };
     if (f->setting == SCALLOP_STEADY) {
-      count_add(COUNT_FORMULAS, 1);
       v.published = f->steady(c);
-      v.exact = f->quantity == SCALLOP_STEADY_VELOCITY ? steady.period.v_start : steady.period.displacement;
+      v.exact = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
       sink(context, &v);
       continue;
     }
     int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
     for (int k = first; k <= last; k++) {
       enum scallop_phase_kind kind = (enum scallop_phase_kind)k;
-      double moving = o->point.has_v0 ? o->point.v0 : k == SCALLOP_EXTENSION ? steady.period.v_start : steady.period.v_mid;
-      double v0 = f->setting == SCALLOP_AT_REST_START ? 0 : moving;
-      struct scallop_phase_point point = scallop_phase_point(c, kind, v0);
-      struct exact_phase exact;
-      status = exact_phase_solve(c, kind, v0, &exact);
-      if (status < 0)
-        return status;
+      double start = steady.value[k == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
+      const struct motion m = { OF_PHASE, *c, kind,
+                                f->setting == SCALLOP_AT_REST_START ? 0
+                                : o->point.has_v0                   ? o->point.v0
+                                                                    : start };
+      struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
+      struct answer exact;
+      if (!answer_in_double(&exact, &m) || !answer_turnings(&exact, &m))
+        return exact.status;
       v.phase = k == SCALLOP_EXTENSION ? "extension" : "contraction";
       v.quantity = formula_quantity_text(f, kind);
-      v.published = published_value(f, &point, &exact);
-      v.exact = exact_quantity(&exact, f->quantity);
+      v.published = published_value(f, &point, &m, &exact);
+      v.exact = exact.value[quantity_of_formula(f, kind)].high;
       sink(context, &v);
     }
   }
@@ -151,7 +152,7 @@ static enum exit_code run(const struct options *options)
   }
   if (options->bound || strcmp(options->source, "published") != 0) {
     const char *what = options->bound ? "--bound" : "--source derived or limit";
-    return has_flint(options, what) ? series_derived(options) : EXIT_UNSOLVED;
+    return has_flint(options, what) ? with_flint.series(options) : EXIT_UNSOLVED;
   }
   if (options->points)
     return run_points(options);

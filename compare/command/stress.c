@@ -1,6 +1,7 @@
 #include <stddef.h>
 
 #include "compare/command/compare.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
 static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "L",     "T",     "alpha", "gait",
@@ -47,7 +48,9 @@ static enum exit_code run(const struct options *options)
   }
   if (!has_flint(options, "this command"))
     return EXIT_UNSOLVED;
-  return options->stiff ? stress_stiff(options) : point ? stress_point(options) : stress_table(options);
+  return options->stiff ? with_flint.stress_stiff(options)
+         : point        ? with_flint.stress_point(options)
+                        : with_flint.stress(options);
 }
 
 static const struct unless_given unless_given[] = {

@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "compare/command/compare.h"
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 
 static const char *const accepts[] = { "m1",    "m2",      "F1",      "F2",     "L",      "T",      "alpha", "gait",
                                        "start", "periods", "samples", "format", "digits", "output", "quiet", NULL };
@@ -56,11 +56,11 @@ static enum exit_code run(const struct options *options)
   if (strcmp(options->start, "rest") == 0)
     out.v0 = 0;
   if (strcmp(options->start, "steady") == 0) {
-    status = counted_steady(&options->point.crawler, &steady);
+    status = scallop_steady(&options->point.crawler, &steady);
     out.v0 = status < 0 ? 0 : steady.period.v_start;
   }
   if (status >= 0)
-    status = counted_trajectory(&options->point.crawler, out.v0, options->periods, options->samples, write_sample, &out);
+    status = scallop_trajectory(&options->point.crawler, out.v0, options->periods, options->samples, write_sample, &out);
   if (out.failed)
     return EXIT_FILE;
   if (status < 0) {

@@ -1,28 +1,15 @@
 #include <stddef.h>
 
 #include "compare/command/compare.h"
+#include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2",      "F1",   "F2",    "L",      "T",      "alpha", "gait",
-                                       "quick", "summary", "from", "limit", "format", "output", "quiet", NULL };
-
-/* An option that --from leaves without an effect; NULL if there is none. */
-static const char *useless_with_from(const struct options *o)
-{
-  for (int i = 0; i < 7; i++)
-    if (o->point.written[i])
-      return crawler_parameters[i];
-  return o->point.has_gait ? "gait" : o->quick ? "quick" : o->limit > 0 ? "limit" : NULL;
-}
+static const char *const accepts[] = { "m1",    "m2",      "F1",    "F2",     "L",      "T",     "alpha", "gait",
+                                       "quick", "summary", "limit", "format", "output", "quiet", NULL };
 
 static enum exit_code run(const struct options *options)
 {
-  const char *useless = options->from ? useless_with_from(options) : NULL;
-  if (useless) {
-    complain("workprec", "--from takes its rows from a table: --%s has nothing to do there", useless);
-    return EXIT_USAGE;
-  }
-  return has_flint(options, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
+  return has_flint(options, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
 }
 
 static const struct unless_given unless_given[] = {
@@ -60,7 +47,7 @@ const struct command command_workprec = {
       "moreau: time stepping, which steps over events.\n"
       "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
-      "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact). --from: of an earlier table.",
+      "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact).",
   .unless_given = unless_given,
   .run = run,
 };

@@ -2,20 +2,20 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/compare.h"
+#include "compare/text/message.h"
+#include "compare/text/values.h"
+#include "model/version.h"
 
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
+static const char *const in_scenes[] = { "F1_over_F2", "m1_over_m2", "alpha", "T", "froude" }; /* the same names there */
+static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
 
 const char *axis_name(enum axis_kind kind) { return names[kind]; }
-
-static char message[400];
-
-/* ---- reading ---- */
+const char *axis_sets(enum axis_kind kind) { return parameters[kind]; }
 
 /* The next part of the text, up to a colon, which becomes a NUL. NULL: there is none. */
 static char *part(char **text)
@@ -27,118 +27,89 @@ static char *part(char **text)
   return begin;
 }
 
-static bool read_spacing(const char *text, bool *log)
+/* NULL, or what is wrong with the range, whose colons are overwritten. */
+static const char *read_range(struct axis *a, char *rest)
 {
-  *log = strcmp(text, "log") == 0;
-  return *log || strcmp(text, "linear") == 0;
-}
-
-static bool read_many(const char *text, long *count)
-{
-  char *end;
-  long n = strtol(text, &end, 10);
-  *count = n;
-  return *text >= '0' && *text <= '9' && *end == '\0' && n >= 1 && n <= MOST_COUNT;
-}
-
-static const char *wrong_range(const char *range, const char *why)
-{
-  snprintf(message, sizeof message,
-           "'%.100s' is not allowed here: it takes FROM:TO:COUNT, and :log or :linear after it if that is to be said; %s",
-           range, why);
-  return message;
-}
-
-static const char *check_ends(const struct axis *a, const char *range)
-{
-  if (!(a->from > 0) || !(a->to > 0))
-    return wrong_range(range, "FROM and TO are > 0");
-  if (a->kind == AXIS_ALPHA && (a->from >= 1 || a->to >= 1))
-    return wrong_range(range, "alpha lies between 0 and 1, both excluded");
-  if (a->count == 1 ? a->from != a->to : !(a->from < a->to))
-    return wrong_range(range, a->count == 1 ? "FROM = TO where COUNT is 1" : "FROM < TO where COUNT is 2 or more");
-  if (!isfinite(a->to / a->from))
-    return wrong_range(range, "TO/FROM is no more than 1.8e308");
-  return NULL;
-}
-
-static const char *read_range(struct axis *a, const char *range)
-{
-  char copy[RANGE_TEXT], *rest = copy;
-  if (strlen(range) >= sizeof copy)
-    return wrong_range(range, "this one is too long");
-  memcpy(copy, range, strlen(range) + 1);
   const char *from = part(&rest), *to = part(&rest), *count = part(&rest), *spacing = part(&rest);
   if (!count || rest)
-    return wrong_range(range, "this one has not three or four parts");
-  if (!read_number(from, &a->from) || !read_number(to, &a->to))
-    return wrong_range(range, "FROM and TO are finite numbers > 0");
-  if (!read_many(count, &a->count))
-    return wrong_range(range, "COUNT is a whole number from 1 to 100000");
-  if (spacing && !read_spacing(spacing, &a->log))
-    return wrong_range(range, "values are spaced log or linear");
-  return check_ends(a, range);
+    return "this one has not three or four parts";
+  if (!read_number(from, &a->from) || !read_number(to, &a->to) || !(a->from > 0) || !(a->to > 0))
+    return "FROM and TO are finite numbers > 0";
+  if (!read_count(count, 1, MOST_COUNT, &a->count))
+    return "COUNT is a whole number from 1 to 100000";
+  if (spacing && strcmp(spacing, "log") != 0 && strcmp(spacing, "linear") != 0)
+    return "values are spaced log or linear";
+  a->log = spacing ? strcmp(spacing, "log") == 0 : a->log;
+  if (a->kind == AXIS_ALPHA && (a->from >= 1 || a->to >= 1))
+    return "alpha lies between 0 and 1, both excluded";
+  if (a->count == 1 ? a->from != a->to : !(a->from < a->to))
+    return a->count == 1 ? "FROM = TO where COUNT is 1" : "FROM < TO where COUNT is 2 or more";
+  return isfinite(a->to / a->from) ? NULL : "TO/FROM is no more than 1.8e308";
 }
 
 const char *axis_read(struct axis *axis, const char *name, const char *range)
 {
+  char copy[RANGE_TEXT], takes[2 * RANGE_TEXT];
   int kind = 0;
-  while (names[kind] && strcmp(name, names[kind]) != 0)
+  while (names[kind] && strcmp(name, names[kind]) != 0 && strcmp(name, in_scenes[kind]) != 0)
     kind++;
   if (!names[kind]) {
-    const char *near = nearest(name, names);
-    snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s%s%s", name,
-             near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
-    return message;
+    snprintf(takes, sizeof takes, "F1/F2, m1/m2, alpha, T or froude%s", did_you_mean(nearest(name, names)));
+    return not_allowed(name, takes);
   }
   struct axis a = { .kind = (enum axis_kind)kind, .log = kind != AXIS_ALPHA };
-  const char *wrong = read_range(&a, range ? range : kind == AXIS_ALPHA ? AXIS_ALPHA_RANGE : AXIS_RANGE);
-  if (!wrong)
-    *axis = a;
-  return wrong;
+  if (!range)
+    range = kind == AXIS_ALPHA ? AXIS_ALPHA_RANGE : AXIS_RANGE;
+  bool fits = (size_t)snprintf(copy, sizeof copy, "%s", range) < sizeof copy;
+  const char *wrong = fits ? read_range(&a, copy) : "this one is too long";
+  if (wrong) {
+    snprintf(takes, sizeof takes, "FROM:TO:COUNT, FROM:TO:COUNT:log or FROM:TO:COUNT:linear; %s", wrong);
+    return not_allowed(range, takes);
+  }
+  *axis = a;
+  return NULL;
 }
 
-const char *axis_sets(enum axis_kind kind)
+bool axes_read(struct axis axes[2], const char *const given[2], const char *const ranges[2], const struct point *point)
 {
-  static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
-  return parameters[kind];
-}
-
-static bool go_together(const struct axis axes[2], const struct options *o)
-{
-  if (strcmp(axis_sets(axes[0].kind), axis_sets(axes[1].kind)) == 0) {
-    complain(o->command->name, "--map %s %s: %s", o->map[0], o->map[1],
+  for (int i = 0; i < 2; i++) {
+    bool named = !axis_read(&axes[i], given[i], NULL);
+    const char *wrong = axis_read(&axes[i], given[i], ranges[i]);
+    if (wrong) {
+      complain("breakdown", "--%s: %s", !named ? "map" : i == 0 ? "x" : "y", wrong);
+      return false;
+    }
+  }
+  const char *sets[] = { axis_sets(axes[0].kind), axis_sets(axes[1].kind) };
+  if (strcmp(sets[0], sets[1]) == 0) {
+    complain("breakdown", "--map %s %s: %s", given[0], given[1],
              axes[0].kind == axes[1].kind ? "a map needs two different axes"
                                           : "T and froude set the same; a map needs two that can vary apart");
     return false;
   }
   for (int i = 0; i < 2; i++)
-    if (o->point.written[crawler_place(axis_sets(axes[i].kind))]) {
-      complain(o->command->name, "--%s has nothing to do with --map %s %s, where %s sets it", axis_sets(axes[i].kind),
-               o->map[0], o->map[1], o->map[i]);
+    if (point->written[crawler_place(sets[i])]) {
+      complain("breakdown", "--%s has nothing to do with --map %s %s, where %s sets it", sets[i], given[0], given[1],
+               given[i]);
       return false;
     }
   return true;
 }
 
-bool axes_read(struct axis axes[2], const struct options *o)
+void axes_head(struct table *t, const struct options *o, const struct axis axes[2], const char *about)
 {
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
   for (int i = 0; i < 2; i++) {
-    struct axis named;
-    const char *wrong = axis_read(&named, o->map[i], NULL), *option = "map";
-    if (!wrong) {
-      wrong = axis_read(&axes[i], o->map[i], o->range[i]);
-      option = i == 0 ? "x" : "y";
-    }
-    if (wrong) {
-      complain(o->command->name, "--%s: %s", option, wrong);
-      return false;
-    }
+    const struct axis *a = &axes[i];
+    char from[NUMBER_TEXT], to[NUMBER_TEXT];
+    number_text(from, a->from, 0);
+    number_text(to, a->to, 0);
+    table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], names[a->kind], from, to, a -> count,
+               a -> log ? "log" : "linear");
   }
-  return go_together(axes, o);
+  table_parameters(t, o, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL }, false);
 }
-
-/* ---- values ---- */
 
 double axis_value(const struct axis *a, double u)
 {
@@ -154,26 +125,14 @@ double axis_node(const struct axis *a, long i)
 
 double axis_scale(const struct axis *a) { return a->log ? log(a->to / a->from) : (a->to - a->from) / a->to; }
 
-static void set(const struct axis *a, double value, struct scallop_crawler *c)
-{
-  if (a->kind == AXIS_F1_F2)
-    c->F1 = value * c->F2;
-  else if (a->kind == AXIS_M1_M2)
-    c->m1 = value * c->m2;
-  else if (a->kind == AXIS_ALPHA)
-    c->alpha = value;
-  else if (a->kind == AXIS_T)
-    c->T = value;
-}
-
 struct scallop_crawler axes_crawler(const struct axis axes[2], const struct scallop_crawler *base, double x, double y)
 {
   struct scallop_crawler c = *base;
-  const double value[2] = { x, y };
-  for (int i = 0; i < 2; i++)
-    set(&axes[i], value[i], &c);
-  for (int i = 0; i < 2; i++)
-    if (axes[i].kind == AXIS_FROUDE)
-      c.T = sqrt((c.m1 + c.m2) * c.L / ((c.F1 + c.F2) * value[i]));
+  double froude = 0, *const set[AXIS_KINDS] = { &c.F1, &c.m1, &c.alpha, &c.T, &froude };
+  const double unit[AXIS_KINDS] = { c.F2, c.m2, 1, 1, 1 };
+  *set[axes[0].kind] = x * unit[axes[0].kind];
+  *set[axes[1].kind] = y * unit[axes[1].kind];
+  if (froude > 0)
+    c.T = sqrt((c.m1 + c.m2) * c.L / ((c.F1 + c.F2) * froude));
   return c;
 }

@@ -12,30 +12,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/maps/map.h"
+#include "compare/maps/curves.h"
+#include "compare/text/memory.h"
 #include "numerics/threads.h"
 
-enum { MOST_CHANGES = 32, AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
+enum { AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
 
 static const double pi = 3.14159265358979323846;
 static const double most_turn = 0.2, least_turn = 0.05; /* between two secants, in radians                             */
 static const double corner = 1e-7;                      /* steps so small may turn by any angle                           */
-static const double finest = 1e-16;                     /* of a bisection                                                  */
 static const double same_place = 1e-8; /* two points that should be one, when both have been bisected      */
 
-struct change { /* along a path, from before to after */
-  double at, u, v;
-  int before, after;
-};
-
-struct changes {
-  int count;
-  struct change list[MOST_CHANGES];
-};
-
 struct tracer {
-  map_region *region;
-  void *context;
+  struct square square;
   double step;
   struct map_curves *curves;
   struct change *seeds;
@@ -43,82 +32,16 @@ struct tracer {
   bool out_of_memory;
 };
 
-/* ---- paths: straight lines and arcs ---- */
-
-struct path {
-  bool arc;
-  double u, v, a, b; /* line: (u + s a, v + s b); arc: (u, v) + a (cos s, sin s)                                */
-};
-
-static void place(const struct path *p, double s, double *u, double *v)
-{
-  *u = p->arc ? p->u + p->a * cos(s) : p->u + s * p->a;
-  *v = p->arc ? p->v + p->a * sin(s) : p->v + s * p->b;
-}
-
-static int region_on(const struct tracer *t, const struct path *p, double s)
-{
-  double u, v;
-  place(p, s, &u, &v);
-  return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? t->region(t->context, u, v) : MAP_NOWHERE;
-}
-
-static double length(const struct path *p) { return p->arc ? p->a : hypot(p->a, p->b); }
-
-static void add_change(struct changes *c, const struct path *p, double at, int before, int after)
-{
-  struct change *last = c->count > 0 ? &c->list[c->count - 1] : NULL;
-  if (last && last->after == before && (at - last->at) * length(p) <= MAP_THIN) { /* thin: a part of the curve */
-    last->after = after;
-    c->count -= last->before == after;
-    return;
-  }
-  if (c->count == MOST_CHANGES)
-    return;
-  struct change new = { .at = at, .before = before, .after = after };
-  place(p, at, &new.u, &new.v);
-  c->list[c->count++] = new;
-}
-
-/* Between s0 and s1, where the regions are before and after. */
-static void find_changes(const struct tracer *t, const struct path *p, double s0, int before, double s1, int after,
-                         struct changes *c)
-{
-  if (before == after)
-    return;
-  for (;;) {
-    double middle = s0 + (s1 - s0) / 2;
-    if (middle <= s0 || middle >= s1 || (s1 - s0) * length(p) <= finest) {
-      add_change(c, p, s0, before, after);
-      return;
-    }
-    int here = region_on(t, p, middle);
-    if (here == before)
-      s0 = middle;
-    else if (here == after || (s1 - s0) * length(p) <= MAP_THIN / 2)
-      s1 = middle;
-    else {
-      find_changes(t, p, s0, before, middle, here, c);
-      s0 = middle;
-      before = here;
-    }
-  }
-}
-
-/* ---- seeds ---- */
-
 static void add_seed(struct tracer *t, const struct change *c)
 {
   if (c->before == MAP_NOWHERE || c->after == MAP_NOWHERE)
     return;
-  if ((t->seed_count & (t->seed_count - 1)) == 0) { /* full at every power of two */
-    struct change *more = realloc(t->seeds, (size_t)(t->seed_count > 0 ? 2 * t->seed_count : 1) * sizeof *more);
-    if (!more) {
-      t->out_of_memory = true;
-      return;
-    }
-    t->seeds = more;
+  struct change *seeds = with_room(t->seeds, t->seed_count, sizeof *seeds);
+  if (!seeds) {
+    t->out_of_memory = true;
+    return;
   }
+  t->seeds = seeds;
   t->seeds[t->seed_count++] = *c;
 }
 
@@ -142,20 +65,18 @@ static void seed_lines(struct tracer *t, bool along_u, int along, int across)
     struct changes c = { .count = 0 };
     const struct path p = along_u ? (struct path){ .v = fixed, .a = 1 } : (struct path){ .u = fixed, .b = 1 };
     double s0 = grid_line(0, along);
-    int before = region_on(t, &p, s0);
+    int before = region_on(&t->square, &p, s0);
     for (int i = 1; i <= along; i++) {
       double s1 = grid_line(i, along);
-      int after = region_on(t, &p, s1);
+      int after = region_on(&t->square, &p, s1);
       c.count = 0;
-      find_changes(t, &p, s0, before, s1, after, &c);
+      find_changes(&t->square, &p, s0, before, s1, after, &c);
       add_seeds(t, &c);
       s0 = s1;
       before = after;
     }
   }
 }
-
-/* ---- one step ---- */
 
 enum outcome { STEP_DONE, STEP_THIRD, STEP_LOST };
 
@@ -195,13 +116,13 @@ static enum outcome take_step(const struct tracer *t, struct step *s)
   const double ahead = predicted(s);
   for (double width = 1e-6; width < pi; width *= 8) {
     double from = ahead - width, to = ahead + width;
-    int right = region_on(t, &arc, from), left = region_on(t, &arc, to);
+    int right = region_on(&t->square, &arc, from), left = region_on(&t->square, &arc, to);
     bool known = (right == s->left || right == s->right) && (left == s->left || left == s->right);
     if (known && (right != s->right || left != s->left))
       continue;
     s->changes.count = 0;
     if (known || gives_seeds(t, s))
-      find_changes(t, &arc, from, right, to, left, &s->changes);
+      find_changes(&t->square, &arc, from, right, to, left, &s->changes);
     if (known && s->changes.count == 1) {
       s->next = s->changes.list[0];
       return STEP_DONE;
@@ -212,23 +133,17 @@ static enum outcome take_step(const struct tracer *t, struct step *s)
   return STEP_LOST;
 }
 
-/* ---- a curve ---- */
-
 static double to_edge(double x) { return x < 0.5 ? x : 1 - x; }
 static bool is_at_edge(double u, double v) { return fmin(to_edge(u), to_edge(v)) < 20 * MAP_NEAR; }
 
 static bool add_point(struct tracer *t, struct map_curve *c, double u, double v)
 {
-  if (c->count == MOST_POINTS)
+  struct map_point *points = c->count < MOST_POINTS ? with_room(c->points, c->count, sizeof *points) : NULL;
+  if (!points) {
+    t->out_of_memory |= c->count < MOST_POINTS;
     return false;
-  if ((c->count & (c->count - 1)) == 0) {
-    struct map_point *more = realloc(c->points, (size_t)(c->count > 0 ? 2 * c->count : 1) * sizeof *more);
-    if (!more) {
-      t->out_of_memory = true;
-      return false;
-    }
-    c->points = more;
   }
+  c->points = points;
   c->points[c->count++] = (struct map_point){ .u = u, .v = v, .end = MAP_GOES_ON, .third = MAP_NOWHERE };
   return true;
 }
@@ -241,10 +156,10 @@ static void reach_edge(struct tracer *t, struct map_curve *c)
   double edge = (across_u ? last.u : last.v) < 0.5 ? 0 : 1, here = across_u ? last.v : last.u, reach = 100 * MAP_NEAR;
   const struct path p = across_u ? (struct path){ .u = edge, .v = here, .b = 1 }
                                  : (struct path){ .u = here, .v = edge, .a = 1 };
-  int before = region_on(t, &p, -reach), after = region_on(t, &p, reach);
+  int before = region_on(&t->square, &p, -reach), after = region_on(&t->square, &p, reach);
   struct changes found = { .count = 0 };
   if ((before == c->left && after == c->right) || (before == c->right && after == c->left))
-    find_changes(t, &p, -reach, before, reach, after, &found);
+    find_changes(&t->square, &p, -reach, before, reach, after, &found);
   if (found.count == 1) {
     c->points[c->count - 1].u = found.list[0].u;
     c->points[c->count - 1].v = found.list[0].v;
@@ -275,9 +190,17 @@ static void advance(const struct tracer *t, struct step *s, double turn)
     s->radius = fmin(2 * s->radius, t->step);
 }
 
-/* From the point and in the direction of *s to the end, which becomes that of the last point. */
-static void follow(struct tracer *t, struct step *s, struct map_curve *c)
+static struct step step_from(const struct map_curve *c, const struct map_point *p, double angle, double radius)
 {
+  return (struct step){
+    .u = p->u, .v = p->v, .angle = angle, .radius = radius, .left = c->left, .right = c->right, .third = MAP_NOWHERE
+  };
+}
+
+/* From the last point in the direction of angle to the end, which becomes that of the last point. */
+static void follow(struct tracer *t, struct map_curve *c, double angle, double radius)
+{
+  struct step own = step_from(c, &c->points[c->count - 1], angle, radius), *s = &own;
   const double u0 = s->u, v0 = s->v;
   enum map_end end = MAP_GOES_ON;
   while (end == MAP_GOES_ON) {
@@ -304,55 +227,49 @@ static void follow(struct tracer *t, struct step *s, struct map_curve *c)
   c->points[c->count - 1].third = end == MAP_JUNCTION ? s->third : MAP_NOWHERE;
 }
 
-/* The angles at which the curve leaves a small circle around a point of it: forward[0] with the region after of the seed on
- * the left, forward[1] with it on the right. False: there are other regions in it, or more than one curve. */
-static bool find_ways(const struct tracer *t, const struct change *seed, double radius, double angle[2], bool has[2])
+/* The angles at which the curve leaves a small circle around a point of it: angle[0] with the region after of the seed on
+ * the left, angle[1] with it on the right; nan: it does not. False: there are other regions in it, or more than one curve. */
+static bool find_ways(const struct tracer *t, const struct change *seed, double radius, double angle[2])
 {
   const struct path circle = { .arc = true, .u = seed->u, .v = seed->v, .a = radius };
   struct changes c = { .count = 0 };
   double s0 = 0.1;
-  int first = region_on(t, &circle, s0), before = first;
+  int first = region_on(&t->square, &circle, s0), before = first;
   for (int i = 1; i <= AROUND; i++) {
     double s1 = 0.1 + 2 * pi * i / AROUND;
-    int after = i == AROUND ? first : region_on(t, &circle, s1);
-    find_changes(t, &circle, s0, before, s1, after, &c);
+    int after = i == AROUND ? first : region_on(&t->square, &circle, s1);
+    find_changes(&t->square, &circle, s0, before, s1, after, &c);
     s0 = s1;
     before = after;
   }
-  has[0] = has[1] = false;
-  for (int i = 0; i < c.count; i++) {
-    const struct change *here = &c.list[i];
-    bool to_after = here->before == seed->before && here->after == seed->after;
-    bool to_before = here->before == seed->after && here->after == seed->before;
+  angle[0] = angle[1] = NAN;
+  for (const struct change *here = c.list; here < c.list + c.count; here++) {
+    bool backward = here->before == seed->after && here->after == seed->before;
+    bool along = backward || (here->before == seed->before && here->after == seed->after);
     bool to_outside = here->before == MAP_NOWHERE || here->after == MAP_NOWHERE;
-    if ((!to_after && !to_before && !to_outside) || (to_after && has[0]) || (to_before && has[1]))
+    if (along ? !isnan(angle[backward]) : !to_outside)
       return false;
-    if (to_after || to_before) {
-      angle[to_before] = here->at;
-      has[to_before] = true;
-    }
+    if (along)
+      angle[backward] = here->at;
   }
-  return (has[0] && has[1]) || (is_at_edge(seed->u, seed->v) && (has[0] || has[1]));
+  int ways = !isnan(angle[0]) + !isnan(angle[1]);
+  return ways == 2 || (ways == 1 && is_at_edge(seed->u, seed->v));
 }
 
-static void reverse(struct map_curve *c)
+void map_curve_reverse(struct map_curve *c)
 {
+  int left = c->left;
+  c->left = c->right;
+  c->right = left;
   for (long i = 0, j = c->count - 1; i < j; i++, j--) {
     struct map_point point = c->points[i];
     c->points[i] = c->points[j];
     c->points[j] = point;
   }
-}
-
-static struct step step_from(const struct change *seed, double angle, double radius, bool mirrored)
-{
-  return (struct step){ .u = seed->u,
-                        .v = seed->v,
-                        .angle = angle,
-                        .radius = radius,
-                        .left = mirrored ? seed->before : seed->after,
-                        .right = mirrored ? seed->after : seed->before,
-                        .third = MAP_NOWHERE };
+  for (long i = 0; i < c->count; i++) {
+    c->points[i].nu = -c->points[i].nu;
+    c->points[i].nv = -c->points[i].nv;
+  }
 }
 
 /* Across the curve to the left, from the points beside each. */
@@ -366,49 +283,35 @@ static void set_normals(struct map_curve *c)
   }
 }
 
-static void finish_ends(struct tracer *t, struct map_curve *c)
-{
-  for (int turned = 0; turned < 2; turned++) {
-    if (c->points[c->count - 1].end == MAP_OPEN)
-      reach_edge(t, c);
-    reverse(c);
-  }
-}
-
 /* False: no curve leaves this point, or no memory is left. */
 static bool trace(struct tracer *t, const struct change *seed, struct map_curve *c)
 {
   double angle[2], radius = t->step / 8;
-  bool has[2];
-  *c = (struct map_curve){ .left = seed->after, .right = seed->before };
-  while (!find_ways(t, seed, radius, angle, has)) {
+  *c = (struct map_curve){ .left = seed->before, .right = seed->after };
+  while (!find_ways(t, seed, radius, angle)) {
     radius /= 4;
     if (radius < MAP_NEAR)
       return false;
   }
   if (!add_point(t, c, seed->u, seed->v))
     return false;
-  c->points[0].end = MAP_OPEN; /* where one of the ways is missing */
-  if (has[1]) {                /* backward, and then turned around */
-    struct step s = step_from(seed, angle[1], radius, true);
-    follow(t, &s, c);
-    reverse(c);
+  if (!isnan(angle[1]))
+    follow(t, c, angle[1], radius);
+  map_curve_reverse(c);
+  enum map_end first = isnan(angle[1]) ? MAP_OPEN : c->points[0].end;
+  if (!isnan(angle[0]) && first != MAP_CLOSED)
+    follow(t, c, angle[0], radius);
+  else
+    c->points[c->count - 1].end = first == MAP_CLOSED ? MAP_CLOSED : MAP_OPEN;
+  c->points[0].end = first;
+  for (int turned = 0; turned < 2; turned++) {
+    if (c->points[c->count - 1].end == MAP_OPEN)
+      reach_edge(t, c);
+    map_curve_reverse(c);
   }
-  if (has[0] && c->points[0].end != MAP_CLOSED) {
-    struct step s = step_from(seed, angle[0], radius, false);
-    enum map_end first = c->points[0].end;
-    follow(t, &s, c);
-    c->points[0].end = first;
-  } else if (!has[0])
-    c->points[c->count - 1].end = MAP_OPEN;
-  if (c->points[0].end == MAP_CLOSED)
-    c->points[c->count - 1].end = MAP_CLOSED;
-  finish_ends(t, c);
   set_normals(c);
   return true;
 }
-
-/* ---- all curves ---- */
 
 /* Is the seed on the curve between point i and the next? */
 static bool is_between(const struct tracer *t, const struct map_curve *c, long i, const struct change *seed)
@@ -420,9 +323,7 @@ static bool is_between(const struct tracer *t, const struct map_curve *c, long i
     return true;
   if (su * du + sv * dv < 0 || radius > 1.1 * size || fabs(su * dv - sv * du) > 0.3 * size * size)
     return false;
-  struct step s = {
-    .u = p->u, .v = p->v, .angle = atan2(dv, du), .radius = radius, .left = c->left, .right = c->right, .third = MAP_NOWHERE
-  };
+  struct step s = step_from(c, p, atan2(dv, du), radius);
   return take_step(t, &s) == STEP_DONE && hypot(s.next.u - seed->u, s.next.v - seed->v) < same_place;
 }
 
@@ -443,34 +344,32 @@ static bool is_known(const struct tracer *t, const struct change *seed)
 static void add_curve(struct tracer *t, const struct map_curve *c)
 {
   struct map_curves *all = t->curves;
-  if ((all->count & (all->count - 1)) == 0) {
-    struct map_curve *more = realloc(all->curves, (size_t)(all->count > 0 ? 2 * all->count : 1) * sizeof *more);
-    if (!more) {
-      t->out_of_memory = true;
-      free(c->points);
-      return;
-    }
-    all->curves = more;
+  struct map_curve *curves = with_room(all->curves, all->count, sizeof *curves);
+  if (!curves) {
+    t->out_of_memory = true;
+    free(c->points);
+    return;
   }
+  all->curves = curves;
   all->curves[all->count++] = *c;
 }
 
 /* Curves between different pairs of regions are different: one seed of each pair. Seeds on curves that are known, or that have been
- * taken, are left out; rest: the others. */
-static long take_batch(const struct tracer *t, struct change batch[MOST_BATCH], struct change *rest, long *rest_count)
+ * taken, go; the others stay. */
+static long take_batch(struct tracer *t, struct change batch[MOST_BATCH])
 {
-  long count = 0;
-  *rest_count = 0;
+  long count = 0, left = 0;
   for (long i = 0; i < t->seed_count; i++) {
     const struct change *seed = &t->seeds[i];
     bool waits = count == MOST_BATCH;
     for (long k = 0; k < count && !waits; k++)
       waits = same_pair(batch[k].before, batch[k].after, seed->before, seed->after);
     if (waits)
-      rest[(*rest_count)++] = *seed;
+      t->seeds[left++] = *seed;
     else if (!is_known(t, seed))
       batch[count++] = *seed;
   }
+  t->seed_count = left;
   return count;
 }
 
@@ -482,23 +381,12 @@ static bool do_round(struct tracer *t)
   struct map_curve curves[MOST_BATCH];
   struct tracer own[MOST_BATCH];
   bool traced[MOST_BATCH];
-  struct change *rest = malloc((size_t)(t->seed_count > 0 ? t->seed_count : 1) * sizeof *rest);
-  if (!rest) {
-    t->out_of_memory = true;
-    return false;
-  }
-  long rest_count, count = take_batch(t, batch, rest, &rest_count);
-  free(t->seeds);
-  t->seeds = NULL;
-  t->seed_count = 0;
+  long count = take_batch(t, batch);
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, count))
   for (long k = 0; k < count; k++) {
-    own[k] = (struct tracer){ .region = t->region, .context = t->context, .step = t->step };
+    own[k] = (struct tracer){ .square = t->square, .step = t->step };
     traced[k] = trace(&own[k], &batch[k], &curves[k]);
   }
-  for (long i = 0; i < rest_count; i++)
-    add_seed(t, &rest[i]);
-  free(rest);
   for (long k = 0; k < count; k++) {
     for (long i = 0; i < own[k].seed_count; i++)
       add_seed(t, &own[k].seeds[i]);
@@ -514,7 +402,7 @@ static bool do_round(struct tracer *t)
 
 bool map_follow(map_region *region, void *context, int columns, int rows, double step, struct map_curves *curves)
 {
-  struct tracer t = { .region = region, .context = context, .step = step, .curves = curves };
+  struct tracer t = { .square = { region, context }, .step = step, .curves = curves };
   *curves = (struct map_curves){ .count = 0 };
   seed_lines(&t, true, columns, rows);
   seed_lines(&t, false, rows, columns);

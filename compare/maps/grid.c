@@ -1,258 +1,192 @@
-/* breakdown --map X Y: one row for each point of a grid. */
+/* breakdown --map X Y: one row for each point of a grid: the crawler, its steady state, and how good the series are there. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "compare/breakdown/breakdown.h"
-#include "compare/answers/exact.h"
-#include "compare/answers/counts.h"
+#include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
-#include "compare/text/journal.h"
-#include "compare/maps/map.h"
-#include "compare/command/with_flint.h"
+#include "compare/breakdown/asked.h"
+#include "compare/maps/axis.h"
+#include "compare/maps/maps.h"
+#include "compare/maps/journal.h"
+#include "compare/text/progress.h"
+#include "compare/answers/defaults.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 
-enum { MOST_SERIES = BREAKDOWN_SOURCES, MOST_TOLERANCES = 2, MOST_ROWS = 10000000, NAME = 48 };
-enum { TITLE = 1024, JOURNAL_PATH = 4096 };
+enum { MOST_TOLERANCES = 2, MOST_MEASURES = BREAKDOWN_SOURCES * (1 + MOST_TOLERANCES), MOST_ROWS = 10000000 };
+enum { NAME = 48, TITLE = 2048, JOURNAL_PATH = 4096 };
 
-struct map {
-  const struct options *options;
-  struct axis axes[2];
-  int series_count, tolerance_count;
-  struct breakdown_series series[MOST_SERIES];
-  double tolerances[MOST_TOLERANCES];
-  char names[MOST_SERIES * (1 + MOST_TOLERANCES)][NAME]; /* of the columns of errors, then of T                     */
-  /* What takes long: items. First how far the series reach, once for each crawler but for T, then the errors of each row. */
-  long reaches, rows, unsolved;
-  double *values; /* of the items, one after the other                                                              */
-  bool *done;
-  long done_count;
-  struct journal journal;
-  bool journalled, failed;
-  double shown_at; /* seconds; progress is shown where it is >= 0                                                   */
+/* A column that takes long: the error of a series at T; with a tolerance, the largest T up to which the error is below that. */
+struct measure {
+  struct breakdown_series series;
+  double tolerance; /* 0: the error */
+  char name[NAME];
 };
 
-/* ---- what is asked for ---- */
+struct grid {
+  const struct options *options;
+  struct axis axes[2];
+  int width;
+  struct measure measures[MOST_MEASURES];
+  long rows, done_count, unsolved;
+  double *values; /* of the measures, row by row */
+  bool *done;
+  struct journal journal;
+  bool journalled, failed;
+  struct progress progress;
+};
 
-static bool choose_quantity(struct map *m, enum quantity_id *quantity)
+static void add_measure(struct grid *g, struct breakdown_series series, double tolerance)
 {
-  const char *name = m->options->quantity, *names[QUANTITIES + 1] = { NULL };
-  int n = 0;
-  *quantity = Q_DISPLACEMENT;
-  for (int q = 0; q < QUANTITIES; q++) {
-    if (quantity_rows[q].of != OF_STEADY || !quantity_rows[q].has_series)
-      continue;
-    names[n++] = quantity_rows[q].name;
-    if (name && strcmp(name, quantity_rows[q].name) == 0)
-      *quantity = (enum quantity_id)q;
+  struct measure *m = &g->measures[g->width++];
+  char what[NAME / 2] = "error", order[NAME / 2] = "";
+  if (tolerance > 0) {
+    double power = log10(tolerance);
+    snprintf(what, sizeof what, power == rint(power) ? "T_1e%.0f" : "T_%g", power == rint(power) ? power : tolerance);
   }
-  if (!name || strcmp(name, quantity_rows[*quantity].name) == 0)
-    return true;
-  const char *near = nearest(name, names);
-  complain("breakdown",
-           "--quantity: '%s' is not allowed here: a map takes v_start, v_mid, displacement or mean_velocity%s%s%s", name,
-           near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
-  return false;
+  if (series.source == FROM_DERIVED)
+    snprintf(order, sizeof order, "_%ld", series.order);
+  *m = (struct measure){ .series = series, .tolerance = tolerance };
+  snprintf(m->name, NAME, "%.23s_%s%.23s", what, breakdown_source_text(series.source), order);
 }
 
-static void name_columns(struct map *m)
+static bool choose_measures(struct grid *g)
 {
-  static const char *const sources[] = { "published", "derived", "limit" };
-  for (int s = 0; s < m->series_count; s++) {
-    char name[24];
-    const struct breakdown_series *series = &m->series[s];
-    if (series->source == FROM_DERIVED)
-      snprintf(name, sizeof name, "derived_%ld", series->order);
-    else
-      snprintf(name, sizeof name, "%s", sources[series->source]);
-    snprintf(m->names[s], NAME, "error_%s", name);
-    for (int t = 0; t < m->tolerance_count; t++) {
-      double power = log10(m->tolerances[t]);
-      char *column = m->names[m->series_count + s * m->tolerance_count + t];
-      if (power == rint(power))
-        snprintf(column, NAME, "T_1e%.0f_%s", power, name);
-      else
-        snprintf(column, NAME, "T_%g_%s", m->tolerances[t], name);
-    }
-  }
-}
-
-static bool choose_series(struct map *m)
-{
-  static const char *const sources[] = { "published", "derived", "limit" };
-  const struct options *o = m->options;
-  enum quantity_id quantity;
-  if (!choose_quantity(m, &quantity))
+  static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
+  const struct options *o = g->options;
+  struct breakdown_series all[BREAKDOWN_SOURCES];
+  enum quantity_id quantity = Q_DISPLACEMENT;
+  int count = 0;
+  if (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, OF_STEADY))
     return false;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
-    if (!o->has_source || strcmp(o->source, sources[s]) == 0)
-      m->series[m->series_count++] = (struct breakdown_series){ (enum breakdown_source)s, o->order, quantity };
-  static const double tolerances[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
-  memcpy(m->tolerances, o->has_tolerance ? &o->tolerance : tolerances,
-         sizeof tolerances[0] * (o->has_tolerance ? 1 : MOST_TOLERANCES));
-  m->tolerance_count = o->has_tolerance ? 1 : MOST_TOLERANCES;
-  name_columns(m);
+    if (!o->has_source || strcmp(o->source, breakdown_source_text((enum breakdown_source)s)) == 0)
+      all[count++] = (struct breakdown_series){ (enum breakdown_source)s, o->order, quantity };
+  for (int s = 0; s < count; s++)
+    add_measure(g, all[s], 0);
+  for (int s = 0; s < count; s++)
+    for (int t = 0; t < (o->has_tolerance ? 1 : MOST_TOLERANCES); t++)
+      add_measure(g, all[s], o->has_tolerance ? o->tolerance : usual[t]);
   return true;
 }
 
-/* ---- points ---- */
-
-static bool sets_period(const struct axis *a) { return a->kind == AXIS_T || a->kind == AXIS_FROUDE; }
-
-static struct scallop_crawler crawler_of(const struct map *m, long row)
+static struct scallop_crawler crawler_of(const struct grid *g, long row)
 {
-  long columns = m->axes[0].count;
-  return axes_crawler(m->axes, &m->options->point.crawler, axis_node(&m->axes[0], row % columns),
-                      axis_node(&m->axes[1], row / columns));
+  long columns = g->axes[0].count;
+  return axes_crawler(g->axes, &g->options->point.crawler, axis_node(&g->axes[0], row % columns),
+                      axis_node(&g->axes[1], row / columns));
 }
 
-/* Where a series reaches to does not depend on T. */
-static long reach_of_row(const struct map *m, long row)
+/* Rows that differ in T alone are a line: how far a series reaches is the same in all of them. */
+struct lines {
+  long count, length;    /* lines, and rows of each                                                          */
+  long to_line, to_next; /* rows from the first of a line to that of the next line, and to the next of the line */
+};
+
+static struct lines lines_of(const struct grid *g)
 {
-  long columns = m->axes[0].count;
-  return sets_period(&m->axes[0]) ? row / columns : sets_period(&m->axes[1]) ? row % columns : row;
+  long columns = g->axes[0].count, rows = g->axes[1].count;
+  if (strcmp(axis_sets(g->axes[0].kind), "T") == 0)
+    return (struct lines){ rows, columns, columns, 1 };
+  if (strcmp(axis_sets(g->axes[1].kind), "T") == 0)
+    return (struct lines){ columns, rows, 1, columns };
+  return (struct lines){ g->rows, 1, 1, 1 };
 }
 
-static long row_of_reach(const struct map *m, long reach)
+static double *values_of(const struct grid *g, long row) { return g->values + row * g->width; }
+
+/* first: the row of its line for which the reaches are computed. */
+static void compute(const struct grid *g, long row, long first, double *values)
 {
-  return sets_period(&m->axes[0]) ? reach * m->axes[0].count : reach;
-}
-
-static long count_reaches(const struct map *m)
-{
-  return sets_period(&m->axes[0]) ? m->axes[1].count : sets_period(&m->axes[1]) ? m->axes[0].count : m->rows;
-}
-
-/* ---- items ---- */
-
-static long item_count(const struct map *m) { return m->reaches + m->rows; }
-
-static int item_width(const struct map *m, long item)
-{
-  return item < m->reaches ? m->series_count * m->tolerance_count : m->series_count;
-}
-
-static double *item_values(const struct map *m, long item)
-{
-  long width = m->series_count, reach_width = width * m->tolerance_count;
-  return m->values + (item < m->reaches ? item * reach_width : m->reaches * reach_width + (item - m->reaches) * width);
-}
-
-/* nan where there is no steady state at all */
-static void compute(const struct map *m, long item, double *values)
-{
-  struct scallop_steady_result r;
-  bool is_reach = item < m->reaches;
-  struct scallop_crawler c = crawler_of(m, is_reach ? row_of_reach(m, item) : item - m->reaches);
-  bool exists = is_reach ? scallop_crawler_check(&c, NULL) == SCALLOP_OK : counted_steady(&c, &r) >= 0;
-  for (int i = 0; i < item_width(m, item); i++) {
-    const struct breakdown_series *series = &m->series[is_reach ? i / m->tolerance_count : i];
-    values[i] = !exists    ? NAN
-                : is_reach ? breakdown_reach(&c, series, m->tolerances[i % m->tolerance_count])
-                           : breakdown_error(&c, series);
+  const struct scallop_crawler c = crawler_of(g, row);
+  for (int i = 0; i < g->width; i++) {
+    const struct measure *m = &g->measures[i];
+    values[i] = m->tolerance == 0 ? breakdown_error(&c, &m->series)
+                : row == first    ? breakdown_reach(&c, &m->series, m->tolerance)
+                                  : values_of(g, first)[i];
   }
 }
 
-static void store(struct map *m, long item, const double *values)
+static bool store(void *context, long row, int count, const double *values)
 {
-  memcpy(item_values(m, item), values, (size_t)item_width(m, item) * sizeof *values);
-  m->done[item] = true;
-  m->done_count++;
+  struct grid *g = context;
+  if (row < 0 || row >= g->rows || count != g->width)
+    return false;
+  memcpy(values_of(g, row), values, (size_t)count * sizeof *values);
+  g->done_count += !g->done[row];
+  return g->done[row] = true;
 }
 
-static void show(struct map *m)
+/* By one thread at a time. False: the journal cannot be written. */
+static bool finish(struct grid *g, long row, const double *values)
 {
-  struct timespec now;
-  if (m->shown_at < 0)
-    return;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  double seconds = (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-  if (seconds < m->shown_at + 0.2)
-    return;
-  m->shown_at = seconds;
-  fprintf(stderr, "\r%ld of %ld\033[K", m->done_count, item_count(m));
+  store(g, row, g->width, values);
+  g->failed = g->failed || (g->journalled && !journal_add(&g->journal, row, g->width, values));
+  progress_show(&g->progress, "%ld of %ld", g->done_count, g->rows);
+  return !g->failed;
 }
 
-static void finish(struct map *m, long item, const double *values)
+static void compute_line(struct grid *g, const struct lines *lines, long line)
 {
-  store(m, item, values);
-  if (m->journalled && !journal_add(&m->journal, item, item_width(m, item), values))
-    m->failed = true;
-  show(m);
+  double values[MOST_MEASURES];
+  bool going = true;
+  for (long i = 0, first = line * lines->to_line, row = first; i < lines->length && going; i++, row += lines->to_next) {
+    if (g->done[row])
+      continue;
+    compute(g, row, first, values);
+#ifdef _OPENMP
+#pragma omp critical
+#endif
+    going = finish(g, row, values);
+  }
 }
 
-static void compute_all(struct map *m)
+static void compute_all(struct grid *g)
 {
-#pragma omp parallel num_threads(threads_for(0, item_count(m)))
+  const struct lines lines = lines_of(g);
+#pragma omp parallel num_threads(threads_for(0, lines.count))
   {
 #pragma omp for schedule(dynamic)
-    for (long item = 0; item < item_count(m); item++) {
-      double values[JOURNAL_VALUES];
-      bool left;
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-      left = !m->done[item] && !m->failed;
-      if (!left)
-        continue;
-      compute(m, item, values);
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-      finish(m, item, values);
-    }
+    for (long line = 0; line < lines.count; line++)
+      compute_line(g, &lines, line);
     flint_cleanup();
   }
-  if (m->shown_at >= 0)
-    fprintf(stderr, "\r\033[K");
-}
-
-/* ---- the journal ---- */
-
-static bool take(void *context, long item, int count, const double *values)
-{
-  struct map *m = context;
-  if (item < 0 || item >= item_count(m) || count != item_width(m, item))
-    return false;
-  if (!m->done[item])
-    store(m, item, values);
-  return true;
+  progress_end(&g->progress);
 }
 
 /* All that the values depend on */
-static void make_title(const struct map *m, char title[TITLE])
+static void make_title(const struct grid *g, char title[TITLE])
 {
-  const struct scallop_crawler *c = &m->options->point.crawler;
-  int used = snprintf(title, TITLE, "scallop " SCALLOP_VERSION " journal of breakdown --map:");
-  for (int i = 0; i < 2; i++) {
-    const struct axis *a = &m->axes[i];
-    used += snprintf(title + used, (size_t)(TITLE - used), " %s %a:%a:%ld:%s", axis_name(a->kind), a->from, a->to, a->count,
-                     a->log ? "log" : "linear");
-  }
-  used += snprintf(title + used, (size_t)(TITLE - used),
-                   " m1 %a m2 %a F1 %a F2 %a L %a T %a alpha %a gait %.200s (%08lx) %s", c->m1, c->m2, c->F1, c->F2, c->L,
-                   c->T, c->alpha, c->gait->name, (unsigned long)gait_checksum(c->gait),
-                   quantity_rows[m->series[0].quantity].name);
-  for (int i = 0; i < m->series_count * (1 + m->tolerance_count); i++)
-    used += snprintf(title + used, (size_t)(TITLE - used), " %s", m->names[i]);
-  if (m->tolerance_count == 1)
-    snprintf(title + used, (size_t)(TITLE - used), " %a", m->tolerances[0]);
+  const struct point *point = &g->options->point;
+  const struct scallop_gait *gait = point->crawler.gait;
+  double numbers[CRAWLER_NUMBERS];
+  crawler_numbers(&point->crawler, numbers);
+  FILE *f = fmemopen(title, TITLE, "w");
+  if (!f)
+    return;
+  fprintf(f, "scallop " SCALLOP_VERSION " journal of breakdown --map: gait %.200s (%08lx)", gait->name,
+          (unsigned long)gait_checksum(gait));
+  for (int i = 0; i < 2; i++)
+    fprintf(f, " %s %a:%a:%ld:%d", axis_name(g->axes[i].kind), g->axes[i].from, g->axes[i].to, g->axes[i].count,
+            g->axes[i].log);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    fprintf(f, " %a", numbers[i]);
+  for (int i = 0; i < g->width; i++)
+    fprintf(f, " %s %d %a", g->measures[i].name, (int)g->measures[i].series.quantity, g->measures[i].tolerance);
+  fclose(f);
 }
 
-static enum exit_code open_journal(struct map *m)
+static enum exit_code open_journal(struct grid *g)
 {
-  char path[JOURNAL_PATH], title[TITLE];
-  if ((size_t)snprintf(path, sizeof path, "%s.rows", m->options->output) >= sizeof path) {
-    complain("breakdown", "cannot write beside %s: the name is too long", m->options->output);
+  char path[JOURNAL_PATH], title[TITLE] = "";
+  if ((size_t)snprintf(path, sizeof path, "%s.rows", g->options->output) >= sizeof path) {
+    complain("breakdown", "cannot write beside %s: the name is too long", g->options->output);
     return EXIT_FILE;
   }
-  make_title(m, title);
-  switch (journal_open(&m->journal, path, title, take, m)) {
+  make_title(g, title);
+  switch (journal_open(&g->journal, path, title, store, g)) {
   case JOURNAL_OTHER:
     complain("breakdown",
              "%s is no journal of this map: it is of another map, of another version, or of a measured gait whose file has "
@@ -262,153 +196,119 @@ static enum exit_code open_journal(struct map *m)
   case JOURNAL_BUSY: complain("breakdown", "%s: another process is at work on this map", path); return EXIT_FILE;
   case JOURNAL_ERROR: complain("breakdown", "cannot write %s: %s", path, strerror(errno)); return EXIT_FILE;
   case JOURNAL_FOUND:
-    if (!m->options->quiet)
-      complain("breakdown", "going on from %s: %ld of %ld are done", path, m->done_count, item_count(m));
+    if (!g->options->quiet)
+      complain("breakdown", "going on from %s: %ld of %ld are done", path, g->done_count, g->rows);
     break;
   case JOURNAL_NEW: break;
   }
-  m->journalled = true;
+  g->journalled = true;
   return EXIT_DONE;
-}
-
-/* ---- the table ---- */
-
-static void note_axis(struct table *t, const char *which, const struct axis *a)
-{
-  char from[NUMBER_TEXT], to[NUMBER_TEXT];
-  number_text(from, a->from, 0);
-  number_text(to, a->to, 0);
-  table_note(t, "%s: %s from %s to %s, %ld values, %s", which, axis_name(a->kind), from, to, a->count,
-             a->log ? "log" : "linear");
-}
-
-void map_begin(struct table *t, const struct options *o, const struct axis axes[2], const char *about)
-{
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
-  note_axis(t, "x", &axes[0]);
-  note_axis(t, "y", &axes[1]);
-  table_parameters(t, o, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL }, false);
 }
 
 /* What the axes set, and what may be wanted beside it; F1/F2 as an axis is not F1. */
 static const char *const parameters[] = { "m1", "m2", "F1", "F2", "T", "alpha", "froude", NULL };
 
-static bool is_axis(const struct map *m, const char *name)
+static const enum quantity_id states[] = { Q_V_START, Q_DISPLACEMENT, Q_MEAN_VELOCITY };
+enum { STATES = sizeof states / sizeof *states };
+
+static bool is_axis(const struct grid *g, const char *name)
 {
-  return strcmp(name, axis_name(m->axes[0].kind)) == 0 || strcmp(name, axis_name(m->axes[1].kind)) == 0;
+  return strcmp(name, axis_name(g->axes[0].kind)) == 0 || strcmp(name, axis_name(g->axes[1].kind)) == 0;
 }
 
-static void begin_table(struct map *m, struct table *t)
+static void begin_table(const struct grid *g, struct table *t)
 {
-  static const char *const state[] = { "modes", "regime", "v_start", "displacement", "mean_velocity", NULL };
-  static const char *const last[] = { "status", NULL };
-  const char *first[] = { axis_name(m->axes[0].kind), axis_name(m->axes[1].kind), NULL };
-  const char *series[MOST_SERIES * (1 + MOST_TOLERANCES) + 1] = { NULL };
-  for (int i = 0; i < m->series_count * (1 + m->tolerance_count); i++)
-    series[i] = m->names[i];
-  map_begin(t, m->options, m->axes, "");
+  axes_head(t, g->options, g->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
-      quantity_rows[m->series[0].quantity].name);
-  table_columns(t, first);
+      quantity_rows[g->measures[0].series.quantity].name);
+  table_columns(t, (const char *const[]){ axis_name(g->axes[0].kind), axis_name(g->axes[1].kind), NULL });
   for (const char *const *p = parameters; *p; p++)
-    if (!is_axis(m, *p))
+    if (!is_axis(g, *p))
       table_columns(t, (const char *const[]){ *p, NULL });
-  table_columns(t, state);
-  table_columns(t, series);
-  table_columns(t, last);
+  table_columns(t, (const char *const[]){ "modes", "regime", NULL });
+  for (int i = 0; i < STATES; i++)
+    table_columns(t, (const char *const[]){ quantity_rows[states[i]].name, NULL });
+  for (int i = 0; i < g->width; i++)
+    table_columns(t, (const char *const[]){ g->measures[i].name, NULL });
+  table_columns(t, (const char *const[]){ "status", NULL });
   table_begin_rows(t);
 }
 
-static void write_parameters(const struct map *m, struct table *t, const struct scallop_crawler *c, long row)
+static void write_row(struct grid *g, struct table *t, long row)
 {
-  table_number(t, axis_node(&m->axes[0], row % m->axes[0].count));
-  table_number(t, axis_node(&m->axes[1], row / m->axes[0].count));
+  const struct motion m = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
+  const struct scallop_crawler *c = &m.crawler;
+  struct answer a;
+  char modes[MOTION_MODES_TEXT];
+  bool solved = answer_in_double(&a, &m);
+  table_number(t, axis_node(&g->axes[0], row % g->axes[0].count));
+  table_number(t, axis_node(&g->axes[1], row / g->axes[0].count));
   for (const char *const *p = parameters; *p; p++)
-    if (!is_axis(m, *p))
+    if (!is_axis(g, *p))
       table_number(t, strcmp(*p, "froude") == 0 ? (c->m1 + c->m2) * c->L / (c->T * c->T * (c->F1 + c->F2))
                                                 : crawler_parameter(c, *p));
+  table_text(t, solved ? motion_modes_text(modes, OF_STEADY, a.modes) : "-");
+  table_text(t, solved ? scallop_regime_text(a.regime) : "-");
+  for (int i = 0; i < STATES; i++)
+    table_number(t, a.value[states[i]].high);
+  for (int i = 0; i < g->width; i++)
+    table_number(t, values_of(g, row)[i]);
+  table_text(t, scallop_status_text(a.status));
+  g->unsolved += !solved;
 }
 
-static void write_state(struct table *t, enum scallop_status status, const struct scallop_steady_result *r)
+static enum exit_code write_table(struct grid *g, struct table *t)
 {
-  char modes[PERIOD_MODES_TEXT];
-  bool solved = status >= 0;
-  if (solved)
-    period_modes_text(modes, r->period.modes);
-  table_text(t, solved ? modes : "-");
-  table_text(t, solved ? scallop_regime_text(r->period.regime) : "-");
-  table_number(t, solved ? r->period.v_start : NAN);
-  table_number(t, solved ? r->period.displacement : NAN);
-  table_number(t, solved ? r->mean_velocity : NAN);
+  begin_table(g, t);
+  for (long row = 0; row < g->rows && !table_failed(t); row++)
+    write_row(g, t, row);
+  if (!table_close(t))
+    return EXIT_FILE;
+  if (g->unsolved > 0)
+    complain("breakdown", "%ld of %ld points have no steady state: see the column status", g->unsolved, g->rows);
+  return g->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-static void write_row(struct map *m, struct table *t, long row)
-{
-  struct scallop_steady_result r;
-  struct scallop_crawler c = crawler_of(m, row);
-  enum scallop_status status = counted_steady(&c, &r);
-  const double *errors = item_values(m, m->reaches + row), *reaches = item_values(m, reach_of_row(m, row));
-  write_parameters(m, t, &c, row);
-  write_state(t, status, &r);
-  for (int s = 0; s < m->series_count; s++)
-    table_number(t, errors[s]);
-  for (int i = 0; i < m->series_count * m->tolerance_count; i++)
-    table_number(t, reaches[i]);
-  table_text(t, scallop_status_text(status));
-  m->unsolved += status < 0;
-}
-
-static enum exit_code run(struct map *m)
+static enum exit_code run(struct grid *g)
 {
   struct table t;
-  if (!table_open(&t, m->options))
+  if (!table_open(&t, g->options))
     return EXIT_FILE;
-  enum exit_code code = t.is_aside ? open_journal(m) : EXIT_DONE;
+  enum exit_code code = t.out.target ? open_journal(g) : EXIT_DONE;
   if (code == EXIT_DONE)
-    compute_all(m);
-  if (m->failed) {
-    complain("breakdown", "cannot write %s: %s", m->journal.path, strerror(m->journal.error));
+    compute_all(g);
+  if (g->failed) {
+    complain("breakdown", "cannot write %s: %s", g->journal.path, strerror(g->journal.error));
     code = EXIT_FILE;
   }
-  if (code == EXIT_DONE) {
-    begin_table(m, &t);
-    for (long row = 0; row < m->rows && !table_failed(&t); row++)
-      write_row(m, &t, row);
-    code = table_close(&t) ? EXIT_DONE : EXIT_FILE;
-    if (code == EXIT_DONE && m->unsolved > 0) {
-      complain("breakdown", "%ld of %ld points have no steady state: see the column status", m->unsolved, m->rows);
-      code = EXIT_UNSOLVED;
-    }
-  } else {
+  if (code == EXIT_DONE)
+    code = write_table(g, &t);
+  else
     table_abandon(&t);
-  }
-  if (m->journalled)
-    journal_close(&m->journal, code == EXIT_DONE || code == EXIT_UNSOLVED);
+  if (g->journalled)
+    journal_close(&g->journal, code == EXIT_DONE || code == EXIT_UNSOLVED);
   return code;
 }
 
-enum exit_code breakdown_map(const struct options *options)
+enum exit_code breakdown_map(const struct options *o)
 {
-  struct map m = { .options = options, .shown_at = !options->quiet && isatty(STDERR_FILENO) ? 0 : -1 };
-  if (!axes_read(m.axes, options) || !choose_series(&m))
+  struct grid g = { .options = o, .progress = progress_begin(o->quiet) };
+  if (!axes_read(g.axes, o->map, o->range, &o->point) || !choose_measures(&g))
     return EXIT_USAGE;
-  m.rows = m.axes[0].count * m.axes[1].count;
-  if (m.rows > MOST_ROWS) {
-    complain("breakdown", "--map: %ld x %ld values are more than 10000000 rows", m.axes[0].count, m.axes[1].count);
+  g.rows = g.axes[0].count * g.axes[1].count;
+  if (g.rows > MOST_ROWS) {
+    complain("breakdown", "--map: %ld x %ld values are more than 10000000 rows", g.axes[0].count, g.axes[1].count);
     return EXIT_USAGE;
   }
-  m.reaches = count_reaches(&m);
-  size_t width = (size_t)m.series_count;
-  m.values = calloc((size_t)m.reaches * width * (size_t)m.tolerance_count + (size_t)m.rows * width, sizeof *m.values);
-  m.done = calloc((size_t)item_count(&m), sizeof *m.done);
+  g.values = calloc((size_t)(g.rows * g.width), sizeof *g.values);
+  g.done = calloc((size_t)g.rows, sizeof *g.done);
   enum exit_code code = EXIT_UNSOLVED;
-  if (m.values && m.done)
-    code = run(&m);
+  if (g.values && g.done)
+    code = run(&g);
   else
     complain("breakdown", "out of memory");
-  free(m.values);
-  free(m.done);
+  free(g.values);
+  free(g.done);
   return code;
 }

@@ -7,6 +7,8 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include "compare/text/halfway.h"
+
 /* An error this many times above its noise is wrong by under 1 %, its logarithm by under 0.01. */
 static const double ABOVE_NOISE = 100;
 /* The same against a floor that is only seen, not known. */
@@ -192,11 +194,11 @@ static struct line fit_line(const struct order_point *points, int count, int fir
   return line;
 }
 
-static int count_used(const struct order_point *points, int count, int first)
+static int count_of(enum order_use use, const struct order_point *points, int count, int first)
 {
   int n = 0;
   for (int i = first; i < count; i++)
-    n += points[i].use == ORDER_USED;
+    n += points[i].use == use;
   return n;
 }
 
@@ -210,11 +212,7 @@ static void note_pairwise(struct order_point *points, int count)
 
 static enum order_state too_few(const struct order_point *points, int count)
 {
-  int floor = 0, zero = 0;
-  for (int i = 0; i < count; i++) {
-    floor += points[i].use == ORDER_FLOOR;
-    zero += points[i].use == ORDER_ZERO;
-  }
+  int floor = count_of(ORDER_FLOOR, points, count, 0), zero = count_of(ORDER_ZERO, points, count, 0);
   if (zero + floor == count && count >= 3) {
     bool exact = true;
     for (int i = 0; i < count; i++)
@@ -232,14 +230,6 @@ static double largest(const struct order_point *points, int count)
   return most;
 }
 
-static int at_floor(const struct order_point *points, int count)
-{
-  int n = 0;
-  for (int i = 0; i < count; i++)
-    n += points[i].use == ORDER_FLOOR;
-  return n;
-}
-
 /* announced: the noise of the points is all there is, and no other floor is looked for. */
 static struct order_fit estimate(struct order_point *points, int count, bool announced)
 {
@@ -250,13 +240,13 @@ static struct order_fit estimate(struct order_point *points, int count, bool ann
   leave_out_noise(points, count);
   double floor = announced ? 0 : leave_out_floor(points, count);
   leave_out_before_sign_change(points, count);
-  if (count_used(points, count, 0) < 3) {
+  if (count_of(ORDER_USED, points, count, 0) < 3) {
     fit.state = too_few(points, count);
     return fit;
   }
   struct line best = { .half_width = INFINITY };
-  int start = 0, all = count_used(points, count, 0), least = all < LEAST ? all : LEAST;
-  for (int first = 0; best.half_width > FINE && count_used(points, count, first) >= least; first++) {
+  int start = 0, all = count_of(ORDER_USED, points, count, 0), least = all < LEAST ? all : LEAST;
+  for (int first = 0; best.half_width > FINE && count_of(ORDER_USED, points, count, first) >= least; first++) {
     struct line line = fit_line(points, count, first);
     if (points[first].use == ORDER_USED && line.half_width < best.half_width) {
       best = line;
@@ -270,8 +260,9 @@ static struct order_fit estimate(struct order_point *points, int count, bool ann
   fit.order = best.slope;
   fit.lo = best.slope - best.half_width;
   fit.hi = best.slope + best.half_width;
-  fit.used = count_used(points, count, 0);
-  if (fit.state == ORDER_FITTED && floor > HIGH_FLOOR * largest(points, count) && at_floor(points, count) >= fit.used)
+  fit.used = count_of(ORDER_USED, points, count, 0);
+  if (fit.state == ORDER_FITTED && floor > HIGH_FLOOR * largest(points, count)
+      && count_of(ORDER_FLOOR, points, count, 0) >= fit.used)
     fit.state = ORDER_FLOOR_LIMITED;
   return fit;
 }
@@ -281,7 +272,7 @@ struct order_fit order_estimate(struct order_point *points, int count)
   return estimate(points, count, noise_is_known(points, count));
 }
 
-/* ---- values instead of errors ---- */
+/* Values instead of errors */
 
 /* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
 static double difference_ratio(double p, double h1, double h2, double h3)
@@ -296,11 +287,9 @@ static double order_of_three(const struct order_point *p)
   double low = -50, high = 50;
   if (!(ratio > 0) || !isfinite(ratio))
     return NAN;
-  for (int i = 0; i < 200; i++) { /* bisection: the ratio is monotone in p */
-    double mid = low + (high - low) / 2;
+  for (double mid; halfway(&mid, low, high);) /* the ratio is monotone in p */
     *(difference_ratio(mid, p[0].h, p[1].h, p[2].h) < ratio ? &low : &high) = mid;
-  }
-  return low + (high - low) / 2;
+  return low;
 }
 
 /* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are resolved to: no

@@ -4,20 +4,28 @@
 
 #include "compare/scenes/parts.h"
 
-enum { FORMULA_TEXT = 400, DOUBLE_DIGITS = 17, MOST_ORDER = 1000 };
+enum { FORMULA_TEXT = 400 };
 
-/* ---- columns ---- */
+const char *const series_sources[] = { "published", "derived", "limit", NULL };
+enum { PUBLISHED, DERIVED };
 
-static int name_of_quantity(void *context, const char *name)
+static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
+static const char *near_to(void *scene, const char *name)
 {
-  return quantity_named(&((struct scene *)context)->quantities, name);
+  return quantity_near(&((struct scene *)scene)->quantities, name);
+}
+
+const char *read_formula(const struct reading *r, struct formula *formula, const char *text)
+{
+  static char message[FORMULA_MESSAGE];
+  const struct formula_names names = { place_of, near_to, r->scene };
+  return formula_read(formula, text, &names, message);
 }
 
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r, at, "there is no quantity '%s'%s%s%s (docs/scenes.md lists them)", name,
-                   near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
+  return refuse_at(r, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
 }
 
 /* Does a scene like this one have the quantity? */
@@ -42,7 +50,7 @@ bool check_quantity(const struct reading *r, const config_setting_t *at, const s
                        setting == SCALLOP_MOVING_EXTENSION ? "an extension" : "a contraction",
                        setting == SCALLOP_MOVING_EXTENSION ? "extension" : "contraction");
   }
-  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && series->which >= STEADY_VALUES
+  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && quantity_rows[series->which].of == OF_PHASE
       && s->start == START_STEADY && !s->varies_v0)
     return refuse_at(r, at, "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
                      q->name);
@@ -70,12 +78,12 @@ bool read_column(const struct reading *r, const config_setting_t *at, struct sce
   if (column->quantity == -2)
     return refuse_at(r, at, "more than %d quantities", MOST_QUANTITIES);
   if (column->quantity < 0) {
-    const char *wrong = arithmetic_compile(&column->formula, formula, name_of_quantity, r->scene);
+    const char *wrong = read_formula(r, &column->formula, formula);
     if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
       return refuse_quantity(r, at, formula);
     if (wrong)
       return refuse_at(r, at, "'%.100s': %s", text, wrong);
-    int places[ARITHMETIC_STEPS], count = arithmetic_places(&column->formula, places);
+    int places[FORMULA_STEPS], count = formula_places(&column->formula, places);
     for (int i = 0; i < count; i++) {
       int place = places[i];
       if (quantity_is_text(&r->scene->quantities.item[place]))
@@ -112,8 +120,6 @@ bool add_labels(const struct reading *r, const config_setting_t *at, struct scen
   return true;
 }
 
-/* ---- rows: what columns they have where none are asked for ---- */
-
 static bool certified_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
                               const char *const *names, int count)
 {
@@ -131,7 +137,7 @@ bool steady_columns(const struct reading *r, const config_setting_t *at, struct 
   static const char *const numbers[] = { "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", NULL };
   static const char *const before[] = { "froude", NULL }, *const after[] = { "regime", "modes", "status", NULL };
   static const char *const status[] = { "status", NULL };
-  bool doubles = w->digits <= DOUBLE_DIGITS;
+  bool doubles = w->digits <= DIGITS_OF_DOUBLE;
   return add_columns(r, at, w, crawler_parameters)
          && (doubles ? add_columns(r, at, w, before) && add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
                      : certified_columns(r, at, w, numbers, 5) && add_columns(r, at, w, status));
@@ -144,7 +150,7 @@ bool phase_columns(const struct reading *r, const config_setting_t *at, struct s
   static const char *const after[] = { "regime = phase_regime", "modes = phase_modes", "status", NULL }, *const status[] = {
     "status", NULL
   };
-  bool doubles = w->digits <= DOUBLE_DIGITS;
+  bool doubles = w->digits <= DIGITS_OF_DOUBLE;
   return add_columns(r, at, w, crawler_parameters) && add_columns(r, at, w, before)
          && (doubles ? add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
                      : certified_columns(r, at, w, numbers, 6) && add_columns(r, at, w, status));
@@ -171,11 +177,11 @@ static bool is_at_hand(const struct reading *r, const struct scallop_formula *f)
                                              : (f->setting == SCALLOP_MOVING_EXTENSION) == (s->phase == SCALLOP_EXTENSION);
 }
 
-static bool usual_series(const struct reading *r, const char *source, long order, struct series_names *names)
+static bool usual_series(const struct reading *r, struct series_names *names)
 {
   static const char *const of_steady[] = { "v_start", "v_mid", "displacement", "mean_velocity", NULL };
   static const char *const of_phase[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
-  if (strcmp(source, "published") == 0) {
+  if (names->source == PUBLISHED) {
     for (const struct scallop_formula *f = scallop_published; f->name && names->count < SCENE_COLUMNS; f++)
       if (is_at_hand(r, f))
         names->name[names->count++] = f->name;
@@ -183,7 +189,7 @@ static bool usual_series(const struct reading *r, const char *source, long order
   }
   for (const char *const *value = is_about_phase(r) ? of_phase : of_steady; *value; value++) {
     char head[40];
-    int length = snprintf(head, sizeof head, *source == 'd' ? "derived_%ld." : "limit.", order);
+    int length = snprintf(head, sizeof head, names->source == DERIVED ? "derived_%ld." : "limit.", names->order);
     const char *name = keep_text(r, head, length, *value);
     if (!name)
       return false;
@@ -192,19 +198,11 @@ static bool usual_series(const struct reading *r, const char *source, long order
   return true;
 }
 
-/* Reads of, source and order. */
-bool read_series(const struct reading *r, const config_setting_t *at, struct series_names *names)
+bool find_series(const struct reading *r, const config_setting_t *at, struct series_names *names)
 {
-  const char *source = "published";
-  long order = 8;
   const config_setting_t *of = config_setting_get_member(at, "of");
-  if (!read_member_text(r, at, "source", &source) || !read_member_count(r, at, "order", 1, MOST_ORDER, &order)
-      || !read_member_texts(r, at, "of", names->name, SCENE_COLUMNS, &names->count))
-    return false;
-  if (strcmp(source, "published") != 0 && strcmp(source, "derived") != 0 && strcmp(source, "limit") != 0)
-    return refuse_at(r, config_setting_get_member(at, "source"), "source is \"published\", \"derived\" or \"limit\"");
   if (!of)
-    return usual_series(r, source, order, names);
+    return usual_series(r, names);
   for (int i = 0; i < names->count; i++) {
     int place = quantity_named(&r->scene->quantities, names->name[i]);
     if (place < 0)
@@ -217,27 +215,22 @@ bool read_series(const struct reading *r, const config_setting_t *at, struct ser
   return true;
 }
 
-static bool about_series(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *prefix,
-                         const char *name)
+bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct series_names *names,
+                    bool with_errors)
 {
-  const char *column = keep_text(r, prefix, (int)strlen(prefix), name);
-  return column && read_column(r, at, w, column);
-}
-
-bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, bool with_errors)
-{
-  static const char *const v0[] = { "v0", NULL }, *const status[] = { "status", NULL };
-  struct series_names names = { .count = 0 };
-  if (!read_series(r, at, &names) || !add_columns(r, at, w, crawler_parameters)
+  static const char *const prefixes[] = { "", "exact.", "error.", "relative." }, *const v0[] = { "v0", NULL },
+                           *const status[] = { "status", NULL };
+  const int each = with_errors ? 4 : 1;
+  if (!find_series(r, at, names) || !add_columns(r, at, w, crawler_parameters)
       || (is_about_phase(r) && !add_columns(r, at, w, v0)))
     return false;
-  if (names.count * (with_errors ? 4 : 1) > SCENE_COLUMNS - w->columns - 1)
-    return refuse_at(r, at, "%d series are more columns than a table has: name some of them, of = [ ... ]", names.count);
-  for (int i = 0; i < names.count; i++)
-    if (!about_series(r, at, w, "", names.name[i])
-        || (with_errors
-            && (!about_series(r, at, w, "exact.", names.name[i]) || !about_series(r, at, w, "error.", names.name[i])
-                || !about_series(r, at, w, "relative.", names.name[i]))))
-      return false;
+  if (names->count * each > SCENE_COLUMNS - w->columns - 1)
+    return refuse_at(r, at, "%d series are more columns than a table has: name some of them, of = [ ... ]", names->count);
+  for (int i = 0; i < names->count; i++)
+    for (int k = 0; k < each; k++) {
+      const char *column = keep_text(r, prefixes[k], (int)strlen(prefixes[k]), names->name[i]);
+      if (!column || !read_column(r, at, w, column))
+        return false;
+    }
   return add_columns(r, at, w, status);
 }

@@ -2,13 +2,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/scenes/running.h"
+#include "compare/scenes/parts.h"
 
 static bool varies(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
-  for (int i = 0; (v = scene_variable(s, i)); i++)
-    if (v->target != TARGET_LABEL && strcmp(scene_variable_sets(v), parameter) == 0)
+  const struct sweep_variable *v;
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
+    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
       return true;
   return false;
 }
@@ -16,10 +16,10 @@ static bool varies(const struct scene *s, const char *parameter)
 /* A measured gait among several brings L, T and alpha of its own. */
 static bool goes_with_gait(const struct scene *s, const char *parameter)
 {
-  const struct scene_variable *v;
+  const struct sweep_variable *v;
   int place = crawler_place(parameter);
-  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.point.written[place], measured = false;
-  for (int i = 0; own && (v = scene_variable(s, i)); i++)
+  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
+  for (int i = 0; own && (v = sweep_variable(&s->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       measured |= strncmp(v->texts[k], "measured:", 9) == 0;
   return measured;
@@ -53,34 +53,26 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
-static void note_parameters(struct table *t, const struct scene *s, const struct scene_want *w)
+static void note_parameters(struct output *o, const struct scene *s)
 {
   const char *not_held[CRAWLER_NUMBERS + 2];
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, w, *name))
+    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
   not_held[count] = NULL;
-  table_parameters(t, &s->base, not_held, false);
-}
-
-static bool is_of_start(const struct quantities *all, int place)
-{
-  const struct quantity *q = &all->item[place];
-  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  table_parameters(&o->table, &o->options, not_held, false);
 }
 
 /* Does anything in this table depend on the phase and its start? */
 static bool has_start(const struct scene *s, const struct scene_want *w)
 {
   bool has = w->kind == WANT_TRAJECTORY;
-  for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
-    for (int k = 0; k < count; k++)
-      has |= is_of_start(&s->quantities, places[k]);
+  int places[WANT_QUANTITIES];
+  for (int i = scene_want_quantities(w, places); i-- > 0 && !has;) {
+    const struct quantity *q = &s->quantities.item[places[i]];
+    has = quantity_is_of_phase(&s->quantities, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
   }
-  for (int i = 0; i < w->series; i++)
-    has |= is_of_start(&s->quantities, w->of[i]);
   return has;
 }
 
@@ -89,7 +81,7 @@ static void note_start(struct table *t, const struct scene *s, const struct scen
   char v0[NUMBER_TEXT];
   if (!has_start(s, w))
     return;
-  number_text(v0, s->base.point.v0, 0);
+  number_text(v0, s->base.v0, 0);
   const char *start = s->varies_v0 ? "v0" : s->start == START_REST ? "rest" : s->start == START_STEADY ? "steady" : v0;
   if (w->kind == WANT_TRAJECTORY)
     table_note(t, "start: %s", start);
@@ -108,6 +100,6 @@ void head_write(const struct running *r, struct output *o)
   bool given = note_given(t, r, o->want);
   for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
-  note_parameters(t, s, o->want);
+  note_parameters(o, s);
   note_start(t, s, o->want);
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/scenes/running.h"
+#include "compare/scenes/parts.h"
 
 const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi", "points",
                                       "state",  "expect", "tolerance", "verdict",  NULL };
@@ -27,7 +27,7 @@ bool orders_begin(const struct running *r, struct output *o)
 static double noise(const struct running *r, const struct quantity *error)
 {
   const struct scene_comparison *c = &r->state->comparison[error->of];
-  return r->plan->needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
+  return r->scene->plan.needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
 void orders_collect(const struct running *r, struct output *o)
@@ -35,7 +35,7 @@ void orders_collect(const struct running *r, struct output *o)
   for (int i = 0; i < o->want->series; i++) {
     double error = state_number(r->state, o->want->of[i]);
     o->errors[i * SCENE_TIMES + o->times] = (struct order_point){
-      .h = r->state->at.point.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
+      .h = r->state->at.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
     };
   }
   o->times++;
@@ -51,12 +51,12 @@ static void write_order(struct running *r, struct output *o, int series)
   enum order_verdict verdict = fit.state == ORDER_EXACT ? ORDER_VERDICT_FLOOR_LIMITED
                                                         : order_judge(&fit, w->expect, w->tolerance);
   for (int i = 0; i < all->labels; i++)
-    table_text(t, r->state->label[i] ? r->state->label[i] : "-");
+    table_text(t, r->state->swept.label[i] ? r->state->swept.label[i] : "-");
   for (const char *const *name = crawler_parameters; *name; name++)
     if (strcmp(*name, "gait") == 0)
-      table_text(t, r->state->at.point.crawler.gait->name);
+      table_text(t, r->state->at.crawler.gait->name);
     else if (strcmp(*name, "T") != 0)
-      table_number(t, crawler_parameter(&r->state->at.point.crawler, *name));
+      table_number(t, crawler_parameter(&r->state->at.crawler, *name));
   table_text(t, all->item[all->item[w->of[series]].of].name);
   table_rounded(t, fit.order, "%.4f");
   table_rounded(t, fit.lo, "%.4f");
@@ -69,7 +69,6 @@ static void write_order(struct running *r, struct output *o, int series)
   r->failed_checks += w->has_expect && verdict != ORDER_PASS;
   count_add(COUNT_ORDERS, 1);
   count_add(COUNT_ROWS, 1);
-  o->rows++;
 }
 
 void orders_finish(struct running *r, struct output *o)

@@ -1,49 +1,93 @@
-/* What the files scene_*.c share while a scene is read. Not public. */
+/* What the files of this folder share. Not public. */
 #ifndef SCALLOP_SCENE_PARTS_H
 #define SCALLOP_SCENE_PARTS_H
 
 #include <libconfig.h>
 
-#include "compare/command/compare.h"
+#include "compare/order/order.h"
 #include "compare/scenes/scene.h"
+#include "compare/scenes/state.h"
+
+enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 
 struct reading {
   struct scene *scene;
-  const struct options *options; /* of the command line                                           */
-  const char *path;              /* of the scene, for messages                                    */
+  const struct options *options; /* of the command line */
+  const char *path;              /* of the scene, for messages */
 };
 
-/* "scallop run: FILE:LINE: message" on stderr. Returns false. */
+/* member.c: "scallop run: FILE:LINE: message" on stderr. Returns false. */
 bool refuse_at(const struct reading *r, const config_setting_t *at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Is every member of the group called one of names (NULL-terminated)? what: "a scene", of which they are part. */
-bool keys_known(const struct reading *r, const config_setting_t *group, const char *const *names, const char *what);
+enum member_kind {
+  MEMBER_OTHER,  /* known, and read elsewhere */
+  MEMBER_TEXT,   /* const char *: not empty */
+  MEMBER_TEXTS,  /* const char *[high]: one or more; *count says how many */
+  MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
+  MEMBER_FLAG,   /* bool */
+  MEMBER_COUNT,  /* long: from low to high */
+  MEMBER_NUMBER, /* double: finite */
+  MEMBER_REST
+};
+/* A member that a group may have, and where its value goes; that stays as it is where the group has no such member. */
+struct member {
+  const char *name; /* NULL ends a list; others are refused, or, where the end is of MEMBER_REST, read elsewhere */
+  enum member_kind kind;
+  void *value;
+  long low, high;
+  int *count;
+  const char *const *words;
+};
+/* clang-format off */
+#define A_TEXT(NAME, VALUE) { .name = NAME, .kind = MEMBER_TEXT, .value = VALUE }
+#define TEXTS(NAME, VALUES, MOST, COUNT) { .name = NAME, .kind = MEMBER_TEXTS, .value = VALUES, .high = MOST, .count = COUNT }
+#define A_WORD(NAME, VALUE, WORDS) { .name = NAME, .kind = MEMBER_WORD, .value = VALUE, .words = WORDS }
+#define A_FLAG(NAME, VALUE) { .name = NAME, .kind = MEMBER_FLAG, .value = VALUE }
+#define A_COUNT(NAME, VALUE, LOW, HIGH) { .name = NAME, .kind = MEMBER_COUNT, .value = VALUE, .low = LOW, .high = HIGH }
+#define A_NUMBER(NAME, VALUE) { .name = NAME, .kind = MEMBER_NUMBER, .value = VALUE }
+#define OTHER(NAME) { .name = NAME, .kind = MEMBER_OTHER }
+#define NO_MORE { .name = NULL }
+#define THE_REST { .kind = MEMBER_REST }
+/* clang-format on */
+/* Reads the members of a group, which is called what in messages: "a scene". */
+bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what);
 
-/* Of a member of a group: true if it is not there, and *value is then untouched. What is wrong with it is said. */
-bool read_member_text(const struct reading *r, const config_setting_t *group, const char *name, const char **value);
-bool read_member_flag(const struct reading *r, const config_setting_t *group, const char *name, bool *value);
-bool read_member_count(const struct reading *r, const config_setting_t *group, const char *name, long low, long high,
-                       long *value);
-bool read_member_number(const struct reading *r, const config_setting_t *group, const char *name, double *value);
-/* A text, or an array of at most `most` texts; *count: how many. */
-bool read_member_texts(const struct reading *r, const config_setting_t *group, const char *name, const char **values,
-                       int most, int *count);
-
+/* "a, b, c" or, quoted, "a" or "b" or "c" with the quotes. Returns text. */
+const char *joined(char *text, size_t size, const char *const *names, bool quoted);
+bool is_among(const char *name, const char *const *names);
+bool is_sequence(const config_setting_t *at); /* an array or a list */
+/* The elements of a sequence; anything else is one. */
+int element_count(const config_setting_t *at);
+const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
-/* A number, or a formula of quantities that are known when it is needed. */
-bool read_end(const struct reading *r, const config_setting_t *at, struct scene_end *end);
+/* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 
-/* Is it of parameters, and of sticking_onset (*onset: then that is set)? False: it is said what is not. */
-bool check_end(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset);
+struct kept { /* a text that the scene keeps */
+  struct kept *next;
+  char text[];
+};
+/* The first length bytes of text, and more after them, for as long as the scene lives. NULL: no memory, which is said. */
+const char *keep_text(const struct reading *r, const char *text, int length, const char *more);
+const char *keep_number(const struct reading *r, double x);
+/* Paths of inputs are those of the folder of the scene; so "measured:FILE", and other gaits as they are. NULL as above. */
+const char *path_beside(const struct reading *r, const char *path);
+const char *gait_beside(const struct reading *r, const char *gait);
 
-bool is_sequence(const config_setting_t *at); /* an array or a list */
+/* text.c: refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are
+ * noted in the scene. */
+bool check_text(const struct reading *r, const char *text);
 
-/* vary.c: vary = ... */
+/* plan.c: fills in scene->plan, from the kinds of its quantities. Nothing is solved. */
+void make_plan(struct scene *scene);
+
+/* vary.c, want.c: vary = ... and want = ... */
 bool read_vary(const struct reading *r, const config_setting_t *vary);
-/* want.c: want = ... */
 bool read_wants(const struct reading *r, const config_setting_t *want);
+/* command.c: the options of a want that is the table of another command */
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w);
 
 /* columns.c: columns by their formulas, and those that a kind of want has. w->columns grows. */
 bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
@@ -51,27 +95,52 @@ bool add_columns(const struct reading *r, const config_setting_t *at, struct sce
 bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
 bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
 bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, bool with_errors);
-/* The series of a want: those of `of`, or the usual ones of its source and order. */
+/* The series of a want: those of `of`, or, filled in by find_series, the usual ones of its source and order. */
 struct series_names {
   int count;
   const char *name[SCENE_COLUMNS];
+  int source; /* among series_sources */
+  long order;
 };
-bool read_series(const struct reading *r, const config_setting_t *at, struct series_names *names);
+extern const char *const series_sources[];
+bool find_series(const struct reading *r, const config_setting_t *at, struct series_names *names);
+bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct series_names *names,
+                    bool with_errors);
 /* Has a scene like this one that quantity? False: it is said why not. */
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
+/* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
+const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
 
-/* command.c: is that the table of another command? And its options */
-bool is_command(const char *what);
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+/* A table that is being made */
+struct output {
+  const struct scene_want *want;
+  struct options options; /* of the table */
+  struct table table;
+  bool is_open;
+  /* orders: the errors of each series at each T so far */
+  struct order_point *errors;
+  long times;
+};
 
-/* The first length bytes of text, and more after them, for as long as the scene lives. NULL: no memory, which is said. */
-const char *keep_text(const struct reading *r, const char *text, int length, const char *more);
-/* Paths of inputs are those of the folder of the scene. NULL as above. */
-const char *path_beside(const struct reading *r, const char *path);
-/* "measured:FILE" with such a path; other gaits as they are. */
-const char *gait_beside(const struct reading *r, const char *gait);
+struct running {
+  const struct scene *scene;
+  const struct options *options;
+  struct scene_state *state;
+  struct output *output;
+  long points, unsolved, failed_checks;
+  char why[POINT_STATUS]; /* the first reason of those unsolved */
+};
+
+/* head.c: the '#' lines of a table */
+void head_write(const struct running *r, struct output *o);
+
+/* orders.c: the columns beside parameters and labels; the header row, false where there is no memory; a point's errors; and, after the
+ * last T, the rows */
+extern const char *const order_columns[];
+bool orders_begin(const struct running *r, struct output *o);
+void orders_collect(const struct running *r, struct output *o);
+void orders_finish(struct running *r, struct output *o);
 
 #endif

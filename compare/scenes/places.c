@@ -1,102 +1,78 @@
-#include "compare/scenes/places.h"
-
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/command/compare.h"
+#include "compare/scenes/scene.h"
 
-/* False: it is no plain file, or its folder is not there, which opening it will say. */
-static bool place_of(const char *path, struct scene_place *place)
+/* The key of a plain file: its device and number or, where it is not there yet, those of its folder and its name. False: it is no plain
+ * file, or its folder is not there, which opening it will say. */
+static bool key_of(const char *path, char key[PLACE_KEY])
 {
-  struct stat there;
-  *place = (struct scene_place){ .is_output = false };
-  if (stat(path, &there) == 0) {
-    place->device = there.st_dev;
-    place->number = there.st_ino;
-    return S_ISREG(there.st_mode);
-  }
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
   char folder[4096] = ".";
+  struct stat there;
+  bool exists = stat(path, &there) == 0;
   if (slash)
     snprintf(folder, sizeof folder, "%.*s", (int)(slash + 1 - path), path);
-  if (strlen(name) >= PLACE_NAME || stat(folder, &there) != 0)
+  if (exists ? !S_ISREG(there.st_mode) : stat(folder, &there) != 0)
     return false;
-  place->device = there.st_dev;
-  place->number = there.st_ino;
-  snprintf(place->name, sizeof place->name, "%s", name);
-  return true;
+  int length = snprintf(key, PLACE_KEY, "%ju %ju %s", (uintmax_t)there.st_dev, (uintmax_t)there.st_ino, exists ? "" : name);
+  return length < PLACE_KEY;
 }
 
-static const struct scene_place *find(const struct scene_places *all, const struct scene_place *place)
-{
-  for (int i = 0; i < all->count; i++) {
-    const struct scene_place *p = &all->place[i];
-    if (p->device == place->device && p->number == place->number && strcmp(p->name, place->name) == 0)
-      return p;
-  }
-  return NULL;
-}
-
-static void add(struct scene_places *all, const struct scene_place *place, bool is_output)
+static void add(struct scene_places *all, const char *key, bool is_output)
 {
   if (all->count == SCENE_PLACES)
     return;
-  all->place[all->count] = *place;
-  all->place[all->count++].is_output = is_output;
+  struct scene_place *place = &all->place[all->count++];
+  place->is_output = is_output;
+  snprintf(place->key, sizeof place->key, "%s", key);
 }
 
 static void reads(struct scene_places *all, const char *path)
 {
-  struct scene_place place;
-  if (place_of(path, &place))
-    add(all, &place, false);
+  char key[PLACE_KEY];
+  if (path && key_of(path, key))
+    add(all, key, false);
 }
 
 static void reads_gait(struct scene_places *all, const char *gait)
 {
-  if (gait && strncmp(gait, "measured:", 9) == 0)
+  if (strncmp(gait, "measured:", 9) == 0)
     reads(all, gait + 9);
 }
 
 void places_reads(struct scene_places *all, const struct scene *scene)
 {
-  const struct scene_variable *v;
-  if (scene->path)
-    reads(all, scene->path);
-  if (strcmp(scene->name, "-") == 0)
-    reads(all, "/dev/stdin");
+  const struct sweep_variable *v;
+  reads(all, strcmp(scene->name, "-") == 0 ? "/dev/stdin" : scene->path);
   for (int i = 0; i < scene->included; i++)
-    if (scene->include[i])
-      reads(all, scene->include[i]);
-  reads_gait(all, scene->base.point.crawler.gait->name);
-  for (int i = 0; (v = scene_variable(scene, i)); i++)
+    reads(all, scene->include[i]);
+  reads_gait(all, scene->base.crawler.gait->name);
+  for (int i = 0; (v = sweep_variable(&scene->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
       reads_gait(all, v->texts[k]);
   for (int w = 0; w < scene->wants; w++)
-    if (scene->want[w].plot.script)
-      reads(all, scene->want[w].plot.script);
+    reads(all, scene->want[w].plot.script);
 }
 
 bool places_writes(struct scene_places *all, const char *command, const char *path)
 {
-  struct scene_place place;
-  const struct scene_place *before = NULL;
-  if (!path) {
-    if (all->has_standard_output)
-      complain(command, "two tables would go to standard output: give each want a file of its own");
-    bool first = !all->has_standard_output;
-    all->has_standard_output = true;
-    return first;
-  }
-  if (!place_of(path, &place))
+  char key[PLACE_KEY] = "standard output";
+  int i = 0;
+  if (path && !key_of(path, key))
     return true;
-  before = find(all, &place);
-  if (before && before->is_output)
+  while (i < all->count && strcmp(all->place[i].key, key) != 0)
+    i++;
+  bool is_new = i == all->count;
+  if (is_new)
+    add(all, key, true);
+  else if (!path)
+    complain(command, "two tables would go to standard output: give each want a file of its own");
+  else if (all->place[i].is_output)
     complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
-  else if (before)
-    complain(command, "%s is read by a scene, and would be written by one", path);
   else
-    add(all, &place, true);
-  return !before;
+    complain(command, "%s is read by a scene, and would be written by one", path);
+  return is_new;
 }

@@ -1,78 +1,45 @@
-#include "compare/scenes/run.h"
-
+/* A scene is run: its tables are opened, its points are visited once, and the tables take their places. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/plot.h"
-#include "compare/scenes/running.h"
+#include "compare/scenes/parts.h"
+#include "compare/text/plot.h"
 
-/* ---- rows ---- */
-
-static bool is_of_steady(const struct quantities *all, const struct quantity *q)
+/* A cell; only_find: the value is found, and not written. */
+static void put_column(const struct running *r, struct output *o, const struct scene_column *c, bool only_find)
 {
-  return q->kind == QUANTITY_STEADY || (q->of >= 0 && !quantity_is_of_phase(all, q));
-}
-
-/* What a row says of its status is of all its columns, wherever it stands: they are found first. */
-static void find_columns(const struct running *r, const struct scene_want *w)
-{
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
-    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-    if (!q)
-      state_formula(r->state, &c->formula);
-    else if (!quantity_is_text(q))
-      state_number(r->state, c->quantity);
-    else if (q->kind != QUANTITY_STATUS)
-      state_text(r->state, c->quantity, 1);
+  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+  if (!q || !quantity_is_text(q)) {
+    double x = q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula);
+    if (!only_find)
+      table_number(&o->table, x);
+    return;
   }
-}
-
-static bool tells_steady(const struct running *r, const struct scene_want *w)
-{
-  const struct quantities *all = &r->scene->quantities;
-  for (int i = 0; i < w->columns; i++) {
-    int places[ARITHMETIC_STEPS], count = scene_column_quantities(&w->column[i], places);
-    for (int k = 0; k < count; k++)
-      if (is_of_steady(all, &all->item[places[k]]))
-        return true;
-  }
-  return false;
-}
-
-static void write_certified(const struct running *r, struct output *o, int quantity)
-{
-  const char *digits = state_text(r->state, quantity, o->options.digits > 0 ? o->options.digits : 17);
-  if (strcmp(digits, "nan") == 0)
+  if (only_find && q->kind == QUANTITY_STATUS)
+    return;
+  const char *text = state_text(r->state, c->quantity, o->options.digits > 0 ? o->options.digits : DIGITS_OF_DOUBLE);
+  if (only_find)
+    return;
+  if (q->kind != QUANTITY_CERTIFIED)
+    table_text(&o->table, text);
+  else if (strcmp(text, "nan") == 0)
     table_number(&o->table, NAN);
   else
-    table_digits(&o->table, digits);
+    table_digits(&o->table, text);
 }
 
-static void write_columns(struct running *r, struct output *o)
+/* The status of a row is that of all its columns, wherever it stands: they are found first. */
+static void write_columns(const struct running *r, struct output *o)
 {
   const struct scene_want *w = o->want;
-  if (w->kind == WANT_ROWS)
-    find_columns(r, w);
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
-    const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-    if (!q)
-      table_number(&o->table, state_formula(r->state, &c->formula));
-    else if (q->kind == QUANTITY_CERTIFIED)
-      write_certified(r, o, c->quantity);
-    else if (quantity_is_text(q))
-      table_text(&o->table, state_text(r->state, c->quantity, 0));
-    else
-      table_number(&o->table, state_number(r->state, c->quantity));
-  }
-  o->rows++;
+  for (int i = 0; i < w->columns && w->kind == WANT_ROWS; i++)
+    put_column(r, o, &w->column[i], true);
+  for (int i = 0; i < w->columns; i++)
+    put_column(r, o, &w->column[i], false);
   count_add(COUNT_ROWS, 1);
 }
-
-/* ---- trajectories ---- */
 
 struct tracing {
   struct running *r;
@@ -85,6 +52,7 @@ static bool write_sample(void *context, const struct scallop_sample *s)
   struct tracing *t = context;
   struct scene_state *state = t->r->state;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
+  count_add(COUNT_SAMPLES, 1);
   if (s->t > t->until)
     return false;
   for (int i = 0; i < t->r->scene->quantities.count; i++) {
@@ -105,7 +73,8 @@ static void trace(struct running *r, struct output *o)
   struct tracing t = { r, o, state_end(r->state, &w->until) };
   if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = counted_trajectory(&r->state->at.point.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     state_fail(r->state, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
@@ -121,22 +90,17 @@ static void begin_columns(struct output *o)
   table_begin_rows(&o->table);
 }
 
-/* ---- points ---- */
-
 static void at_want(struct running *r, struct output *o, bool last_of_times)
 {
-  enum exit_code code = EXIT_DONE;
-  switch (o->want->kind) {
-  case WANT_ROWS: write_columns(r, o); break;
-  case WANT_TRAJECTORY: trace(r, o); break;
-  case WANT_ORDERS:
+  if (o->want->kind == WANT_ROWS)
+    write_columns(r, o);
+  else if (o->want->kind == WANT_TRAJECTORY)
+    trace(r, o);
+  else if (o->want->kind == WANT_ORDERS) {
     orders_collect(r, o);
     if (last_of_times)
       orders_finish(r, o);
-    break;
-  case WANT_COMMAND: code = command_at_point(r, o);
   }
-  r->code = code > r->code ? code : r->code;
 }
 
 static void at_point(struct running *r, bool last_of_times)
@@ -146,7 +110,7 @@ static void at_point(struct running *r, bool last_of_times)
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
-    state_begin_row(r->state, o->tells_steady);
+    state_begin_row(r->state);
     at_want(r, o, last_of_times);
     if (*why != '\0' && r->unsolved == 0 && !unsolved)
       snprintf(r->why, sizeof r->why, "%s", why);
@@ -160,46 +124,33 @@ static bool failed(const struct running *r)
   for (int i = 0; i < r->scene->wants; i++)
     if (r->output[i].is_open && table_failed(&r->output[i].table))
       return true;
-  return r->code == EXIT_USAGE || r->code == EXIT_FILE;
+  return false;
 }
 
-static void each_point(struct running *r, const struct scene_product *product)
+static void each_point(struct running *r, const struct sweep_product *product)
 {
-  long index[SCENE_GROUPS] = { 0 };
-  int g = 0;
-  while (g >= 0 && !failed(r)) {
-    int last = product->groups - 1;
+  long index[SWEEP_GROUPS] = { 0 };
+  int last = product->groups - 1;
+  do {
     state_move(r->state, product, index);
     at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
-    for (g = last; g >= 0 && ++index[g] == product->group[g].count; g--)
-      index[g] = 0;
-  }
+  } while (sweep_next(product, index) && !failed(r));
 }
 
-/* ---- the whole ---- */
-
-static bool open_tables(struct running *r, const struct scene_outputs *outputs)
+static bool open_tables(struct running *r)
 {
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
     o->want = &r->scene->want[i];
-    o->file = outputs->file[i];
     o->options = *r->options;
-    o->options.point.crawler = r->scene->base.point.crawler;
+    o->options.point = r->scene->base;
     o->options.format = o->want->format;
     o->options.digits = o->want->digits;
-    o->options.output = o->file;
-    o->tells_steady = tells_steady(r, o->want);
-    /* A map that is made once opens its table itself, and goes on where it was interrupted. */
-    if (command_makes_map(o->want) && scene_points(r->scene) == 1)
+    if (o->want->kind == WANT_COMMAND) /* which opens its table itself */
       continue;
-    if (!table_open_at(&o->table, &o->options, o->file))
+    if (!table_open_at(&o->table, &o->options, o->want->file))
       return false;
     o->is_open = true;
-    if (o->want->kind == WANT_COMMAND) {
-      command_leads(r, o);
-      continue;
-    }
     head_write(r, o);
     if (o->want->kind != WANT_ORDERS)
       begin_columns(o);
@@ -209,6 +160,22 @@ static bool open_tables(struct running *r, const struct scene_outputs *outputs)
     }
   }
   return true;
+}
+
+static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
+
+/* Tables of commands are made when all others are complete, and each is in its place when the command ends. */
+static enum exit_code run_commands(const struct running *r)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++) {
+    const struct scene_want *w = &r->scene->want[i];
+    if (w->kind != WANT_COMMAND)
+      continue;
+    count_add(COUNT_COMMANDS, 1);
+    code = worse(code, r->scene->run_command(r->scene, w, r->options, false));
+  }
+  return code;
 }
 
 /* Every table is complete on the disk before the first takes its place. */
@@ -231,29 +198,22 @@ static enum exit_code close_tables(struct running *r, bool keep)
       table_abandon(&o->table);
     else if (o->is_open && !table_close(&o->table))
       code = EXIT_FILE;
-    else if (keep && o->file && !r->options->quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->file);
+    else if (keep && o->want->file && !r->options->quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->want->file);
     free(o->errors);
   }
   return code;
 }
 
-static enum exit_code draw_plots(const struct running *r, const struct scene_outputs *outputs)
+static enum exit_code draw_plots(const struct running *r)
 {
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants; i++) {
-    const struct scene_plot *p = &r->output[i].want->plot;
-    const struct plot plot = { .table = r->output[i].file,
-                               .file = outputs->plot[i],
-                               .script = p->script,
-                               .program = p->program,
-                               .title = r->scene->title,
-                               .x = p->x,
-                               .y = p->y,
-                               .by = p->by,
-                               .log_x = p->log_x,
-                               .log_y = p->log_y };
-    if (!plot.file)
+    const struct scene_want *w = &r->scene->want[i];
+    struct plot plot = w->plot;
+    plot.table = w->file;
+    plot.title = r->scene->title;
+    if (!w->has_plot)
       continue;
     if (!plot_draw(&plot, r->options->command->name)) {
       code = EXIT_FILE;
@@ -277,35 +237,40 @@ static void tell(const struct running *r)
              r->failed_checks);
 }
 
-enum exit_code scene_run(const struct scene *scene, const struct plan *plan, const struct scene_outputs *outputs,
-                         const struct options *options)
+/* Visits all points. The exit code of what is then in its place. */
+static enum exit_code run_points(struct running *r)
 {
-  struct running r = { .scene = scene, .plan = plan, .options = options, .code = EXIT_DONE };
+  bool opened = open_tables(r);
+  for (int i = 0; opened && i < r->scene->sweep.products; i++)
+    each_point(r, &r->scene->sweep.product[i]);
+  enum exit_code code = opened && flush_tables(r) ? run_commands(r) : EXIT_FILE;
+  bool keep = code != EXIT_FILE && code != EXIT_USAGE;
+  if (close_tables(r, keep) != EXIT_DONE)
+    return EXIT_FILE;
+  if (!keep)
+    return code;
+  tell(r);
+  if (draw_plots(r) != EXIT_DONE)
+    return EXIT_FILE;
+  if (r->unsolved > 0)
+    return EXIT_UNSOLVED;
+  return r->failed_checks > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
+}
+
+enum exit_code scene_run(const struct scene *scene, const struct options *options)
+{
+  struct running r = { .scene = scene, .options = options };
+  enum exit_code code = EXIT_UNSOLVED;
   r.state = malloc(sizeof *r.state);
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
-  bool opened = r.state && r.output;
-  if (!opened)
+  if (!r.state || !r.output)
     complain(options->command->name, "out of memory");
   else {
-    state_init(r.state, scene, &plan->needs);
-    opened = open_tables(&r, outputs);
-    r.code = opened ? EXIT_DONE : EXIT_FILE;
-    for (int i = 0; opened && i < scene->products; i++)
-      each_point(&r, &scene->product[i]);
-    bool keep = opened && r.code != EXIT_USAGE && r.code != EXIT_FILE && flush_tables(&r);
-    enum exit_code closed = close_tables(&r, keep);
-    r.code = closed == EXIT_DONE ? r.code : closed;
-    if (keep && closed == EXIT_DONE) {
-      tell(&r);
-      enum exit_code drawn = draw_plots(&r, outputs);
-      r.code = drawn != EXIT_DONE                           ? drawn
-               : r.unsolved > 0                             ? EXIT_UNSOLVED
-               : r.failed_checks > 0 && r.code == EXIT_DONE ? EXIT_CHECK_FAILED
-                                                            : r.code;
-    }
+    state_init(r.state, scene);
+    code = run_points(&r);
     state_clear(r.state);
   }
   free(r.state);
   free(r.output);
-  return opened || r.code != EXIT_DONE ? r.code : EXIT_UNSOLVED;
+  return code;
 }

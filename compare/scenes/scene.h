@@ -1,155 +1,144 @@
-/* Scenes: files that say which crawler and gait, what varies, and what is wanted of it. docs/scenes.md has the language.
+/* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/scenes.md has the language.
  *
- * read.c reads one (libconfig), answers/quantity.c knows what can be wanted, plan.c works out the least work that gives it, run.c does
- * that work. */
+ * A scene is read (read.c), planned (plan.c: what must be known before its first point), and run: each point of what varies is visited
+ * once, and each table gets its rows there. Terms: a variable is a parameter, ratio or label that varies; variables of a group advance
+ * together; a product is every combination of its groups; a want is one table.
+ *
+ * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are replaced together, when
+ * all are complete. */
 #ifndef SCALLOP_SCENE_H
 #define SCALLOP_SCENE_H
 
-#include "compare/text/formula.h"
-#include "compare/command/options.h"
+#include "compare/answers/counts.h"
 #include "compare/answers/quantity.h"
+#include "compare/answers/sweep.h"
+#include "compare/command/compare.h"
+#include "asymptotics/formula.h"
+#include "compare/text/plot.h"
 
 enum {
-  SCENE_GROUPS = 8,
-  SCENE_VARIABLES = 8,
-  SCENE_PRODUCTS = 16,
   SCENE_WANTS = 32,
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
-  SCENE_INCLUDED = 64
+  SCENE_INCLUDED = 64,
+  SCENE_TIMES = 4096 /* most periods of an order */
 };
-/* What a table of orders has beside parameters and labels; NULL-terminated. */
-extern const char *const order_columns[];
-
-enum { SCENE_RAMP = 1000000, SCENE_TIMES = 4096 }; /* most values of a range; most periods of an order */
-
-/* ---- what varies ---- */
-
-/* What a variable sets. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T when all else is set. */
-enum scene_target {
-  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha                                                          */
-  TARGET_GAIT,
-  TARGET_V0,
-  TARGET_F1_OVER_F2,
-  TARGET_M1_OVER_M2,
-  TARGET_FROUDE,
-  TARGET_LABEL /* nothing: a text of its own, for a column                                       */
-};
-
-struct scene_end { /* of a range                                                                      */
-  bool is_formula; /* of parameters that are set further out, and sticking_onset                     */
-  double number;
-  struct arithmetic formula;
-};
-
-struct scene_variable {
-  enum scene_target target;
-  int place; /* of a number among the crawler's, of a label among the scene's                    */
-  const char *name;
-  long count;         /* values; 1: the same throughout its group                                        */
-  double *numbers;    /* a list of numbers, or NULL                                                    */
-  const char **texts; /* a list of texts: labels, gaits, numbers as they were written (NULL: as a double), or NULL */
-  bool is_log;        /* a range                                                                       */
-  bool needs_onset;   /* to know its ends                                                              */
-  struct scene_end from, to;
-};
-
-struct scene_group { /* variables that go on together                                                     */
-  int variables;
-  struct scene_variable variable[SCENE_VARIABLES];
-  long count;
-};
-struct scene_product { /* every combination of its groups, the first slowest                               */
-  int groups;
-  struct scene_group group[SCENE_GROUPS];
-};
-
-/* ---- what is wanted ---- */
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
 
 struct scene_column {
-  const char *name; /* in the table                                                                  */
-  int quantity;     /* one as it is, a text perhaps; -1: the formula                                 */
-  struct arithmetic formula;
-};
-
-struct scene_plot {
-  const char *file, *script, *x, *by;
-  const char *program; /* in place of a script: the text of one that comes with the tool             */
-  const char *y[8 + 1];
-  bool log_x, log_y;
+  const char *name; /* in the table */
+  int quantity;     /* one as it is, a text perhaps; -1: the formula */
+  struct formula formula;
 };
 
 struct scene_want {
   enum want_kind kind;
-  const char *what; /* as it is written                                                              */
-  const char *file; /* NULL: standard output                                                         */
+  const char *what; /* as it is written */
+  const char *file; /* as the command line has it, and NULL: standard output */
   enum format format;
   long digits;
   int columns;
-  struct scene_column *column; /* room for SCENE_COLUMNS                                             */
-  bool is_certified;           /* errors against certified values, whatever the accuracy                 */
-  double accuracy;             /* rows and orders with errors: they are told down to this part of the exact value */
-  long periods, samples;       /* trajectory                                                              */
-  struct scene_end until;      /* and no further than this time                                              */
-  int series;                  /* orders: of the errors of these                                             */
-  int of[SCENE_COLUMNS];       /* the errors, as quantities                                                  */
+  struct scene_column *column; /* room for SCENE_COLUMNS */
+  bool is_certified;           /* errors against certified values, whatever the accuracy */
+  double accuracy;             /* errors below this part of the exact value are 0 */
+  long periods, samples;       /* trajectory */
+  struct sweep_end until;      /* and no further than this time */
+  int series;                  /* orders: of the errors of these */
+  int of[SCENE_COLUMNS];       /* the errors, as quantities */
   bool has_expect;
   double expect, tolerance;
-  const struct command *command; /* a command, run at each point ...                                         */
-  char **arguments;              /* ... with these, NULL-terminated, and the parameters of the point             */
+  char **arguments; /* of a command: its long options */
   int argument_count;
   bool has_plot;
-  struct scene_plot plot;
+  struct plot plot; /* but for table and title */
 };
 
-/* ---- a scene ---- */
+/* What all points have in common, found before the first: what certified values must be good for. */
+struct scene_needs {
+  bool certified_errors;          /* else errors are those against the double solver */
+  double accuracy;                /* of errors: the finest that is wanted */
+  long digits;                    /* of certified values: the most that are wanted */
+  long steady_order, phase_order; /* derived series: terms below T^order; 0: none */
+};
+
+struct plan_stage {
+  double count;    /* what --stats will count; 0: not requested */
+  bool is_at_most; /* else exactly, where every point can be solved */
+  char reason[240];
+};
+
+struct plan {
+  struct scene_needs needs;
+  bool needs_flint;
+  struct plan_stage stage[COUNT_PLANNED];
+};
 
 enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
+struct scene;
+/* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as scenes know no
+ * command. */
+typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
+                                     bool only_read);
+
 struct scene {
-  char *name;       /* of the file, without folder and .cfg                                        */
-  const char *path; /* of the file, NULL: it comes with the tool, or from standard input            */
-  int included;     /* files that it includes                                                        */
+  char *name;       /* of the file, without folder and .cfg */
+  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
+  int included;     /* files that it includes */
   const char *include[SCENE_INCLUDED];
-  const char *title; /* or NULL                                                                     */
+  const char *title; /* or NULL */
   int notes;
   const char *note[SCENE_NOTES];
-  struct options base; /* the crawler where nothing varies                                            */
+  struct point base; /* the crawler where nothing varies */
   enum scallop_phase_kind phase;
   enum scene_start start;
   bool varies_v0;
-  int products; /* one after the other; at least one, which may have no groups: one point       */
-  struct scene_product *product;
-  struct quantities quantities; /* all that are used                                               */
+  struct sweep sweep;
+  struct quantities quantities; /* all that are used */
   int wants;
   struct scene_want want[SCENE_WANTS];
-  struct config_t *file; /* libconfig's, whose texts the above points to                                     */
-  struct kept *kept;     /* and other texts                                                              */
+  struct plan plan;
+  scene_command *run_command;
+  struct config_t *file; /* libconfig's, whose texts the above points to */
+  struct kept *kept;     /* and other texts */
 };
 
 /* Where a scene comes from: a file, or a text that has no folder. */
 struct scene_source {
-  const char *path; /* for messages, and to read if text is NULL                                    */
+  const char *path; /* for messages, and to read if text is NULL */
   const char *text;
 };
 
-/* Reads and checks a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
+/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
+enum exit_code scene_text_read(const char *command, const char *path, char **text);
+
+/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
  * EXIT_DONE, or the exit code, the message being on stderr. */
-enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options);
+enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
+                          scene_command *run_command);
 void scene_free(struct scene *scene);
 
-/* The quantities of a column: that one, or those of its formula. Returns how many. */
-int scene_column_quantities(const struct scene_column *column, int places[ARITHMETIC_STEPS]);
+/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
+enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
+int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
+/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
+enum exit_code scene_run(const struct scene *scene, const struct options *options);
 
-/* The parameter that a variable sets: F1 for F1_over_F2, T for froude; its own name for others. */
-const char *scene_variable_sets(const struct scene_variable *variable);
-/* The variables of all products, one after another: number i, or NULL after the last. */
-const struct scene_variable *scene_variable(const struct scene *scene, int i);
-
-/* Points of the scene: the products of its groups, one after the other. */
-long scene_points(const struct scene *scene);
-long scene_product_points(const struct scene_product *product);
+/* The files that scenes read and write, by what they are and not by how a path is spelled */
+enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };
+struct scene_places {
+  int count;
+  struct scene_place {
+    bool is_output;
+    char key[PLACE_KEY];
+  } place[SCENE_PLACES];
+};
+/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard input, where that is a
+ * file. */
+void places_reads(struct scene_places *places, const struct scene *scene);
+/* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
+ * pipes take any number. */
+bool places_writes(struct scene_places *places, const char *command, const char *path);
 
 #endif

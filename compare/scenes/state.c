@@ -6,14 +6,19 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
+#include "compare/text/halfway.h"
 #include "compare/scenes/flint.h"
 
-void state_init(struct scene_state *s, const struct scene *scene, const struct scene_needs *needs)
+void state_init(struct scene_state *s, const struct scene *scene)
 {
-  *s = (struct scene_state){ .scene = scene, .needs = *needs, .at = scene->base };
+  *s = (struct scene_state){ .scene = scene, .needs = scene->plan.needs, .at = scene->base };
 }
 
-void state_clear(struct scene_state *s) { scene_flint_free(s->flint); }
+void state_clear(struct scene_state *s)
+{
+  if (s->flint)
+    scene_flint.free(s->flint);
+}
 
 double state_fail(struct scene_state *s, const char *why)
 {
@@ -28,153 +33,82 @@ static double check(struct scene_state *s, enum scallop_status status, double va
   return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
 }
 
-/* ---- where the point is ---- */
-
-static void set_number(struct scene_state *s, int place, double value, const char *text, const char *name)
+/* Parameters may have changed since the last formula. */
+static double formula_so_far(void *state, const struct formula *formula)
 {
-  number_text(s->written[place], value, 0);
-  const char *wrong = point_set_number(&s->at.point, place, text ? text : s->written[place]);
-  if (wrong) {
-    char why[POINT_STATUS];
-    snprintf(why, sizeof why, "%s: %s", name, wrong);
-    state_fail(s, why);
-  }
+  struct scene_state *s = state;
+  memset(s->has, 0, sizeof s->has);
+  return state_formula(s, formula);
 }
 
-static double rounded(double x, long digits)
-{
-  char text[NUMBER_TEXT];
-  number_text(text, x, digits);
-  read_number(text, &x);
-  return x;
-}
-
-static double range_value(struct scene_state *s, const struct scene_variable *v, long i)
-{
-  memset(s->has, 0, sizeof s->has); /* parameters may have changed since the last formula */
-  double from = state_end(s, &v->from), to = state_end(s, &v->to);
-  long steps = v->count - 1;
-  if (i == 0)
-    return from;
-  if (i == steps)
-    return to;
-  /* decimal: 0.07 for a reader, and the same on every machine, whose logarithms may differ in the last digit */
-  if (v->is_log)
-    return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
-  double x = from + (double)i * ((to - from) / (double)steps);
-  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
-}
-
-/* What follows from other parameters follows from them as they are now, and the Froude number is last. */
-static void settle(struct scene_state *s)
-{
-  const struct scallop_crawler *c = &s->at.point.crawler;
-  point_complete(&s->at.point);
-  if (!isnan(s->F1_over_F2))
-    set_number(s, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
-  if (!isnan(s->m1_over_m2))
-    set_number(s, crawler_place("m1"), s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
-  if (!isnan(s->froude))
-    set_number(s, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
-}
-
-static void set_v0(struct scene_state *s, double v0, const char *text)
-{
-  if (!isfinite(v0))
-    state_fail(s, "v0: a finite velocity is wanted");
-  s->at.point.v0 = v0;
-  number_text(s->written_v0, v0, 0);
-  s->at.point.written_v0 = text ? text : s->written_v0;
-  s->at.point.has_v0 = true;
-}
-
-static void set_variable(struct scene_state *s, const struct scene_variable *v, long i)
-{
-  long place = v->count == 1 ? 0 : i;
-  const char *text = v->texts ? v->texts[place] : NULL;
-  double x = v->numbers                                              ? v->numbers[place]
-             : v->target == TARGET_LABEL || v->target == TARGET_GAIT ? 0
-                                                                     : range_value(s, v, place);
-  switch (v->target) {
-  case TARGET_NUMBER: set_number(s, v->place, x, text, v->name); break;
-  case TARGET_GAIT: point_set(&s->at.point, "gait", text); break; /* it was made when the scene was read */
-  case TARGET_V0: set_v0(s, x, text); break;
-  case TARGET_LABEL: s->label[v->place] = text; break;
-  case TARGET_F1_OVER_F2: s->F1_over_F2 = x; break;
-  case TARGET_M1_OVER_M2: s->m1_over_m2 = x; break;
-  case TARGET_FROUDE: s->froude = x; break;
-  }
-}
-
-void state_move(struct scene_state *s, const struct scene_product *product, const long *index)
+void state_move(struct scene_state *s, const struct sweep_product *product, const long *index)
 {
   const struct scene *scene = s->scene;
   s->at = scene->base;
-  s->at.point.has_v0 = scene->start != START_STEADY;
+  s->at.has_v0 = scene->start != START_STEADY;
   s->why[0] = '\0';
   s->is_outside = false;
-  s->has_steady = s->has_phase = s->has_turnings = false;
+  s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = false;
   memset(s->has, 0, sizeof s->has);
-  memset(s->label, 0, sizeof s->label);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->flint)
-    scene_flint_forget(s->flint);
-  s->F1_over_F2 = s->m1_over_m2 = s->froude = NAN;
-  for (int g = 0; g < product->groups; g++) {
-    for (int v = 0; v < product->group[g].variables; v++)
-      set_variable(s, &product->group[g].variable[v], index[g]);
-    bool was_outside = s->why[0] != '\0';
-    settle(s);
-    if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
-      s->why[0] = '\0';
-  }
+    scene_flint.forget(s->flint);
+  sweep_move(&s->swept, &s->at, product, index, formula_so_far, s);
+  s->why[0] = '\0'; /* what a formula could not have */
+  if (s->swept.why[0] != '\0')
+    state_fail(s, s->swept.why);
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
   s->is_outside = s->why[0] != '\0';
   count_add(COUNT_POINTS, 1);
 }
 
-void state_begin_row(struct scene_state *s, bool tells_steady)
+void state_begin_row(struct scene_state *s)
 {
-  s->tells_steady = tells_steady;
+  s->tells_steady = false;
   if (!s->is_outside)
     s->why[0] = '\0';
 }
 
-/* ---- solutions ---- */
-
-static const struct scallop_steady_result *steady(struct scene_state *s)
+/* The answer in double; NULL: there is none, and s->why says why. */
+static const struct answer *solved(struct scene_state *s, enum quantity_of of)
 {
-  if (!s->has_steady)
-    s->steady_status = counted_steady(&s->at.point.crawler, &s->steady);
-  s->has_steady = true;
-  return check(s, s->steady_status, 0) == 0 ? &s->steady : NULL;
+  struct answer *a = &s->answer[of];
+  double v0 = of == OF_PHASE ? state_v0(s) : 0;
+  if (isnan(v0))
+    return NULL;
+  if (!s->has_answer[of]) {
+    s->motion[of] = (struct motion){ of, s->at.crawler, s->scene->phase, v0 };
+    s->has_answer[of] = true;
+    count_add(of == OF_PHASE ? COUNT_PHASES : COUNT_STEADY, 1);
+    if (answer_in_double(a, &s->motion[of]))
+      count_work(&a->work);
+  }
+  return check(s, a->status, 0) == 0 ? a : NULL;
 }
 
 double state_v0(struct scene_state *s)
 {
-  if (s->at.point.has_v0)
-    return s->at.point.v0;
-  const struct scallop_steady_result *r = steady(s);
-  return !r ? NAN : s->scene->phase == SCALLOP_EXTENSION ? r->period.v_start : r->period.v_mid;
+  if (s->at.has_v0)
+    return s->at.v0;
+  const struct answer *a = solved(s, OF_STEADY);
+  return a ? a->value[s->scene->phase == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
 
-static const struct exact_phase *phase(struct scene_state *s)
+/* Where the rear body turns takes a second walk through the phase. */
+static void find_turnings(struct scene_state *s)
 {
-  double v0 = state_v0(s);
-  if (isnan(v0))
-    return NULL;
-  if (!s->has_phase)
-    s->phase_status = exact_phase_start(&s->at.point.crawler, s->scene->phase, v0, &s->phase);
-  s->has_phase = true;
-  return check(s, s->phase_status, 0) == 0 ? &s->phase : NULL;
+  if (s->has_turnings)
+    return;
+  s->has_turnings = answer_turnings(&s->answer[OF_PHASE], &s->motion[OF_PHASE]);
+  count_add(COUNT_PHASES, 1);
 }
 
 static bool slides(struct scene_state *s, double T)
 {
-  struct scallop_crawler c = s->at.point.crawler;
+  struct scallop_crawler c = s->at.crawler;
   struct scallop_phase_result r;
   c.T = T;
-  return counted_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
+  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
 }
 
 static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
@@ -187,22 +121,20 @@ static bool same_but_T(const struct scallop_crawler *a, const struct scallop_cra
 static double onset_of_sticking(struct scene_state *s)
 {
   enum { MOST_DOUBLINGS = 400 };
-  if (s->has_onset && same_but_T(&s->onset_of, &s->at.point.crawler))
+  if (s->has_onset && same_but_T(&s->onset_of, &s->at.crawler))
     return s->onset;
   double sliding = 0, sticking = 1;
   int doublings = 0;
   while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && (mid = sliding + (sticking - sliding) / 2) > sliding && mid < sticking;)
+  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides(s, mid) ? &sliding : &sticking) = mid;
   s->has_onset = true;
-  s->onset_of = s->at.point.crawler;
+  s->onset_of = s->at.crawler;
   s->onset = doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
   count_add(COUNT_ONSETS, 1);
   return s->onset;
 }
-
-/* ---- series and errors ---- */
 
 const char no_ends[] =
     "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
@@ -212,61 +144,34 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
   double value;
   if (f->setting == SCALLOP_STEADY) {
     count_add(COUNT_FORMULAS, 1);
-    value = f->steady(&s->at.point.crawler);
+    value = f->steady(&s->at.crawler);
   } else {
-    double v0 = state_v0(s);
-    struct exact_phase given = {
-      .kind = s->scene->phase, .phase = { .t1 = NAN, .dT = NAN }, .at_first = NAN, .at_last = NAN
-    };
-    if (formula_takes_given(f)) {
-      const struct exact_phase *solved = phase(s);
-      if (!solved)
-        return NAN;
-      if (strstr(f->text, "x_switch") && !s->has_turnings)
-        s->has_turnings = exact_phase_turnings(&s->at.point.crawler, &s->phase) >= 0;
-      given = s->phase;
-    }
-    const struct scallop_phase_point point = scallop_phase_point(&s->at.point.crawler, s->scene->phase, v0);
-    value = published_value(f, &point, &given);
+    const struct motion m = { OF_PHASE, s->at.crawler, s->scene->phase, state_v0(s) };
+    const struct answer none = { .value = { [Q_T1] = { NAN, 0 }, [Q_DT] = { NAN, 0 }, [Q_AT_LAST] = { NAN, 0 } } };
+    const struct answer *given = formula_takes_given(f) ? solved(s, OF_PHASE) : &none;
+    if (!given)
+      return NAN;
+    if (strstr(f->text, "x_switch"))
+      find_turnings(s);
+    const struct scallop_phase_point point = scallop_phase_point(&m.crawler, m.phase, m.v0);
+    count_add(COUNT_FORMULAS, 1);
+    value = published_value(f, &point, &m, given);
   }
-  if (!isfinite(value) && !gait_has_ends(s->at.point.crawler.gait))
+  if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
     return state_fail(s, no_ends);
   return isfinite(value) ? value : NAN;
-}
-
-static double steady_number(const struct scallop_steady_result *r, int which)
-{
-  const double all[STEADY_NUMBERS] = { r->period.v_start, r->period.v_mid, r->period.displacement, r->mean_velocity,
-                                       r->period.multiplier };
-  return all[which];
-}
-
-static double phase_number(const struct exact_phase *p, int which)
-{
-  const double all[PHASE_NUMBERS] = { p->phase.t1, p->phase.dT, p->phase.v_end, p->phase.dx1, p->phase.dx2, p->phase.dxC };
-  return all[which];
 }
 
 /* What the series is said to be, by the double solver */
 static double exact_in_double(struct scene_state *s, const struct quantity *series)
 {
-  if (!quantity_is_of_phase(&s->scene->quantities, series)) {
-    const struct scallop_steady_result *r = steady(s);
-    if (!r)
-      return NAN;
-    if (series->kind == QUANTITY_PUBLISHED)
-      return series->formula->quantity == SCALLOP_STEADY_VELOCITY ? r->period.v_start : r->period.displacement;
-    return steady_number(r, series->which);
-  }
-  const struct exact_phase *p = phase(s);
-  if (!p)
+  const struct answer *a = solved(s, quantity_is_of_phase(&s->scene->quantities, series) ? OF_PHASE : OF_STEADY);
+  int q = series->kind == QUANTITY_PUBLISHED ? (int)quantity_of_formula(series->formula, s->scene->phase) : series->which;
+  if (!a)
     return NAN;
-  if (series->kind != QUANTITY_PUBLISHED)
-    return phase_number(p, series->which - STEADY_VALUES);
-  enum scallop_quantity what = series->formula->quantity;
-  if ((what == SCALLOP_REAR_AT_FIRST || what == SCALLOP_REAR_AT_LAST) && !s->has_turnings)
-    s->has_turnings = exact_phase_turnings(&s->at.point.crawler, &s->phase) >= 0;
-  return exact_quantity(&s->phase, what);
+  if (q == Q_AT_FIRST || q == Q_AT_LAST)
+    find_turnings(s);
+  return a->value[q].high;
 }
 
 /* A series beside what it should be. */
@@ -276,7 +181,7 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
   struct scene_comparison *c = &s->comparison[place];
   long before = s->failures;
   if (!c->done && s->needs.certified_errors)
-    c->error = scene_flint_error(s, series, &c->value, &c->exact);
+    c->error = scene_flint.error(s, series, &c->value, &c->exact);
   else if (!c->done) {
     c->exact = exact_in_double(s, series);
     c->value = state_number(s, place);
@@ -294,22 +199,19 @@ static double about_series(struct scene_state *s, const struct quantity *q)
   return q->kind == QUANTITY_EXACT ? c->exact : q->kind == QUANTITY_ERROR ? c->error : c->error / fabs(c->exact);
 }
 
-/* ---- quantities ---- */
-
 /* What it was set to, or to the bit what the solver says */
 static double froude(struct scene_state *s)
 {
   struct scallop_scaled scaled;
-  if (!isnan(s->froude))
-    return s->froude;
-  return check(s, scallop_scale(&s->at.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
+  if (!isnan(s->swept.froude))
+    return s->swept.froude;
+  return check(s, scallop_scale(&s->at.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
 static double compute(struct scene_state *s, const struct quantity *q)
 {
-  const struct scallop_crawler *c = &s->at.point.crawler;
-  const struct scallop_steady_result *r;
-  const struct exact_phase *p;
+  const struct scallop_crawler *c = &s->at.crawler;
+  const struct answer *a;
   double numbers[CRAWLER_NUMBERS];
   if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
@@ -319,14 +221,13 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_F1_OVER_F2: return isnan(s->F1_over_F2) ? c->F1 / c->F2 : s->F1_over_F2;
-  case QUANTITY_M1_OVER_M2: return isnan(s->m1_over_m2) ? c->m1 / c->m2 : s->m1_over_m2;
+  case QUANTITY_F1_OVER_F2: return isnan(s->swept.F1_over_F2) ? c->F1 / c->F2 : s->swept.F1_over_F2;
+  case QUANTITY_M1_OVER_M2: return isnan(s->swept.m1_over_m2) ? c->m1 / c->m2 : s->swept.m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_STEADY: return (r = steady(s)) ? steady_number(r, q->which) : NAN;
-  case QUANTITY_PHASE: return (p = phase(s)) ? phase_number(p, q->which) : NAN;
+  case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return scene_flint_sum(s, q);
+  case QUANTITY_LIMIT: return scene_flint.sum(s, q);
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
   case QUANTITY_RELATIVE: return about_series(s, q);
@@ -334,68 +235,64 @@ static double compute(struct scene_state *s, const struct quantity *q)
   }
 }
 
+static bool is_of_steady(const struct scene_state *s, const struct quantity *q)
+{
+  bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+  return (answered || q->of >= 0) && !quantity_is_of_phase(&s->scene->quantities, q);
+}
+
 double state_number(struct scene_state *s, int quantity)
 {
+  const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   if (!s->has[quantity]) {
     long before = s->failures;
-    s->value[quantity] = compute(s, &s->scene->quantities.item[quantity]);
+    s->value[quantity] = compute(s, q);
     s->has[quantity] = s->failures == before; /* a failure is told in each row that it is of; solutions are kept */
   }
   return s->value[quantity];
 }
 
-static const char *steady_text(struct scene_state *s, int which)
+static const char *answer_text(struct scene_state *s, const struct quantity *q)
 {
-  const struct scallop_steady_result *r = s->is_outside ? NULL : steady(s);
-  if (!r)
+  enum quantity_of of = (enum quantity_of)q->which;
+  const struct answer *a = s->is_outside ? NULL : solved(s, of);
+  if (!a)
     return "-";
-  if (which == STEADY_REGIME)
-    return scallop_regime_text(r->period.regime);
-  return period_modes_text(s->text, r->period.modes);
-}
-
-static const char *phase_text(struct scene_state *s, int which)
-{
-  const struct exact_phase *p = s->is_outside ? NULL : phase(s);
-  if (!p)
-    return "-";
-  if (which == PHASE_REGIME)
-    return scallop_regime_text(p->phase.regime);
-  scallop_modes_text(&p->phase.modes, s->text);
-  return s->text;
+  return q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime) : motion_modes_text(s->text, of, a->modes);
 }
 
 static const char *status_text(struct scene_state *s)
 {
   if (s->why[0] != '\0')
     return s->why;
-  return s->tells_steady && s->has_steady ? steady_status_text(s->text, s->steady_status, s->steady.v_low, s->steady.v_high)
-                                          : "ok";
+  return s->tells_steady && s->has_answer[OF_STEADY] ? answer_status_text(s->text, &s->answer[OF_STEADY]) : "ok";
 }
 
 const char *state_text(struct scene_state *s, int quantity, long digits)
 {
   const struct quantity *q = &s->scene->quantities.item[quantity];
+  s->tells_steady |= is_of_steady(s, q);
   switch (q->kind) {
-  case QUANTITY_GAIT: return s->at.point.crawler.gait->name;
-  case QUANTITY_LABEL: return s->label[q->which] ? s->label[q->which] : "-";
+  case QUANTITY_GAIT: return s->at.crawler.gait->name;
+  case QUANTITY_LABEL: return s->swept.label[q->which] ? s->swept.label[q->which] : "-";
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
-  case QUANTITY_STEADY: return steady_text(s, q->which);
-  case QUANTITY_PHASE: return phase_text(s, q->which);
-  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint_certified(s, q, digits);
+  case QUANTITY_REGIME:
+  case QUANTITY_MODES: return answer_text(s, q);
+  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint.certified(s, q, digits);
   default: return status_text(s);
   }
 }
 
-double state_formula(struct scene_state *s, const struct arithmetic *formula)
+double state_formula(struct scene_state *s, const struct formula *formula)
 {
-  int places[ARITHMETIC_STEPS], count = arithmetic_places(formula, places);
+  int places[FORMULA_STEPS], count = formula_places(formula, places);
   for (int i = 0; i < count; i++)
     state_number(s, places[i]);
-  return arithmetic_value(formula, s->value);
+  return formula_double(formula, s->value);
 }
 
-double state_end(struct scene_state *s, const struct scene_end *end)
+double state_end(struct scene_state *s, const struct sweep_end *end)
 {
   return end->is_formula ? state_formula(s, &end->formula) : end->number;
 }

@@ -2,17 +2,9 @@
 #ifndef SCALLOP_SCENE_STATE_H
 #define SCALLOP_SCENE_STATE_H
 
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/answers/points.h"
 #include "compare/scenes/scene.h"
-
-/* What all points of a scene have in common, found before the first (plan.h): what certified values must be good for. */
-struct scene_needs {
-  bool certified_errors;          /* else errors are told against the double solver                       */
-  double accuracy;                /* of errors: the finest that is wanted                                 */
-  long digits;                    /* of certified values: the most that are wanted                        */
-  long steady_order, phase_order; /* derived series: terms below T^order; 0: none                */
-};
 
 struct scene_flint; /* flint.h: series and certified values */
 
@@ -24,15 +16,12 @@ struct scene_comparison { /* of a series with what it should be                 
 struct scene_state {
   const struct scene *scene;
   struct scene_needs needs;
-  struct options at; /* the parameters                                                          */
-  char written[CRAWLER_NUMBERS][NUMBER_TEXT], written_v0[NUMBER_TEXT];
-  const char *label[QUANTITY_LABELS];
-  double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan                               */
-  char why[POINT_STATUS];                /* the first thing that could not be done, or ""                       */
-  bool has_steady, has_phase, has_turnings;
-  enum scallop_status steady_status, phase_status;
-  struct scallop_steady_result steady;
-  struct exact_phase phase;
+  struct point at;        /* the parameters */
+  struct swept swept;     /* what is beside them */
+  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
+  bool has_answer[2], has_turnings;
+  struct motion motion[2]; /* of the steady state and of the phase, by enum quantity_of */
+  struct answer answer[2];
   bool is_outside;   /* the parameters are no point: nothing but they can be told               */
   bool tells_steady; /* the row has something of the steady state in doubles                     */
   long failures;     /* told to state_fail so far                                               */
@@ -42,27 +31,27 @@ struct scene_state {
   bool has[MOST_QUANTITIES];
   double value[MOST_QUANTITIES];
   struct scene_comparison comparison[MOST_QUANTITIES];
-  char text[PERIOD_MODES_TEXT + STEADY_STATUS]; /* what state_text returns                            */
+  char text[MOTION_MODES_TEXT + ANSWER_STATUS]; /* what state_text returns                            */
   struct scene_flint *flint;                    /* made when it is first needed                                     */
 };
 
-void state_init(struct scene_state *state, const struct scene *scene, const struct scene_needs *needs);
+void state_init(struct scene_state *state, const struct scene *scene);
 void state_clear(struct scene_state *state);
 
 /* Goes to a point: index[g] is the place in group g of the product. */
-void state_move(struct scene_state *state, const struct scene_product *product, const long *index);
+void state_move(struct scene_state *state, const struct sweep_product *product, const long *index);
 
-/* Before each row: what failed for another table is no matter of this one. tells_steady: its status is that of the steady state too. */
-void state_begin_row(struct scene_state *state, bool tells_steady);
+/* Before each row: what failed for another table is no matter of this one. */
+void state_begin_row(struct scene_state *state);
 
 /* A quantity by its place in the scene's list: nan where it cannot be had, and state->why then says why. */
 double state_number(struct scene_state *state, int quantity);
 /* A text; of certified values so many digits. It lives until the next call. */
 const char *state_text(struct scene_state *state, int quantity, long digits);
 /* Of a column: a formula's value. */
-double state_formula(struct scene_state *state, const struct arithmetic *formula);
+double state_formula(struct scene_state *state, const struct formula *formula);
 /* The end of a range or of a trajectory. */
-double state_end(struct scene_state *state, const struct scene_end *end);
+double state_end(struct scene_state *state, const struct sweep_end *end);
 /* The start velocity of the scene's phase. */
 double state_v0(struct scene_state *state);
 /* Notes why something cannot be done, if it is the first. Returns nan. */

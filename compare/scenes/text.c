@@ -1,5 +1,5 @@
-#include "compare/scenes/text.h"
-
+/* The text of a scene, before libconfig 1.5 reads it, which takes a whole number beyond 32 bits for another one, and ends the program
+ * where a file to include is none. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
@@ -7,188 +7,142 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/scenes/shipped.h"
+#include "compare/scenes/parts.h"
+#include "compare/text/shipped.h"
 
-enum { MOST_INCLUDED = 10, NAME = 4096 };
-static const size_t MOST_BYTES = 1 << 24;
-static const double MOST_32_BITS = 2147483647, MOST_64_BITS = 9223372036854775807.0;
-
-/* ---- the file ---- */
-
-static char *read_all(FILE *file, size_t *size)
-{
-  size_t room = 1 << 14;
-  char *text = malloc(room);
-  *size = 0;
-  for (size_t got = 1; text && got > 0 && *size <= MOST_BYTES; *size += got) {
-    if (room - *size < 2) {
-      char *grown = realloc(text, room *= 2);
-      if (!grown)
-        free(text);
-      text = grown;
-    }
-    got = text ? fread(text + *size, 1, room - *size - 1, file) : 0;
-  }
-  if (text)
-    text[*size] = '\0';
-  return text;
-}
+enum { MOST_INCLUDED = 10 };
 
 static void complain_of_file(const char *command, const char *path, int error)
 {
   const char *near = strpbrk(path, "/.") ? NULL : shipped_near(shipped_scenes, path);
-  complain(command, "cannot read %s: %s%s%s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
-           near ? "; did you mean '" : "", near ? near : "", near ? "', which comes with the tool?" : "");
+  complain(command, "cannot read %s: %s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
+           did_you_mean(near));
 }
 
-/* A byte order mark is no text. */
-static void drop_mark(char *text)
-{
-  if (strncmp(text, "\xef\xbb\xbf", 3) == 0)
-    memmove(text, text + 3, strlen(text + 3) + 1);
-}
-
+/* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
 enum exit_code scene_text_read(const char *command, const char *path, char **text)
 {
+  size_t room = 0;
   errno = 0;
   FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-  size_t size = 0;
-  *text = file ? read_all(file, &size) : NULL;
-  int error = errno;
-  bool failed = !file || ferror(file);
+  *text = NULL;
+  ssize_t length = file ? getdelim(text, &room, '\0', file) : -1;
+  int error = length < 0 && !(file && feof(file)) ? errno : 0;
   if (file && file != stdin)
     fclose(file);
-  if (!failed && *text && strlen(*text) == size && size <= MOST_BYTES) {
-    drop_mark(*text);
-    return EXIT_DONE;
+  if (length < 0 && error == 0) { /* an empty file */
+    free(*text);
+    *text = calloc(1, 1);
+    length = 0;
+    error = *text ? 0 : ENOMEM;
   }
-  if (failed)
+  bool is_text = error == 0 && strlen(*text) == (size_t)length;
+  if (is_text && strncmp(*text, "\xef\xbb\xbf", 3) == 0)
+    memmove(*text, *text + 3, (size_t)length - 2);
+  if (error != 0)
     complain_of_file(command, path, error);
-  else
-    complain(command, "%s: %s", path,
-             !*text              ? "out of memory"
-             : size > MOST_BYTES ? "too large for a scene"
-                                 : "this is not a text file");
-  bool has_text = *text != NULL;
-  free(*text);
-  *text = NULL;
-  return failed ? EXIT_FILE : has_text ? EXIT_USAGE : EXIT_UNSOLVED;
+  else if (!is_text)
+    complain(command, "%s: this is not a text file", path);
+  if (!is_text) {
+    free(*text);
+    *text = NULL;
+  }
+  return is_text ? EXIT_DONE : error != 0 ? EXIT_FILE : EXIT_USAGE;
 }
 
-/* ---- what stands in it ---- */
-
 struct scan {
-  const char *command, *path, *folder;
-  scene_text_included *included;
-  void *context;
+  const struct reading *reading;
+  const char *path; /* of this file, the scene's or one that it includes */
   int depth;
-  const char *at;
   long line;
 };
 
-static bool refuse(const struct scan *s, const char *what, const char *text, int length)
+static bool refuse(const struct scan *s, const char *text, size_t length, const char *what)
 {
-  complain(s->command, "%s:%ld: '%.*s': %s", s->path, s->line, length < 200 ? length : 200, text, what);
+  complain(s->reading->options->command->name, "%s:%ld: '%.*s': %s", s->path, s->line, length < 200 ? (int)length : 200,
+           text, what);
   return false;
 }
 
-static void skip_to(struct scan *s, const char *end)
+static bool check_number(const struct scan *s, const char *number, size_t length)
 {
-  for (; s->at < end; s->at++)
-    s->line += *s->at == '\n';
+  bool is_hex = tolower((unsigned char)number[1]) == 'x', is_long = number[length - 1] == 'L';
+  size_t whole = strcspn(number, is_hex ? "." : ".eE");
+  return whole < length || strtod(number, NULL) <= (is_long ? 9223372036854775807.0 : 2147483647.0)
+         || refuse(s, number, length,
+                   is_long ? "a whole number beyond 9223372036854775807 is written with a point"
+                           : "a whole number beyond 2147483647 is written with a point, or an L behind it");
 }
 
-/* A text in quotes; *begin is behind the first of them. */
-static void skip_quoted(struct scan *s)
-{
-  const char *end = s->at + 1;
-  while (*end != '\0' && *end != '"')
-    end += *end == '\\' && end[1] != '\0' ? 2 : 1;
-  skip_to(s, *end == '"' ? end + 1 : end);
-}
+static bool scan(struct scan *s, const char *text);
 
-static void skip_comment(struct scan *s)
+static bool check_included(const struct scan *s, const char *at)
 {
-  bool block = s->at[0] == '/' && s->at[1] == '*';
-  const char *end = block ? strstr(s->at + 2, "*/") : strchr(s->at, '\n');
-  skip_to(s, !end ? s->at + strlen(s->at) : block ? end + 2 : end);
-}
-
-static bool check_number(struct scan *s)
-{
-  const char *begin = s->at;
-  bool is_hex = begin[0] == '0' && tolower((unsigned char)begin[1]) == 'x';
-  size_t digits = is_hex ? 2 + strspn(begin + 2, "0123456789abcdefABCDEF") : strspn(begin, "0123456789");
-  const char *end = begin + digits;
-  bool whole = is_hex || !strchr(".eE", *end) || *end == '\0', is_long = *end == 'L';
-  if (whole && strtod(begin, NULL) > (is_long ? MOST_64_BITS : MOST_32_BITS))
-    return refuse(s,
-                  is_long ? "a whole number beyond 9223372036854775807 is written with a point"
-                          : "a whole number beyond 2147483647 is written with a point, or an L behind it",
-                  begin, (int)digits);
-  while (isalnum((unsigned char)*end) || *end == '.' || *end == '_'
-         || (strchr("+-", *end) && *end != '\0' && strchr("eE", end[-1])))
-    end++;
-  skip_to(s, end);
-  return true;
-}
-
-static bool check(struct scan *s);
-
-/* libconfig ends the program where one is no file, and has rules of its own for a backslash. */
-static bool check_included(struct scan *s)
-{
-  const char *open = s->at + strlen("@include");
+  const struct reading *r = s->reading;
+  struct scene *scene = r->scene;
+  const char *open = at + strlen("@include");
   open += strspn(open, " \t");
-  const char *close = *open == '"' ? strchr(open + 1, '"') : NULL;
-  char path[NAME];
+  size_t length = *open == '"' ? strcspn(open + 1, "\"\\\n") : 0;
+  if (*open != '"' || open[1 + length] != '"')
+    return refuse(s, at, strcspn(at, "\n"), "@include takes the name of a file in quotes, without a backslash");
+  const char *name = keep_text(r, open + 1, (int)length, ""), *path = name ? path_beside(r, name) : NULL;
   struct stat there;
-  if (!close)
-    return refuse(s, "@include \"FILE\" is meant", s->at, (int)strcspn(s->at, "\n"));
-  int length = (int)(close - open - 1);
-  if (memchr(open, '\\', (size_t)length + 1))
-    return refuse(s, "the name of a file to include has no backslash", open + 1, length);
-  bool rooted = open[1] == '/';
-  snprintf(path, sizeof path, "%s%s%.*s", rooted ? "" : s->folder, rooted ? "" : "/", length, open + 1);
-  if (stat(path, &there) != 0 || !S_ISREG(there.st_mode))
-    return refuse(s, "there is no such file to include", open + 1, length);
-  if (s->depth == MOST_INCLUDED)
-    return refuse(s, "files include each other more than 10 deep", open + 1, length);
   char *text;
-  if (scene_text_read(s->command, path, &text) != EXIT_DONE)
+  if (!path)
     return false;
-  struct scan inner = { s->command, path, s->folder, s->included, s->context, s->depth + 1, text, 1 };
-  s->included(s->context, path);
-  bool good = check(&inner);
+  if (stat(path, &there) != 0 || !S_ISREG(there.st_mode))
+    return refuse(s, name, length, "there is no such file to include");
+  if (s->depth == MOST_INCLUDED)
+    return refuse(s, name, length, "files include each other more than 10 deep");
+  if (scene_text_read(r->options->command->name, path, &text) != EXIT_DONE)
+    return false;
+  if (scene->included < SCENE_INCLUDED)
+    scene->include[scene->included++] = path;
+  struct scan inner = { r, path, s->depth + 1, 1 };
+  bool good = scan(&inner, text);
   free(text);
-  skip_to(s, close + 1);
   return good;
 }
 
-static bool check(struct scan *s)
+static size_t quoted_length(const char *at)
 {
+  const char *end = at + 1;
+  while (*end != '\0' && *end != '"')
+    end += *end == '\\' && end[1] != '\0' ? 2 : 1;
+  return (size_t)(end - at) + (*end == '"');
+}
+
+static size_t comment_length(const char *at)
+{
+  bool is_block = at[0] == '/' && at[1] == '*';
+  const char *end = is_block ? strstr(at + 2, "*/") : NULL;
+  return end ? (size_t)(end + 2 - at) : is_block ? strlen(at) : strcspn(at, "\n");
+}
+
+static bool scan(struct scan *s, const char *text)
+{
+  static const char of_names[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-*";
   bool good = true;
-  while (good && *s->at != '\0') {
-    const char *at = s->at;
+  for (const char *at = text; good && *at != '\0';) {
+    size_t length = 1;
     if (*at == '"')
-      skip_quoted(s);
-    else if (*at == '#' || (*at == '/' && (at[1] == '/' || at[1] == '*')))
-      skip_comment(s);
+      length = quoted_length(at);
+    else if (*at == '#' || strncmp(at, "//", 2) == 0 || strncmp(at, "/*", 2) == 0)
+      length = comment_length(at);
     else if (strncmp(at, "@include", 8) == 0)
-      good = check_included(s);
+      good = check_included(s, at);
     else if (isdigit((unsigned char)*at))
-      good = check_number(s);
-    else if (isalpha((unsigned char)*at)) /* a name, whose digits are no number */
-      skip_to(s, at + strcspn(at, " \t\r\n=:;,(){}[]\"#/"));
-    else
-      skip_to(s, at + 1);
+      good = check_number(s, at, length = strspn(at, "0123456789abcdefABCDEFxXL."));
+    else if (isalpha((unsigned char)*at)) /* its digits are no number */
+      length = strspn(at, of_names);
+    for (; length > 0; length--)
+      s->line += *at++ == '\n';
   }
   return good;
 }
 
-bool scene_text_check(const char *command, const char *path, const char *folder, const char *text,
-                      scene_text_included *included, void *context)
+bool check_text(const struct reading *r, const char *text)
 {
-  struct scan s = { command, path, *folder ? folder : ".", included, context, 0, text, 1 };
-  return check(&s);
+  struct scan s = { r, r->path, 0, 1 };
+  return scan(&s, text);
 }

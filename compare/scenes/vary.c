@@ -7,70 +7,16 @@
 
 #include "compare/scenes/parts.h"
 
-static const struct {
-  const char *name;
-  enum scene_target target;
-} others[] = { { "gait", TARGET_GAIT },
-               { "v0", TARGET_V0 },
-               { "F1_over_F2", TARGET_F1_OVER_F2 },
-               { "m1_over_m2", TARGET_M1_OVER_M2 },
-               { "froude", TARGET_FROUDE } };
-enum { OTHERS = sizeof others / sizeof *others };
-
-static const char *const group_keys[] = { "m1",   "m2", "F1",         "F2",         "L",      "T",     "alpha",
-                                          "gait", "v0", "F1_over_F2", "m1_over_m2", "froude", "label", NULL };
-
-/* ---- which variable ---- */
-
-static bool target_of(struct scene_variable *v, const char *name)
-{
-  v->name = name;
-  v->place = crawler_place(name);
-  if (v->place < CRAWLER_NUMBERS)
-    return true; /* TARGET_NUMBER is 0 */
-  for (int i = 0; i < OTHERS; i++)
-    if (strcmp(name, others[i].name) == 0) {
-      v->target = others[i].target;
-      return true;
-    }
-  return false;
-}
-
-/* The numbers of the crawler that a variable sets, as bits */
-static unsigned sets(const struct scene_variable *v)
-{
-  switch (v->target) {
-  case TARGET_GAIT: return 1U << CRAWLER_NUMBERS;
-  case TARGET_V0: return 2U << CRAWLER_NUMBERS;
-  case TARGET_LABEL: return 4U << (CRAWLER_NUMBERS + v->place);
-  default: return 1U << crawler_place(scene_variable_sets(v));
-  }
-}
-
 /* Given on the command line, which then holds throughout */
-static bool is_overridden(const struct reading *r, const struct scene_variable *v)
+static bool is_overridden(const struct reading *r, const struct sweep_variable *v)
 {
-  unsigned given = r->options->point.has_gait ? 1U << CRAWLER_NUMBERS : 0;
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    given |= r->options->point.written[i] ? 1U << i : 0;
-  return (sets(v) & given) != 0;
+  const struct point *given = &r->options->point;
+  int place = crawler_place(v->sets);
+  return v->target != TARGET_LABEL
+         && (place < CRAWLER_NUMBERS ? given->written[place] != NULL : v->target == TARGET_GAIT && given->has_gait);
 }
 
-/* ---- its values ---- */
-
-/* NULL, or what is wrong with a number of that variable. text: as it was written, or NULL. */
-static const char *check_number(const struct reading *r, const struct scene_variable *v, double x, const char *text)
-{
-  struct options probe = r->scene->base;
-  char written[NUMBER_TEXT];
-  if (v->target == TARGET_NUMBER) {
-    number_text(written, x, 0);
-    return point_set_number(&probe.point, v->place, text ? text : written);
-  }
-  if (!isfinite(x))
-    return "a finite number is wanted";
-  return v->target == TARGET_V0 || x > 0 ? NULL : "a number > 0 is wanted";
-}
+static bool is_of_words(const struct sweep_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
 
 static bool is_ascii(const char *text)
 {
@@ -79,97 +25,78 @@ static bool is_ascii(const char *text)
   return *text == '\0';
 }
 
-static bool read_list(const struct reading *r, const config_setting_t *at, struct scene_variable *v)
+static const char *read_word(const struct reading *r, const struct sweep_variable *v, const char **text)
 {
-  bool several = is_sequence(at), is_words = v->target == TARGET_GAIT || v->target == TARGET_LABEL;
-  v->count = several ? config_setting_length(at) : 1;
+  struct point probe = r->scene->base;
+  if (!*text)
+    return "it takes texts in quotes";
+  if (v->target == TARGET_LABEL)
+    return is_ascii(*text) ? NULL : "a label is of printable ASCII";
+  *text = gait_beside(r, *text);
+  return *text ? point_set(&probe, "gait", *text) : "out of memory";
+}
+
+static bool read_list(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
+{
+  v->count = element_count(at);
   if (v->count < 1)
     return refuse_at(r, at, "%s has no values", v->name);
   v->numbers = calloc((size_t)v->count, sizeof *v->numbers);
   v->texts = calloc((size_t)v->count, sizeof *v->texts);
   if (!v->numbers || !v->texts)
     return refuse_at(r, at, "out of memory");
-  for (long i = 0; i < v->count; i++) {
-    const config_setting_t *element = several ? config_setting_get_elem(at, (unsigned)i) : at;
-    if (is_words) {
-      v->texts[i] = config_setting_get_string(element);
-      if (!v->texts[i])
-        return refuse_at(r, element, "%s takes texts in quotes", v->name);
-      if (v->target == TARGET_LABEL && !is_ascii(v->texts[i]))
-        return refuse_at(r, element, "a label is of printable ASCII");
-      if (v->target == TARGET_LABEL)
-        continue;
-      struct options probe = r->scene->base;
-      v->texts[i] = gait_beside(r, v->texts[i]);
-      const char *wrong = v->texts[i] ? point_set(&probe.point, "gait", v->texts[i]) : "out of memory";
-      if (wrong)
-        return refuse_at(r, element, "gait: %s", wrong);
-      continue;
-    }
-    if (!is_number(element, &v->numbers[i], &v->texts[i]) && !(v->target == TARGET_NUMBER && v->texts[i]))
-      return refuse_at(r, element, "%s takes numbers, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }",
-                       v->name);
-    const char *wrong = check_number(r, v, v->numbers[i], v->texts[i]);
+  for (int i = 0; i < v->count; i++) {
+    const config_setting_t *element = element_at(at, i);
+    double *x = &v->numbers[i];
+    const char **text = &v->texts[i], *wrong;
+    if (is_of_words(v)) {
+      *text = config_setting_get_string(element);
+      wrong = read_word(r, v, text);
+    } else if (is_number(element, x, text) || (v->target == TARGET_NUMBER && *text))
+      wrong = sweep_wrong(v, &r->scene->base, *x, *text);
+    else
+      wrong = "it takes numbers, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
     if (wrong)
       return refuse_at(r, element, "%s: %s", v->name, wrong);
   }
   return true;
 }
 
-bool check_end(const struct reading *r, const config_setting_t *at, const struct scene_end *end, bool *onset)
+static bool read_range(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
-  int places[ARITHMETIC_STEPS], count = end->is_formula ? arithmetic_places(&end->formula, places) : 0;
-  for (int i = 0; i < count; i++) {
-    const struct quantity *q = &r->scene->quantities.item[places[i]];
-    *onset |= q->kind == QUANTITY_ONSET;
-    if (q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_ONSET && q->kind != QUANTITY_FROUDE
-        && q->kind != QUANTITY_F1_OVER_F2 && q->kind != QUANTITY_M1_OVER_M2)
-      return refuse_at(r, at,
-                       "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
-                       config_setting_name(at), q->name);
-  }
-  return true;
-}
-
-static bool read_range(const struct reading *r, const config_setting_t *at, struct scene_variable *v)
-{
-  static const char *const keys[] = { "from", "to", "count", "spacing", NULL };
+  static const char *const spacings[] = { "linear", "log", NULL };
   const config_setting_t *ends[] = { config_setting_get_member(at, "from"), config_setting_get_member(at, "to") };
-  struct scene_end *const range[] = { &v->from, &v->to };
-  const char *spacing = "linear";
-  if (!keys_known(r, at, keys, "a range"))
+  struct sweep_end *const range[] = { &v->from, &v->to };
+  int spacing = 0;
+  const struct member members[] = { OTHER("from"), OTHER("to"), A_COUNT("count", &v->count, 1, SWEEP_RANGE),
+                                    A_WORD("spacing", &spacing, spacings), NO_MORE };
+  if (!read_members(r, at, members, "a range"))
     return false;
-  if (v->target == TARGET_GAIT || v->target == TARGET_LABEL)
+  if (is_of_words(v))
     return refuse_at(r, at, "%s takes texts in quotes, no range", v->name);
-  if (!ends[0] || !ends[1] || !config_setting_get_member(at, "count"))
+  if (!ends[0] || !ends[1] || v->count < 1)
     return refuse_at(r, at, "the range of %s needs from, to and count", v->name);
-  if (!read_member_count(r, at, "count", 1, SCENE_RAMP, &v->count) || !read_member_text(r, at, "spacing", &spacing))
-    return false;
-  v->is_log = strcmp(spacing, "log") == 0;
-  if (!v->is_log && strcmp(spacing, "linear") != 0)
-    return refuse_at(r, at, "spacing is \"linear\" or \"log\"");
+  v->is_log = spacing == 1;
   for (int i = 0; i < 2; i++) {
-    if (!read_end(r, ends[i], range[i]) || !check_end(r, ends[i], range[i], &v->needs_onset))
+    if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
-    const char *wrong = range[i]->is_formula ? NULL : check_number(r, v, range[i]->number, NULL);
+    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, range[i]->number, NULL);
+    if (!wrong && v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
+      wrong = "an end of a range with log spacing is > 0";
     if (wrong)
       return refuse_at(r, ends[i], "%s: %s", v->name, wrong);
-    if (v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
-      return refuse_at(r, ends[i], "%s: an end of a range with log spacing is > 0", v->name);
   }
   return true;
 }
 
-/* ---- a group ---- */
-
-static bool add_variable(const struct reading *r, const config_setting_t *at, struct scene_group *g, struct scene_variable v)
+static bool add_variable(const struct reading *r, const config_setting_t *at, struct sweep_group *g, struct sweep_variable v)
 {
   bool is_range = config_setting_is_group(at);
   if (is_overridden(r, &v))
     return true;
-  if (g->variables == SCENE_VARIABLES)
-    return refuse_at(r, at, "more than %d variables go together here", SCENE_VARIABLES);
-  struct scene_variable *kept = &g->variable[g->variables++];
+  if (g->variables == SWEEP_VARIABLES)
+    return refuse_at(r, at, "more than %d variables go together here", SWEEP_VARIABLES);
+  struct sweep_variable *kept = &g->variable[g->variables++];
   *kept = v;
   if (!(is_range ? read_range(r, at, kept) : read_list(r, at, kept)))
     return false;
@@ -182,7 +109,7 @@ static bool add_variable(const struct reading *r, const config_setting_t *at, st
   return true;
 }
 
-static bool add_label(const struct reading *r, const config_setting_t *at, struct scene_group *g)
+static bool add_label(const struct reading *r, const config_setting_t *at, struct sweep_group *g)
 {
   struct quantities *all = &r->scene->quantities;
   const char *name = config_setting_name(at);
@@ -197,50 +124,42 @@ static bool add_label(const struct reading *r, const config_setting_t *at, struc
     return refuse_at(r, at, "a label cannot be called %s, which is a quantity", name);
   all->label[place] = name;
   all->labels += place == all->labels;
-  return add_variable(r, at, g, (struct scene_variable){ .target = TARGET_LABEL, .place = place, .name = name });
+  return add_variable(r, at, g,
+                      (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name });
 }
 
-static bool read_group(const struct reading *r, const config_setting_t *group, struct scene_group *g)
+static bool add_labels_of(const struct reading *r, const config_setting_t *at, struct sweep_group *g)
 {
+  bool good = config_setting_is_group(at) || refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
+  for (int k = 0; good && k < config_setting_length(at); k++)
+    good = add_label(r, config_setting_get_elem(at, (unsigned)k), g);
+  return good;
+}
+
+static const char meant[] = "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )";
+
+static bool read_group(const struct reading *r, const config_setting_t *group, struct sweep_group *g)
+{
+  static const struct member members[] = {
+    OTHER("m1"),   OTHER("m2"), OTHER("F1"),         OTHER("F2"),         OTHER("L"),      OTHER("T"),     OTHER("alpha"),
+    OTHER("gait"), OTHER("v0"), OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"), OTHER("label"), NO_MORE
+  };
   g->count = 1;
   if (!config_setting_is_group(group))
-    return refuse_at(r, group, "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )");
-  if (!keys_known(r, group, group_keys, "a group of what varies"))
+    return refuse_at(r, group, "%s", meant);
+  if (!read_members(r, group, members, "a group of what varies"))
     return false;
   for (int i = 0; i < config_setting_length(group); i++) {
     const config_setting_t *at = config_setting_get_elem(group, (unsigned)i);
-    struct scene_variable v = { .target = TARGET_NUMBER };
-    if (strcmp(config_setting_name(at), "label") == 0) {
-      if (!config_setting_is_group(at))
-        return refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
-      for (int k = 0; k < config_setting_length(at); k++)
-        if (!add_label(r, config_setting_get_elem(at, (unsigned)k), g))
-          return false;
-      continue;
-    }
-    if (!target_of(&v, config_setting_name(at)) || !add_variable(r, at, g, v))
+    struct sweep_variable v;
+    if (!(sweep_variable_of_name(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
       return false;
   }
   return true;
 }
 
-/* ---- products ---- */
-
-static bool check_once(const struct reading *r, const config_setting_t *at, const struct scene_product *product)
-{
-  unsigned seen = 0;
-  for (int g = 0; g < product->groups; g++)
-    for (int v = 0; v < product->group[g].variables; v++) {
-      unsigned bits = sets(&product->group[g].variable[v]);
-      if (seen & bits)
-        return refuse_at(r, at, "%s is set twice here", product->group[g].variable[v].name);
-      seen |= bits;
-    }
-  return true;
-}
-
 /* The number of points fits a long with room to spare. */
-static bool check_size(const struct reading *r, const config_setting_t *at, const struct scene_product *product)
+static bool check_size(const struct reading *r, const config_setting_t *at, const struct sweep_product *product)
 {
   double points = 1;
   for (int g = 0; g < product->groups; g++)
@@ -251,10 +170,10 @@ static bool check_size(const struct reading *r, const config_setting_t *at, cons
 static bool read_product(const struct reading *r, const config_setting_t *at)
 {
   struct scene *s = r->scene;
-  struct scene_product *product = &s->product[s->products++];
+  struct sweep_product *product = &s->sweep.product[s->sweep.products++];
   int groups = config_setting_is_group(at) ? 1 : config_setting_length(at);
-  if (groups > SCENE_GROUPS)
-    return refuse_at(r, at, "%d groups: %d at most", groups, SCENE_GROUPS);
+  if (groups > SWEEP_GROUPS)
+    return refuse_at(r, at, "%d groups: %d at most", groups, SWEEP_GROUPS);
   for (int i = 0; i < groups; i++) {
     const config_setting_t *group = config_setting_is_group(at) ? at : config_setting_get_elem(at, (unsigned)i);
     if (!read_group(r, group, &product->group[product->groups++]))
@@ -262,7 +181,8 @@ static bool read_product(const struct reading *r, const config_setting_t *at)
     if (product->group[product->groups - 1].variables == 0) /* all of it is given on the command line */
       product->groups--;
   }
-  return check_once(r, at, product) && check_size(r, at, product);
+  const struct sweep_variable *twice = sweep_set_twice(product);
+  return twice ? refuse_at(r, at, "%s is set twice here", twice->name) : check_size(r, at, product);
 }
 
 bool read_vary(const struct reading *r, const config_setting_t *vary)
@@ -270,15 +190,15 @@ bool read_vary(const struct reading *r, const config_setting_t *vary)
   bool one_after_the_other = vary && config_setting_is_list(vary) && config_setting_length(vary) > 0
                              && config_setting_is_list(config_setting_get_elem(vary, 0));
   int products = one_after_the_other ? config_setting_length(vary) : 1;
-  if (products > SCENE_PRODUCTS)
-    return refuse_at(r, vary, "%d products: %d at most", products, SCENE_PRODUCTS);
-  r->scene->product = calloc((size_t)products, sizeof *r->scene->product);
-  if (!r->scene->product)
+  if (products > SWEEP_PRODUCTS)
+    return refuse_at(r, vary, "%d products: %d at most", products, SWEEP_PRODUCTS);
+  r->scene->sweep.product = calloc((size_t)products, sizeof *r->scene->sweep.product);
+  if (!r->scene->sweep.product)
     return refuse_at(r, vary, "out of memory");
   if (vary && !config_setting_is_group(vary) && !config_setting_is_list(vary))
-    return refuse_at(r, vary, "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )");
+    return refuse_at(r, vary, "%s", meant);
   if (!vary)
-    r->scene->products = 1;
+    r->scene->sweep.products = 1;
   for (int i = 0; vary && i < products; i++)
     if (!read_product(r, one_after_the_other ? config_setting_get_elem(vary, (unsigned)i) : vary))
       return false;

@@ -1,42 +1,33 @@
-/* want = ( { what = "steady"; file = "steady.tsv"; }, ... ) */
+/* want = ( { what = "steady"; file = "steady.tsv"; }, ... ): one table each */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/plot.h"
+#include "compare/text/plot.h"
 #include "compare/scenes/parts.h"
-#include "compare/scenes/shipped.h"
+#include "compare/text/shipped.h"
 
-enum { MOST_DIGITS = 10000, DOUBLE_DIGITS = 17 };
+enum { MOST_PERIODS = 1000000000 };
+static const double OF_DOUBLES = 1e-10; /* errors against the solver in doubles are told down to this part */
 
-static const char *const whats[] = { "trajectory", "phase",     "steady",    "series",         "error",  "orders", "terms",
-                                     "bounds",     "breakdown", "stability", "work-precision", "claims", NULL };
-
-/* ---- the kinds of wants ---- */
+/* What a want says of its columns and series */
+struct wanted {
+  const char *columns[SCENE_COLUMNS + 1];
+  int count, reference;
+  struct series_names series;
+};
+enum { REFERENCE_NOT_GIVEN = -1, REFERENCE_EXACT, REFERENCE_CERTIFIED };
 
 /* Which reference errors are told against, and how well. */
-static bool read_accuracy(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+static bool check_accuracy(const struct reading *r, const config_setting_t *at, struct scene_want *w, int reference)
 {
-  static const double of_doubles = 1e-10;
-  const char *reference = NULL;
-  const config_setting_t *accuracy = config_setting_get_member(at, "accuracy");
-  w->accuracy = of_doubles;
-  if (!read_member_text(r, at, "reference", &reference) || !read_member_number(r, at, "accuracy", &w->accuracy))
-    return false;
-  if (!(w->accuracy > 0) || !(w->accuracy < 1) || w->accuracy < 1e-300)
-    return refuse_at(r, accuracy, "accuracy is a part of the exact value, between 1e-300 and 1");
-  if (!reference)
-    return true;
-  const config_setting_t *named = config_setting_get_member(at, "reference");
-  if (strcmp(reference, "certified") == 0) {
-    w->is_certified = true;
-    return true;
-  }
-  if (strcmp(reference, "exact") != 0)
-    return refuse_at(r, named, "reference is \"exact\" (the solver in doubles) or \"certified\"");
-  return w->accuracy >= of_doubles
-         || refuse_at(r, named,
+  w->is_certified = reference == REFERENCE_CERTIFIED;
+  if (!(w->accuracy >= 1e-300) || !(w->accuracy < 1))
+    return refuse_at(r, config_setting_get_member(at, "accuracy"),
+                     "accuracy is a part of the exact value, between 1e-300 and 1");
+  return reference != REFERENCE_EXACT || w->accuracy >= OF_DOUBLES
+         || refuse_at(r, config_setting_get_member(at, "reference"),
                       "the exact solver works in doubles, whose errors are told down to 1e-10; accuracy = %g needs "
                       "reference = \"certified\"",
                       w->accuracy);
@@ -45,7 +36,7 @@ static bool read_accuracy(const struct reading *r, const config_setting_t *at, s
 /* More digits than a double has are digits of something certified. */
 static bool check_digits(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
 {
-  bool has = w->digits <= DOUBLE_DIGITS;
+  bool has = w->digits <= DIGITS_OF_DOUBLE;
   for (int i = 0; i < w->columns; i++)
     has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
   return has
@@ -55,64 +46,44 @@ static bool check_digits(const struct reading *r, const config_setting_t *at, co
              w->digits);
 }
 
-static bool read_rows(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+static bool read_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
+                         const struct wanted *wanted)
 {
-  static const char *const keys[] = { "what",  "file", "format", "digits",   "columns",   "source",
-                                      "order", "of",   "plot",   "accuracy", "reference", NULL };
-  const char *asked[SCENE_COLUMNS + 1] = { NULL };
-  int count = 0;
+  return add_columns(r, config_setting_get_member(at, "columns"), w, wanted->columns);
+}
+
+static bool read_rows(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
+{
   bool is_series = strcmp(w->what, "series") == 0, is_error = strcmp(w->what, "error") == 0;
-  if (!keys_known(r, at, keys, "this want") || !read_accuracy(r, at, w)
-      || !read_member_texts(r, at, "columns", asked, SCENE_COLUMNS, &count))
-    return false;
-  static const char *const of_series[] = { "of", "source", "order" };
-  const config_setting_t *idle = NULL;
-  for (int i = 0; i < 3 && !idle && !is_series && !is_error; i++)
-    idle = config_setting_get_member(at, of_series[i]);
-  if (idle)
-    return refuse_at(r, idle, "%s is for what = \"series\", \"error\" and \"orders\"", config_setting_name(idle));
-  if (count > 0 && config_setting_get_member(at, "of"))
+  if (wanted->count > 0 && wanted->series.count > 0)
     return refuse_at(r, config_setting_get_member(at, "of"),
                      "of and columns exclude each other: columns may name series and what is said of them");
-  if (count > 0)
-    return add_columns(r, config_setting_get_member(at, "columns"), w, asked) && check_digits(r, at, w);
+  if (wanted->count > 0)
+    return read_columns(r, at, w, wanted) && check_digits(r, at, w);
   return add_labels(r, at, w)
-         && (is_series || is_error            ? series_columns(r, at, w, is_error)
+         && (is_series || is_error            ? series_columns(r, at, w, &wanted->series, is_error)
              : strcmp(w->what, "steady") == 0 ? steady_columns(r, at, w)
                                               : phase_columns(r, at, w));
 }
 
-static bool read_trajectory(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+static bool read_trajectory(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
 {
-  static const char *const keys[] = { "what",    "file",    "format", "digits", "columns",
-                                      "periods", "samples", "until",  "plot",   NULL };
   static const char *const usual[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
-  const char *asked[SCENE_COLUMNS + 1] = { NULL };
   const config_setting_t *until = config_setting_get_member(at, "until");
-  int count = 0;
   bool onset = false;
-  w->kind = WANT_TRAJECTORY;
-  w->periods = 10;
-  w->samples = 40;
-  w->until = (struct scene_end){ .number = INFINITY };
-  if (!keys_known(r, at, keys, "a trajectory") || !read_member_texts(r, at, "columns", asked, SCENE_COLUMNS, &count)
-      || !read_member_count(r, at, "periods", 1, 1000000000, &w->periods)
-      || !read_member_count(r, at, "samples", 1, 1000000000, &w->samples)
-      || (until && (!read_end(r, until, &w->until) || !check_end(r, until, &w->until, &onset))))
+  w->until = (struct sweep_end){ .number = INFINITY };
+  if (until && !read_end(r, until, &w->until, &onset))
     return false;
-  if (count > 0)
-    return add_columns(r, config_setting_get_member(at, "columns"), w, asked);
+  if (wanted->count > 0)
+    return read_columns(r, at, w, wanted);
   if (!add_labels(r, at, w))
     return false;
-  const struct scene_variable *v;
-  for (int k = 0; (v = scene_variable(r->scene, k)); k++) { /* what varies tells the curves apart */
-    const char *column = v->target == TARGET_F1_OVER_F2   ? "F1_over_F2 = F1/F2"
-                         : v->target == TARGET_M1_OVER_M2 ? "m1_over_m2 = m1/m2"
-                                                          : v->name;
+  const struct sweep_variable *v;
+  for (int k = 0; (v = sweep_variable(&r->scene->sweep, k)); k++) { /* what varies tells the curves apart */
     bool there = v->target == TARGET_LABEL;
     for (int i = 0; i < w->columns; i++)
       there |= strcmp(w->column[i].name, v->name) == 0;
-    if (!there && !read_column(r, at, w, column))
+    if (!there && !read_column(r, at, w, v->name))
       return false;
   }
   return add_columns(r, at, w, usual);
@@ -122,9 +93,9 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
   const struct scene *s = r->scene;
-  for (int p = 0; p < s->products; p++) {
-    const struct scene_product *product = &s->product[p];
-    const struct scene_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
+  for (int p = 0; p < s->sweep.products; p++) {
+    const struct sweep_product *product = &s->sweep.product[p];
+    const struct sweep_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
     bool is_T = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER
                 && strcmp(last->variable[0].name, "T") == 0;
     if (!is_T || last->count < 3 || last->count > SCENE_TIMES)
@@ -134,29 +105,22 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
   return true;
 }
 
-static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
 {
-  static const char *const keys[] = { "what",     "file",      "format", "digits", "of",   "source", "order",
-                                      "accuracy", "reference", "expect", "tol",    "plot", NULL };
-  struct series_names names = { .count = 0 };
-  w->kind = WANT_ORDERS;
-  w->tolerance = 0.1;
+  const struct series_names *names = &wanted->series;
   w->has_expect = config_setting_get_member(at, "expect") != NULL;
-  if (!keys_known(r, at, keys, "orders") || !read_accuracy(r, at, w) || !read_series(r, at, &names)
-      || !read_member_number(r, at, "expect", &w->expect) || !read_member_number(r, at, "tol", &w->tolerance)
-      || !check_times(r, at))
+  if (!check_times(r, at) || !find_series(r, at, &wanted->series))
     return false;
   if (!(w->tolerance > 0))
     return refuse_at(r, config_setting_get_member(at, "tol"), "tol is a number > 0");
   for (int i = 0; i < r->scene->quantities.labels; i++)
-    for (const char *const *own = order_columns; *own; own++)
-      if (strcmp(*own, r->scene->quantities.label[i]) == 0)
-        return refuse_at(r, at, "the label %s has the name of a column of orders", *own);
-  for (w->series = 0; w->series < names.count; w->series++) {
-    const char *name = keep_text(r, "error.", 6, names.name[w->series]);
+    if (is_among(r->scene->quantities.label[i], order_columns))
+      return refuse_at(r, at, "the label %s has the name of a column of orders", r->scene->quantities.label[i]);
+  for (; w->series < names->count; w->series++) {
+    const char *name = keep_text(r, "error.", 6, names->name[w->series]);
     int place = name ? quantity_named(&r->scene->quantities, name) : -1;
     if (place < 0)
-      return name && refuse_quantity(r, at, names.name[w->series]);
+      return name && refuse_quantity(r, at, names->name[w->series]);
     if (!check_quantity(r, at, w, place))
       return false;
     w->of[w->series] = place;
@@ -164,140 +128,213 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
   return true;
 }
 
-/* ---- plots ---- */
-
-static bool has_column(const struct scene_want *w, const char *name)
+static bool has_column(const struct reading *r, const config_setting_t *at, const struct scene_want *w, const char *name)
 {
+  bool has = w->columns == 0; /* a command's own, or those of orders: it will show */
   for (int i = 0; i < w->columns; i++)
-    if (strcmp(w->column[i].name, name) == 0)
-      return true;
-  return w->columns == 0; /* a command's own, or those of orders: it will show */
-}
-
-/* One column, or several. */
-static bool read_by(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
-{
-  const char *names[PLOT_BY];
-  int count = 0;
-  if (!read_member_texts(r, at, "by", names, PLOT_BY, &count))
-    return false;
-  p->by = count > 0 ? names[0] : NULL;
-  for (int i = 1; i < count && p->by; i++) {
-    p->by = keep_text(r, p->by, (int)strlen(p->by), ", ");
-    p->by = p->by ? keep_text(r, p->by, (int)strlen(p->by), names[i]) : NULL;
-  }
-  return count == 0 || p->by;
+    has |= strcmp(w->column[i].name, name) == 0;
+  return has || refuse_at(r, at, "the table has no column %s", name);
 }
 
 /* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
-static bool find_script(const struct reading *r, const config_setting_t *at, struct scene_plot *p)
+static bool find_script(const struct reading *r, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(r, p->script);
     return p->script != NULL;
   }
   p->program = shipped_text(shipped_scripts, p->script);
-  if (!p->program) {
-    const char *near = shipped_near(shipped_scripts, p->script);
-    return refuse_at(
-        r, at, "no plot script '%.80s' comes with the tool%s%s%s; the name of a script of yours has an ending: '%.80s.gp'",
-        p->script, near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "", p->script);
-  }
+  const char *near = shipped_near(shipped_scripts, p->script);
+  if (!p->program)
+    return refuse_at(r, at,
+                     "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
+                     p->script, near ? did_you_mean(near) : ".", p->script);
   p->script = NULL;
   return true;
 }
 
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
-  static const char *const keys[] = { "file", "script", "x", "y", "by", "log_x", "log_y", NULL };
-  struct scene_plot *p = &w->plot;
-  int count = 0;
+  struct plot *p = &w->plot;
+  int ys = 0, bys = 0;
+  const struct member members[] = { A_TEXT("file", &p->file),
+                                    A_TEXT("script", &p->script),
+                                    A_TEXT("x", &p->x),
+                                    TEXTS("y", p->y, PLOT_COLUMNS, &ys),
+                                    TEXTS("by", p->by, PLOT_COLUMNS, &bys),
+                                    A_FLAG("log_x", &p->log_x),
+                                    A_FLAG("log_y", &p->log_y),
+                                    NO_MORE };
   w->has_plot = true;
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!keys_known(r, at, keys, "a plot") || !read_member_text(r, at, "file", &p->file)
-      || !read_member_text(r, at, "script", &p->script) || !read_member_text(r, at, "x", &p->x) || !read_by(r, at, p)
-      || !read_member_texts(r, at, "y", p->y, (int)(sizeof p->y / sizeof *p->y) - 1, &count)
-      || !read_member_flag(r, at, "log_x", &p->log_x) || !read_member_flag(r, at, "log_y", &p->log_y))
+  if (!read_members(r, at, members, "a plot"))
     return false;
-  if (!p->file)
-    return refuse_at(r, at, "a plot needs a file: one that ends in .svg, .png or .pdf");
-  if (!plot_kind(p->file))
-    return refuse_at(r, at, "'%.200s': a plot's file ends in .svg, .png or .pdf", p->file);
+  if (!p->file || !plot_kind(p->file))
+    return refuse_at(r, at, "a plot needs a file that ends in .svg, .png or .pdf");
   if (r->options->has_format && r->options->format != FORMAT_TSV) /* of what the command line asks for there is none */
     w->has_plot = false;
   else if (!w->file || w->format != FORMAT_TSV)
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
-  if (!p->x || count == 0)
+  if (!p->x || ys == 0)
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
-  if (!has_column(w, p->x))
-    return refuse_at(r, at, "the table has no column %s", p->x);
-  for (int i = 0; i < count; i++)
-    if (!has_column(w, p->y[i]))
-      return refuse_at(r, at, "the table has no column %s", p->y[i]);
+  bool good = has_column(r, at, w, p->x);
+  for (int i = 0; i < ys && good; i++)
+    good = has_column(r, at, w, p->y[i]);
+  return good;
+}
+
+/* The kinds of wants. The last are the tables of commands. */
+static const struct {
+  const char *what;
+  enum want_kind kind;
+  long most_digits; /* beyond a double's are digits of certified values */
+  bool (*read)(const struct reading *, const config_setting_t *, struct scene_want *, struct wanted *);
+} kinds[] = { { "trajectory", WANT_TRAJECTORY, DIGITS_OF_DOUBLE, read_trajectory },
+              { "phase", WANT_ROWS, MOST_CERTIFIED_DIGITS, read_rows },
+              { "steady", WANT_ROWS, MOST_CERTIFIED_DIGITS, read_rows },
+              { "series", WANT_ROWS, DIGITS_OF_DOUBLE, read_rows },
+              { "error", WANT_ROWS, DIGITS_OF_DOUBLE, read_rows },
+              { "orders", WANT_ORDERS, DIGITS_OF_DOUBLE, read_orders },
+              { "terms", WANT_COMMAND, 0, NULL },
+              { "bounds", WANT_COMMAND, 0, NULL },
+              { "breakdown", WANT_COMMAND, 0, NULL },
+              { "stability", WANT_COMMAND, 0, NULL },
+              { "work-precision", WANT_COMMAND, 0, NULL },
+              { "claims", WANT_COMMAND, 0, NULL } };
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* The place of what among the kinds, or KINDS, and it is refused. */
+static int find_kind(const struct reading *r, const config_setting_t *at, const char *what)
+{
+  const char *names[KINDS + 1] = { NULL };
+  char list[200];
+  int k = 0;
+  for (int i = 0; i < KINDS; i++)
+    names[i] = kinds[i].what;
+  while (k < KINDS && strcmp(what, names[k]) != 0)
+    k++;
+  if (k == KINDS)
+    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names, false),
+              did_you_mean(nearest(what, names)));
+  return k;
+}
+
+/* Members that mean something to some kinds only */
+static bool check_members(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
+{
+  static const struct {
+    const char *name, *kinds;
+  } only[] = { { "of", "series error orders" },
+               { "source", "series error orders" },
+               { "order", "series error orders" },
+               { "expect", "orders" },
+               { "tol", "orders" },
+               { "periods", "trajectory" },
+               { "samples", "trajectory" },
+               { "until", "trajectory" },
+               { "columns", "trajectory phase steady series error" },
+               { "accuracy", "phase steady series error orders" },
+               { "reference", "phase steady series error orders" } };
+  for (size_t i = 0; i < sizeof only / sizeof *only; i++) {
+    const config_setting_t *member = config_setting_get_member(at, only[i].name);
+    if (member && !strstr(only[i].kinds, w->what))
+      return refuse_at(r, member, "%s is not for what = \"%s\", but for: %s", only[i].name, w->what, only[i].kinds);
+  }
   return true;
 }
 
-/* ---- all of them ---- */
-
-static bool read_output(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+static bool read_own(const struct reading *r, const config_setting_t *at, struct scene_want *w, int kind)
 {
-  const char *format = NULL;
-  bool beyond = strcmp(w->what, "steady") == 0 || strcmp(w->what, "phase") == 0 || w->kind == WANT_COMMAND;
-  long most = beyond ? MOST_DIGITS : DOUBLE_DIGITS;
-  if (!read_member_text(r, at, "file", &w->file) || !read_member_text(r, at, "format", &format)
-      || !read_member_count(r, at, "digits", 1, most, &w->digits))
+  static const char *const references[] = { "exact", "certified", NULL };
+  struct wanted wanted = { .reference = REFERENCE_NOT_GIVEN, .series = { .order = 8 } };
+  const long most = kinds[kind].most_digits;
+  const struct member members[] = { OTHER("what"),
+                                    OTHER("file"),
+                                    OTHER("format"),
+                                    OTHER("plot"),
+                                    A_COUNT("digits", &w->digits, 1, most),
+                                    TEXTS("columns", wanted.columns, SCENE_COLUMNS, &wanted.count),
+                                    TEXTS("of", wanted.series.name, SCENE_COLUMNS, &wanted.series.count),
+                                    A_WORD("source", &wanted.series.source, series_sources),
+                                    A_COUNT("order", &wanted.series.order, 1, 1000),
+                                    A_NUMBER("accuracy", &w->accuracy),
+                                    A_WORD("reference", &wanted.reference, references),
+                                    A_NUMBER("expect", &w->expect),
+                                    A_NUMBER("tol", &w->tolerance),
+                                    A_COUNT("periods", &w->periods, 1, MOST_PERIODS),
+                                    A_COUNT("samples", &w->samples, 1, MOST_PERIODS),
+                                    OTHER("until"),
+                                    NO_MORE };
+  if (!read_members(r, at, members, "a want") || !check_members(r, at, w) || !check_accuracy(r, at, w, wanted.reference))
     return false;
   if (r->options->digits > most)
     return refuse_at(r, at, "--digits %ld: in this table a whole number from 1 to %ld", r->options->digits, most);
   if (r->options->digits > 0)
     w->digits = r->options->digits;
+  return kinds[kind].read(r, at, w, &wanted);
+}
+
+/* Where the table goes, and how it is written */
+static bool read_output(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+{
+  static const char *const formats[] = { "tsv", "json", NULL };
+  int format = 0;
+  const struct member members[] = { A_TEXT("what", &w->what), A_TEXT("file", &w->file), A_WORD("format", &format, formats),
+                                    THE_REST };
+  if (!read_members(r, at, members, "a want"))
+    return false;
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
-  if (w->file && plot_kind(w->file))
-    return refuse_at(r, config_setting_get_member(at, "file"),
-                     "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
-                     w->file);
-  if (format && strcmp(format, "tsv") != 0 && strcmp(format, "json") != 0)
-    return refuse_at(r, config_setting_get_member(at, "format"), "format is \"tsv\" or \"json\"");
-  w->format = r->options->has_format ? r->options->format : format && *format == 'j' ? FORMAT_JSON : FORMAT_TSV;
-  return true;
+  w->format = r->options->has_format ? r->options->format : format == 0 ? FORMAT_TSV : FORMAT_JSON;
+  return !w->file || !plot_kind(w->file)
+         || refuse_at(r, config_setting_get_member(at, "file"),
+                      "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
+                      w->file);
+}
+
+static bool put_into(const struct reading *r, const char *folder, const char **file)
+{
+  if (!folder || !*file || **file == '/')
+    return true;
+  const char *head = keep_text(r, folder, (int)strlen(folder), "/");
+  *file = head ? keep_text(r, head, (int)strlen(head), *file) : NULL;
+  return *file != NULL;
+}
+
+/* Where the table and its plot go in the end: the command line may name the file, or a folder. */
+static bool place(const struct reading *r, struct scene_want *w)
+{
+  const struct options *o = r->options;
+  bool is_named = o->has_output && !o->explain; /* else -o names the plan's */
+  if (is_named)
+    w->file = o->output;
+  w->has_plot = w->has_plot && w->file && !o->no_plots;
+  return is_named || (put_into(r, o->folder, &w->file) && put_into(r, o->folder, &w->plot.file));
 }
 
 static bool read_want(const struct reading *r, const config_setting_t *at)
 {
   struct scene_want *w = &r->scene->want[r->scene->wants++];
+  *w = (struct scene_want){ .accuracy = OF_DOUBLES, .periods = 10, .samples = 40, .tolerance = 0.1 };
   w->column = calloc(SCENE_COLUMNS, sizeof *w->column);
   if (!w->column)
     return refuse_at(r, at, "out of memory");
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
-  if (!read_member_text(r, at, "what", &w->what))
+  if (!read_output(r, at, w))
     return false;
   if (!w->what)
     return refuse_at(r, at, "what is wanted? what = \"steady\", for one");
-  int k = 0;
-  while (whats[k] && strcmp(w->what, whats[k]) != 0)
-    k++;
-  if (!whats[k]) {
-    const char *near = nearest(w->what, whats);
-    return refuse_at(
-        r, at,
-        "'%.80s' cannot be wanted%s%s%s: one of trajectory, phase, steady, series, error, orders, terms, bounds, "
-        "breakdown, stability, work-precision and claims can",
-        w->what, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
-  }
-  w->kind = is_command(w->what) ? WANT_COMMAND : WANT_ROWS;
-  const config_setting_t *plot = config_setting_get_member(at, "plot");
-  if (!read_output(r, at, w))
+  int kind = find_kind(r, at, w->what);
+  if (kind == KINDS)
     return false;
-  bool read = w->kind == WANT_COMMAND              ? read_command(r, at, w)
-              : strcmp(w->what, "trajectory") == 0 ? read_trajectory(r, at, w)
-              : strcmp(w->what, "orders") == 0     ? read_orders(r, at, w)
-                                                   : read_rows(r, at, w);
-  return read && (!plot || read_plot(r, plot, w));
+  w->kind = kinds[kind].kind;
+  const config_setting_t *plot = config_setting_get_member(at, "plot");
+  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w))
+         && place(r, w);
 }
 
 bool read_wants(const struct reading *r, const config_setting_t *want)

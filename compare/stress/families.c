@@ -7,7 +7,7 @@
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_rng.h>
 
-#include "compare/answers/counts.h"
+#include "numerics/numerics.h"
 #include "compare/stress/stress.h"
 
 /* ---- from [0, 1) to parameters ---- */
@@ -121,7 +121,7 @@ static bool small_period(struct stress_case *s, const double *x)
   calm(&s->crawler, x);
   double onset = period_for(&s->crawler, 4 * fmin(s->crawler.alpha, 1 - s->crawler.alpha));
   s->crawler.T = decades(x[6], -100, log10(onset));
-  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_SLIDING;
+  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_SLIDING;
 }
 
 static bool deep_stick_slip(struct stress_case *s, const double *x)
@@ -131,7 +131,7 @@ static bool deep_stick_slip(struct stress_case *s, const double *x)
   force_ratio(&s->crawler, x[7]);
   s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
   s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 9));
-  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_STICK_SLIP;
+  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_STICK_SLIP;
 }
 
 static bool at_rest(struct stress_case *s, const double *x)
@@ -139,7 +139,7 @@ static bool at_rest(struct stress_case *s, const double *x)
   struct scallop_steady_result r;
   calm(&s->crawler, x);
   s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 30));
-  return counted_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_AT_REST;
+  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_AT_REST;
 }
 
 /* Units of any size: the same crawler, far from 1. What over- or underflows on the way is refused, and that is right. */
@@ -201,13 +201,13 @@ static bool signature_of(const struct stress_case *s, struct signature *out)
   struct scallop_phase_result p;
   *out = (struct signature){ .forward = s->v0 > 0 };
   if (s->kind == STRESS_PHASE) {
-    bool solved = counted_phase(&s->crawler, s->phase, s->v0, &p) == SCALLOP_OK;
+    bool solved = scallop_phase(&s->crawler, s->phase, s->v0, &p) == SCALLOP_OK;
     if (solved)
       scallop_modes_text(&p.modes, out->modes);
     out->regime = solved ? p.regime : SCALLOP_SLIDING;
     return solved;
   }
-  if (counted_steady(&s->crawler, &r) != SCALLOP_OK)
+  if (scallop_steady(&s->crawler, &r) != SCALLOP_OK)
     return false;
   out->forward = r.period.v_start > 0;
   out->regime = r.period.regime;
@@ -344,7 +344,7 @@ static bool trajectory(struct stress_case *s, const double *x)
   struct scallop_steady_result r;
   calm(&s->crawler, x);
   s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 0));
-  if (counted_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
+  if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
     return false;
   bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
   s->v0 = r.period.v_start * (beside ? 1.01 : 1);

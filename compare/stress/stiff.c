@@ -1,6 +1,5 @@
 /* The tables of the stiff way: every run, or with --summary a row for each series of runs. */
 #include "compare/stress/stiff.h"
-#include "compare/command/with_flint.h"
 
 #include <assert.h>
 #include <math.h>

@@ -74,4 +74,7 @@ enum { STIFF_MOST_RUNS = 16 };
 /* runs: at most STIFF_MOST_RUNS, delta falling. */
 struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
 
+/* `scallop stress --stiff` */
+enum exit_code stress_stiff(const struct options *options);
+
 #endif

@@ -1,6 +1,5 @@
 /* The scenes of the stiff way, certified; and single runs and series of them, judged. */
-#include "compare/answers/counts_flint.h"
-#include "compare/answers/exact.h"
+#include "compare/answers/answer.h"
 #include "compare/stress/stiff.h"
 
 #include <float.h>
@@ -129,18 +128,18 @@ static enum scallop_status solve_period(struct stiff_scene *scene, const struct 
                                         struct scallop_certified_phase phase[2], fmpq_t v, const char **why)
 {
   scallop_rational_set_double(v, scene->v_start);
-  enum scallop_status status = counted_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
+  enum scallop_status status = scallop_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
   if (status != SCALLOP_OK)
     return status;
   middle_of(v, phase[0].v_end);
-  status = counted_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
+  status = scallop_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
   if (status != SCALLOP_OK)
     return status;
   certified_value(&scene->v_end, phase[1].v_end);
   arb_add(phase[1].dxC, phase[0].dxC, phase[1].dxC, 4 * REFERENCE_DIGITS);
   certified_value(&scene->displacement, phase[1].dxC);
   const struct scallop_modes modes[2] = { phase[0].modes, phase[1].modes };
-  period_modes_text(scene->modes, modes);
+  motion_modes_text(scene->modes, OF_STEADY, modes);
   return SCALLOP_OK;
 }
 
@@ -156,7 +155,7 @@ static enum scallop_status certify(struct stiff_scene *scene, const char **why)
   for (int i = 0; i < 2; i++)
     scallop_certified_phase_init(&phase[i]);
   scallop_rational_of(&exact, &scene->crawler);
-  enum scallop_status status = counted_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
+  enum scallop_status status = scallop_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
   if (status == SCALLOP_OK) {
     middle_of(v, steady.v_start);
     scene->v_start = fmpq_is_zero(v) ? 0 : arf_get_d(arb_midref(steady.v_start), ARF_RND_NEAR);
@@ -232,7 +231,6 @@ static enum scallop_status solve_period_smoothed(const struct stiff_scene *scene
 {
   const struct scallop_crawler *c = &scene->crawler;
   struct scallop_rival_period period;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = rival->period(rival, c, scene->v_start, patience, &period);
   if (status != SCALLOP_OK)
     return status;

@@ -92,4 +92,8 @@ enum {
 /* NULL: the promise holds for this quantity; else what is broken. */
 const char *stress_broken(const struct stress_judgement *judgement, int quantity);
 
+/* `scallop stress`; of one point */
+enum exit_code stress_table(const struct options *options);
+enum exit_code stress_point(const struct options *options);
+
 #endif

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "compare/stress/stress.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 
@@ -317,9 +317,7 @@ enum exit_code stress_table(const struct options *o)
     const char *names[64] = { NULL };
     for (int i = 0; i < 63 && stress_families[i].name; i++)
       names[i] = stress_families[i].name;
-    const char *near = nearest(o->family, names);
-    complain("stress", "--family: there is no family '%s'%s%s%s", o->family, near ? ": did you mean '" : "",
-             near ? near : "", near ? "'?" : "");
+    complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
     return EXIT_USAGE;
   }
   run.stressed = calloc(most, sizeof *run.stressed);

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/numerics.h"
 #include "compare/stress/stress.h"
 #include "numerics/certified.h"
 
@@ -61,7 +61,7 @@ static bool displacement(arb_t d, char modes[2 * SCALLOP_MODES_TEXT], const stru
   arb_zero(d);
   memset(modes, 0, 2 * SCALLOP_MODES_TEXT);
   for (int kind = 0; solved && kind < 2; kind++) {
-    solved = counted_certified_phase(c, (enum scallop_phase_kind)kind, start, DIGITS, &phase, NULL) == SCALLOP_OK;
+    solved = scallop_certified_phase(c, (enum scallop_phase_kind)kind, start, DIGITS, &phase, NULL) == SCALLOP_OK;
     if (!solved)
       break;
     arb_add(d, d, phase.dxC, BITS);
@@ -123,7 +123,7 @@ static bool closed_form(const struct stress_case *s, struct ending *end)
   fmpq_init(v0);
   scallop_rational_of(&c, &s->crawler);
   scallop_rational_set_double(v0, s->v0);
-  bool solved = counted_certified_steady(&c, DIGITS, &steady, NULL) == SCALLOP_OK;
+  bool solved = scallop_certified_steady(&c, DIGITS, &steady, NULL) == SCALLOP_OK;
   if (solved) {
     arb_set_d(d, s->v0);
     arb_sub(d, d, steady.v_start, BITS);
@@ -176,7 +176,7 @@ void stress_judge_trajectory(const struct stress_case *s, struct stress_judgemen
     j->why = "no closed form: the modes change on the way";
     return;
   }
-  if (counted_trajectory(&s->crawler, s->v0, s->periods, 1, keep_last, &last) < 0) {
+  if (scallop_trajectory(&s->crawler, s->v0, s->periods, 1, keep_last, &last) < 0) {
     j->outcome = STRESS_LIED;
     j->why = "the trajectory was not solved";
     return;

@@ -56,6 +56,15 @@ const char *nearest(const char *word, const char *const *names)
   return best;
 }
 
+const char *did_you_mean(const char *near)
+{
+  static char text[160];
+  *text = '\0';
+  if (near)
+    snprintf(text, sizeof text, ": did you mean '%.120s'?", near);
+  return text;
+}
+
 size_t shown_character(const char *text)
 {
   static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* without controls and what a shorter one says */

@@ -16,6 +16,9 @@ bool likely(const char *word, const char *name);
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
 const char *nearest(const char *word, const char *const *names);
 
+/* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name. It lives until the next call. */
+const char *did_you_mean(const char *near);
+
 /* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character, or ends.
  * What consists of such characters can be shown on a terminal and in XML. */
 size_t shown_character(const char *text);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
@@ -16,7 +16,7 @@ enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
 /* Of the limit, for the repetitions of one way: what takes longer than half of it is not repeated. */
 static const double budget_share = 0.5;
 
-const struct answer answer_none = {
+const struct way_answer answer_none = {
   .value = { NAN, NAN }, .gait_evaluations = NAN, .events = NAN, .root_iterations = NAN, .periods = NAN
 };
 
@@ -37,7 +37,7 @@ const char *point_init(struct trial *point, const struct scallop_crawler *crawle
     point->eps = scaled.eps;
     point->digits = digits_for(scaled.eps);
     scallop_rational_of(&point->exact, crawler);
-    status = counted_certified_steady(&point->exact, point->digits, &point->steady, &why);
+    status = scallop_certified_steady(&point->exact, point->digits, &point->steady, &why);
   }
   if (status != SCALLOP_OK)
     return why ? why : scallop_status_text(status);
@@ -94,7 +94,7 @@ static void describe_cut(struct way *way, double limit)
     snprintf(way->status, sizeof way->status, "cut off after %g s, in its first period", limit);
 }
 
-static bool is_finite(const struct answer *answer)
+static bool is_finite(const struct way_answer *answer)
 {
   for (int i = 0; i < WAY_QUANTITIES; i++)
     if (!answer->ball[i] && isinf(answer->value[i]))
@@ -135,7 +135,7 @@ static void try_once(struct way *way, double seconds)
 static double solve_again(void *context)
 {
   struct way *way = context;
-  struct answer answer = answer_none;
+  struct way_answer answer = answer_none;
   enum scallop_status status = way->solve(way, NULL, &answer);
   return (double)status + answer.value[0] + answer.value[1];
 }

@@ -5,7 +5,7 @@
 
 #include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
-#include "compare/answers/counts_flint.h"
+#include "numerics/certified.h"
 #include "compare/workprec/workprec.h"
 
 static int place(const struct scallop_formula *formula)
@@ -15,7 +15,8 @@ static int place(const struct scallop_formula *formula)
 
 /* ---- the paper's formulas ---- */
 
-static enum scallop_status solve_published(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_published(struct way *way, const struct scallop_patience *patience,
+                                           struct way_answer *answer)
 {
   const struct scallop_formula *formula = way->memory;
   (void)patience;
@@ -50,7 +51,8 @@ static void release_corrected(void *memory)
   free(c);
 }
 
-static enum scallop_status solve_corrected(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_corrected(struct way *way, const struct scallop_patience *patience,
+                                           struct way_answer *answer)
 {
   const struct ring ring = { 1, 64 };
   struct corrected *c = way->memory;
@@ -76,7 +78,7 @@ static const char *no_turn(const struct trial *point)
   const char *ending = NULL;
   scallop_steady_expansion_init(&expansion);
   if (scallop_gait_is_rational(point->exact.gait)
-      && counted_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
+      && scallop_expand_steady(&point->exact, 1, 64, &expansion, NULL) == SCALLOP_OK) {
     const char *bar = strchr(expansion.modes, '|');
     ending = strcmp(bar, "| ++") == 0 ? "_no_turn" : strncmp(expansion.modes, "++ |", 4) == 0 ? "_no_turn_extension" : NULL;
   }
@@ -140,13 +142,13 @@ static slong bits(const struct trial *point, long order)
   return 64 + 8 * order + (slong)(smaller * (double)order / 2);
 }
 
-static enum scallop_status solve_derived(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_derived(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct derived *d = way->memory;
   const struct scallop_rational_crawler *crawler = &way->point->exact;
   slong precision = bits(way->point, way->number);
   (void)patience;
-  enum scallop_status status = counted_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
+  enum scallop_status status = scallop_expand_steady(crawler, way->number, precision, &d->expansion, NULL);
   if (status != SCALLOP_OK)
     return status;
   arb_set_fmpq(d->T, crawler->T, precision);
@@ -195,7 +197,7 @@ static struct known *known_make(const struct trial *point, long order)
   if (!known)
     return NULL;
   scallop_steady_expansion_init(&expansion);
-  known->status = counted_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
+  known->status = scallop_expand_steady(&point->exact, order, bits(point, order), &expansion, NULL);
   if (known->status == SCALLOP_OK) {
     learn(known, WAY_VELOCITY, &expansion.v_start, -1, order);
     learn(known, WAY_DISPLACEMENT, &expansion.displacement, 0, order);
@@ -212,7 +214,7 @@ static double horner(const double *coefficient, int count, double x)
   return sum;
 }
 
-static enum scallop_status solve_known(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_known(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   const struct known *known = way->memory;
   double T = way->point->crawler.T;
@@ -235,22 +237,22 @@ static void add_known(struct ways *ways, const struct trial *point, long order)
 
 /* ---- the exact solver ---- */
 
-static enum scallop_status solve_exact(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_exact(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct scallop_steady_result r;
   (void)patience;
   enum scallop_status status = scallop_steady(&way->point->crawler, &r);
   if (status < 0)
     return status;
-  *answer = (struct answer){ .value = { r.period.v_start, r.period.displacement },
-                             .gait_evaluations = (double)r.work.gait_evaluations,
-                             .events = (double)r.work.events,
-                             .root_iterations = (double)r.work.root_iterations,
-                             .periods = (double)r.work.periods };
+  *answer = (struct way_answer){ .value = { r.period.v_start, r.period.displacement },
+                                 .gait_evaluations = (double)r.work.gait_evaluations,
+                                 .events = (double)r.work.events,
+                                 .root_iterations = (double)r.work.root_iterations,
+                                 .periods = (double)r.work.periods };
   return SCALLOP_OK;
 }
 
-static enum scallop_status solve_period(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_period(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct scallop_period_result r;
   (void)patience;
@@ -290,7 +292,7 @@ static struct batch *batch_make(const struct scallop_crawler *c)
   return b;
 }
 
-static enum scallop_status solve_batch(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_batch(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct batch *b = way->memory;
   const struct scallop_crawlers crawlers = { BATCH, b->m1, b->m2, b->F1, b->F2, b->L, b->T, b->alpha, b->gait };
@@ -326,11 +328,12 @@ static void release_certified(void *memory)
   free(memory);
 }
 
-static enum scallop_status solve_certified(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status solve_certified(struct way *way, const struct scallop_patience *patience,
+                                           struct way_answer *answer)
 {
   struct scallop_certified_steady *steady = way->memory;
   (void)patience;
-  enum scallop_status status = counted_certified_steady(&way->point->exact, way->number, steady, NULL);
+  enum scallop_status status = scallop_certified_steady(&way->point->exact, way->number, steady, NULL);
   if (status != SCALLOP_OK)
     return status;
   *answer = answer_none;

@@ -1,25 +1,23 @@
 /* The rivals of numerics/rival.h, each as two ways: simulating from rest until the periods repeat, and as the root of its period map.
  * The memory of a rival is made beforehand, as its user would. */
-#include "compare/answers/counts.h"
 #include "compare/workprec/workprec.h"
 #include "numerics/cvode.h"
 #include "numerics/moreau.h"
 #include "numerics/odeiv.h"
 #include "numerics/smoothed.h"
 
-static void take(struct answer *answer, const struct scallop_rival_steady *steady)
+static void take(struct way_answer *answer, const struct scallop_rival_steady *steady)
 {
-  *answer = (struct answer){ .value = { steady->v_start, steady->displacement },
-                             .gait_evaluations = (double)steady->evaluations,
-                             .events = (double)steady->events,
-                             .root_iterations = (double)steady->root_iterations,
-                             .periods = (double)steady->periods };
+  *answer = (struct way_answer){ .value = { steady->v_start, steady->displacement },
+                                 .gait_evaluations = (double)steady->evaluations,
+                                 .events = (double)steady->events,
+                                 .root_iterations = (double)steady->root_iterations,
+                                 .periods = (double)steady->periods };
 }
 
-static enum scallop_status simulate(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status simulate(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_simulate(way->memory, &way->point->crawler, 0, way->tolerance, patience,
                                                       &steady);
   if (status >= 0)
@@ -27,10 +25,9 @@ static enum scallop_status simulate(struct way *way, const struct scallop_patien
   return status;
 }
 
-static enum scallop_status find_root(struct way *way, const struct scallop_patience *patience, struct answer *answer)
+static enum scallop_status find_root(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
 {
   struct scallop_rival_steady steady;
-  count_add(COUNT_INTEGRATORS, 1);
   enum scallop_status status = scallop_rival_root(way->memory, &way->point->crawler, way->tolerance, patience, &steady);
   if (status >= 0)
     take(answer, &steady);

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "compare/command/compare.h"
-#include "compare/command/with_flint.h"
+#include "compare/answers/defaults.h"
 #include "compare/workprec/workprec.h"
 
 enum { MOST_POINTS = 40 };
@@ -103,7 +103,7 @@ static bool begin(struct run *r)
 static void write_way(struct table *t, const struct way *way, int quantity)
 {
   const struct stopwatch_spread *time = &way->time;
-  const struct answer *a = &way->answer;
+  const struct way_answer *a = &way->answer;
   table_text(t, way->method);
   table_text(t, way->setting);
   table_text(t, way->point->crawler.gait->name);
@@ -174,8 +174,6 @@ enum exit_code workprec_table(const struct options *options)
                             : options->quick   ? WORKPREC_QUICK_LIMIT
                                                : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
-  if (options->from)
-    return (enum exit_code)summary_from_file(options);
   struct ways *ways = calloc(1, sizeof *ways);
   if (!ways)
     complain("workprec", "out of memory");

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 
+#include "compare/text/message.h"
 #include "compare/workprec/stopwatch.h"
 #include "numerics/certified.h"
 #include "numerics/rival.h"
@@ -16,6 +17,7 @@ enum { WAY_SAMPLES = 31, WAY_TEXT = 64, WAY_STATUS = 120, WAY_TERMS = 32 /* of t
 
 /* Where the ways meet. The doubles are the parameters of all of them, and `exact` is the very same numbers: a double method must not
  * be charged with the distance from 0.7 to the nearest double. */
+struct options;
 struct trial {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;
@@ -28,12 +30,12 @@ struct trial {
 const char *point_init(struct trial *point, const struct scallop_crawler *crawler);
 void point_clear(struct trial *point);
 
-struct answer {
+struct way_answer {
   double value[WAY_QUANTITIES];           /* nan: the way does not give it                                   */
   const arb_struct *ball[WAY_QUANTITIES]; /* not NULL: the answer is this one                                */
   double gait_evaluations, events, root_iterations, periods; /* nan: it counts no such thing                    */
 };
-extern const struct answer answer_none; /* all nan                                                          */
+extern const struct way_answer answer_none; /* all nan                                                          */
 
 /* What a way is, for the front and for the summary. */
 enum way_kind {
@@ -50,7 +52,7 @@ struct way {
   char setting[WAY_TEXT];
   enum way_kind kind;
   const struct trial *point;
-  enum scallop_status (*solve)(struct way *way, const struct scallop_patience *patience, struct answer *answer);
+  enum scallop_status (*solve)(struct way *way, const struct scallop_patience *patience, struct way_answer *answer);
   void *memory; /* what the method needs besides, made beforehand                                      */
   void (*release)(void *memory);
   long number; /* of terms or digits                                                                  */
@@ -59,7 +61,7 @@ struct way {
 
   /* what was measured */
   enum scallop_status outcome;
-  struct answer answer;
+  struct way_answer answer;
   double first; /* seconds that the first solve took                                                   */
   long passes;
   int wanted; /* repetitions */
@@ -107,7 +109,8 @@ struct table;
 struct options;
 /* The rows of one point: for each wanted error that somebody reaches. */
 void summary_write(struct table *table, const struct ways *ways);
-/* workprec --from: the summary of options->from. Returns an exit code. */
-int summary_from_file(const struct options *options);
+
+/* `scallop workprec` */
+enum exit_code workprec_table(const struct options *options);
 
 #endif

@@ -27,7 +27,6 @@ COLOURS = {
     "#fbe3b5": "var(--stick-slip)",
     "#e2e2e2": "var(--at-rest)",
 }
-GREEK = str.maketrans("DabgdelmpstwF", "Δαβγδελμπστωφ")
 DROPPED = {"title", "desc", "filter"}
 MARK = 0.7  # of the size of a mark in SVG, which is half as large again as in PNG
 SIZE = 12.0  # of the font in the scripts of the plots; others are relative to it
@@ -124,8 +123,7 @@ def drawn(node, prefix):
     name = node.tag.replace(SVG, "")
     if name in DROPPED:
         return ""
-    symbol = "Symbol" in node.get("font-family", "")
-    content, filled, fill = [markup.text((node.text or "").translate(GREEK) if symbol else node.text or "")], [], None
+    content, filled, fill = [markup.text(node.text or "")], [], None
 
     def finish():
         if filled:
@@ -160,7 +158,7 @@ def inline(path, prefix, panels, layout=""):
         root = tree.parse(path).getroot()
     except (OSError, tree.ParseError) as error:
         raise Unreadable(
-            f"{path}: {getattr(error, 'strerror', None) or error}; scripts/plots.sh draws the plots"
+            f"{path}: {getattr(error, 'strerror', None) or error}; scripts/plots/draw.sh draws the plots"
         ) from error
     ground = root.find(f".//{SVG}rect")  # the first is the background of all
     if ground is not None and ground.get("width") == root.get("width"):

@@ -155,7 +155,7 @@ def against_time(inputs):
             {name for name in TIMES if name in markup.number_columns(inputs.cheapest)},
         )
         content += element(
-            "pre", element("code", "build/scallop workprec --from data/workprec.tsv"), class_="command", tabindex="0"
+            "pre", element("code", "awk -f scripts/cheapest.awk data/workprec.tsv"), class_="command", tabindex="0"
         )
     return section("time", "Error against run time", content)
 

@@ -1,0 +1,268 @@
+/* From text to operations: a recursive descent, of which each function takes one line of the grammar in formula.h. */
+#include "asymptotics/formula.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct parser {
+  const char *at; /* what is to be read next */
+  struct formula made;
+  const struct formula_names *names;
+  int nested;
+  char *message;
+};
+
+static const char *const texts[] = { "a number", "a name", "pi", "-", "abs", "sqrt", "exp", "log", "log10", "sin",
+                                     "cos",      "asin",   "+",  "-", "*",   "/",    "^",   "min", "max" };
+static const char functions[] = "abs sqrt exp log log10 sin cos asin min max";
+
+const char *formula_operation_text(enum formula_operation operation) { return texts[operation]; }
+
+static bool fail(const struct parser *p, const char *at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static bool fail(const struct parser *p, const char *at, const char *format, ...)
+{
+  va_list arguments;
+  int used = snprintf(p->message, FORMULA_MESSAGE, "character %ld: ", (long)(at - p->made.text) + 1);
+  va_start(arguments, format);
+  vsnprintf(p->message + used, FORMULA_MESSAGE - (size_t)used, format, arguments);
+  va_end(arguments);
+  return false;
+}
+
+static bool is_in_name(char c) { return isalnum((unsigned char)c) || c == '_' || c == '.' || c == ':'; }
+
+static bool fail_here(const struct parser *p, const char *what)
+{
+  char found[40], c = *p->at;
+  if (isgraph((unsigned char)c))
+    snprintf(found, sizeof found, "'%c'", c);
+  else
+    snprintf(found, sizeof found, "the byte 0x%02x", (unsigned)(unsigned char)c);
+  if (c == '\0' || isalnum((unsigned char)c) || strchr(".+-*/^(),", c))
+    return fail(p, p->at, "%s before %s", what, c ? found : "the end");
+  return fail(p, p->at, "%s has no meaning: a formula is of numbers, names, + - * / ^ ( ) and commas", found);
+}
+
+static bool add_step(struct parser *p, const char *at, struct formula_step step)
+{
+  if (p->made.count == FORMULA_STEPS)
+    return fail(p, at, "the formula is too long: it may have %d numbers, names and operations", FORMULA_STEPS);
+  step.at = (int)(at - p->made.text);
+  p->made.steps[p->made.count++] = step;
+  return true;
+}
+
+static bool add(struct parser *p, const char *at, enum formula_operation operation)
+{
+  return add_step(p, at, (struct formula_step){ .operation = operation });
+}
+
+/* The next character that is no blank */
+static char next(struct parser *p)
+{
+  p->at += strspn(p->at, " \t");
+  return *p->at;
+}
+
+/* Where a decimal number ends; at itself: there is none. */
+static const char *end_of_number(const char *at)
+{
+  static const char digits[] = "0123456789";
+  const char *whole = at + strspn(at, digits), *end = *whole == '.' ? whole + 1 + strspn(whole + 1, digits) : whole;
+  if (end == at + (*at == '.')) /* no digit */
+    return at;
+  if (*end == 'e' || *end == 'E') {
+    const char *exponent = end + 1 + (end[1] == '+' || end[1] == '-');
+    if (isdigit((unsigned char)*exponent))
+      end = exponent + strspn(exponent, digits);
+  }
+  return end;
+}
+
+static bool read_number(struct parser *p)
+{
+  const char *start = p->at, *end = end_of_number(start);
+  char *read;
+  double number = strtod(start, &read);
+  if (end == start)
+    return fail(p, start, "there is no digit beside the point");
+  if (read != end) /* 0x10 */
+    return fail(p, start, "a number is decimal, as 16 or 1.6e1");
+  size_t zeros = strspn(start, "0.");
+  bool is_zero = start + zeros >= end || tolower((unsigned char)start[zeros]) == 'e';
+  if (end - start >= FORMULA_DIGITS)
+    return fail(p, start, "a number of %ld characters: it may have %d", (long)(end - start), FORMULA_DIGITS - 1);
+  if (isinf(number) || (number == 0 && !is_zero))
+    return fail(p, start, "the number is too %s for a double", number == 0 ? "small" : "large");
+  p->at = end;
+  return add_step(p, start,
+                  (struct formula_step){ .operation = FORMULA_NUMBER, .length = (int)(end - start), .number = number });
+}
+
+/* FORMULA_NUMBER: there is none of this name. */
+static enum formula_operation function_named(const char *name)
+{
+  for (int i = FORMULA_ABS; i <= FORMULA_MAX; i++)
+    if (strcmp(texts[i], name) == 0)
+      return (enum formula_operation)i;
+  return FORMULA_NUMBER;
+}
+
+static bool read_sum(struct parser *p);
+
+/* After the parenthesis at open */
+static bool read_close(struct parser *p, const char *open)
+{
+  char c = next(p);
+  if (c == '\0')
+    return fail(p, open, "this '(' is not closed");
+  if (c != ')')
+    return fail_here(p, c == ',' ? "a function is missing" : "an operator or ')' is missing");
+  p->at++;
+  return true;
+}
+
+/* Of two arguments the operation is one step, of three two */
+static bool read_arguments(struct parser *p, enum formula_operation function, const char *start)
+{
+  const char *open = p->at;
+  bool of_many = function >= FORMULA_MIN;
+  int count = 0;
+  do {
+    p->at++;
+    if (!read_sum(p) || (of_many && count > 0 && !add(p, start, function)))
+      return false;
+    count++;
+  } while (next(p) == ',');
+  if (!read_close(p, open))
+    return false;
+  if (of_many ? count < 2 : count != 1)
+    return fail(p, start, "%s takes %s, not %d", texts[function], of_many ? "two arguments or more" : "one argument", count);
+  return of_many || add(p, start, function);
+}
+
+static bool fail_name(const struct parser *p, const char *start, const char *name)
+{
+  const char *near = p->names->nearest ? p->names->nearest(p->names->context, name) : NULL;
+  if (function_named(name) != FORMULA_NUMBER)
+    return fail(p, start, "'%s' is no quantity but a function: '(' is missing after it", name);
+  return fail(p, start, "'%s' is no quantity known here%s%s%s", name, near ? ": did you mean '" : "", near ? near : "",
+              near ? "'?" : "");
+}
+
+static bool read_name(struct parser *p)
+{
+  const char *start = p->at;
+  char name[FORMULA_NAME];
+  size_t length = 0;
+  while (is_in_name(start[length]))
+    length++;
+  if (length >= FORMULA_NAME)
+    return fail(p, start, "a name of %zu characters: it may have %d", length, FORMULA_NAME - 1);
+  memcpy(name, start, length);
+  name[length] = '\0';
+  p->at += length;
+  enum formula_operation function = function_named(name);
+  if (next(p) == '(')
+    return function != FORMULA_NUMBER ? read_arguments(p, function, start)
+                                      : fail(p, start, "'%s' is no function: there are %s", name, functions);
+  int place = p->names->place(p->names->context, name);
+  if (place >= 0)
+    return add_step(p, start, (struct formula_step){ .operation = FORMULA_QUANTITY, .place = place });
+  return strcmp(name, "pi") == 0 ? add(p, start, FORMULA_PI) : fail_name(p, start, name);
+}
+
+static bool read_value(struct parser *p)
+{
+  char c = next(p);
+  const char *open = p->at;
+  if (isdigit((unsigned char)c) || c == '.')
+    return read_number(p);
+  if (isalpha((unsigned char)c))
+    return read_name(p);
+  if (c != '(')
+    return fail_here(p, "a number, a name or '(' is missing");
+  p->at++;
+  return read_sum(p) && read_close(p, open);
+}
+
+static bool read_factor(struct parser *p)
+{
+  bool is_negative = next(p) == '-';
+  const char *sign = p->at;
+  if (p->nested == FORMULA_NESTED)
+    return fail(p, sign, "too much within one another: %d parentheses, minus signs and powers are allowed", FORMULA_NESTED);
+  p->nested++;
+  p->at += is_negative;
+  bool read = is_negative ? read_factor(p) && add(p, sign, FORMULA_NEGATE) : read_value(p);
+  if (read && !is_negative && next(p) == '^') {
+    sign = p->at++;
+    read = read_factor(p) && add(p, sign, FORMULA_POWER);
+  }
+  p->nested--;
+  return read;
+}
+
+static bool read_product(struct parser *p)
+{
+  bool read = read_factor(p);
+  for (char c; read && ((c = next(p)) == '*' || c == '/');) {
+    const char *sign = p->at++;
+    read = read_factor(p) && add(p, sign, c == '*' ? FORMULA_MULTIPLY : FORMULA_DIVIDE);
+  }
+  return read;
+}
+
+static bool read_sum(struct parser *p)
+{
+  bool read = read_product(p);
+  for (char c; read && ((c = next(p)) == '+' || c == '-');) {
+    const char *sign = p->at++;
+    read = read_product(p) && add(p, sign, c == '+' ? FORMULA_ADD : FORMULA_SUBTRACT);
+  }
+  return read;
+}
+
+static bool read_all(struct parser *p)
+{
+  if (next(p) == '\0')
+    return fail(p, p->at, "there is no formula");
+  if (!read_sum(p))
+    return false;
+  switch (next(p)) {
+  case '\0': return true;
+  case ')': return fail(p, p->at, "this ')' closes nothing");
+  case ',': return fail(p, p->at, "this ',' is not between the arguments of a function");
+  default: return fail_here(p, "an operator is missing");
+  }
+}
+
+const char *formula_read(struct formula *formula, const char *text, const struct formula_names *names,
+                         char message[FORMULA_MESSAGE])
+{
+  struct parser p = { .at = text, .made.text = text, .names = names, .message = message };
+  if (!read_all(&p))
+    return message;
+  *formula = p.made;
+  return NULL;
+}
+
+int formula_places(const struct formula *formula, int places[FORMULA_STEPS])
+{
+  int count = 0;
+  for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end; s++) {
+    int i = 0;
+    if (s->operation != FORMULA_QUANTITY)
+      continue;
+    while (i < count && places[i] != s->place)
+      i++;
+    if (i == count)
+      places[count++] = s->place;
+  }
+  return count;
+}

@@ -1,0 +1,24 @@
+/* What holds in tables that need FLINT where an option is not given. --help prints these numbers, also where FLINT is not there. */
+#ifndef SCALLOP_DEFAULTS_H
+#define SCALLOP_DEFAULTS_H
+
+/* Digits of certified rows */
+#define CERTIFIED_DIGITS 30
+
+/* workprec: periods, and the seconds of --limit; the second of each with --quick */
+#define WORKPREC_T 1, 0.1, 0.01, 1e-3, 1e-4
+#define WORKPREC_QUICK_T 0.5, 0.01
+#define WORKPREC_LIMIT 1
+#define WORKPREC_QUICK_LIMIT 0.05
+
+/* stress: cases of each family */
+#define STRESS_CASES 1000
+#define STRESS_CHECK_STEADY 4
+#define STRESS_CHECK_PHASES 30
+#define STRESS_FULL_CASES 5000
+
+/* breakdown: the errors that series reach to, and those of maps */
+#define BREAKDOWN_TOLERANCES 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12
+#define BREAKDOWN_MAP_TOLERANCES 1e-2, 1e-6
+
+#endif

@@ -1,0 +1,90 @@
+/* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the first slowest; the
+ * products of a sweep follow one another. What a variable may set is one table (sweep.c). */
+#ifndef SCALLOP_SWEEP_H
+#define SCALLOP_SWEEP_H
+
+#include "compare/answers/point.h"
+#include "compare/answers/quantity.h"
+#include "compare/text/digits.h"
+#include "asymptotics/formula.h"
+
+enum {
+  SWEEP_GROUPS = 8,
+  SWEEP_VARIABLES = 8,
+  SWEEP_PRODUCTS = 16,
+  SWEEP_LABELS = QUANTITY_LABELS,
+  SWEEP_RANGE = 1000000, /* most values of a range */
+  SWEEP_WHY = 320
+};
+
+/* What a variable sets. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T when all else is set. */
+enum sweep_target {
+  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
+  TARGET_GAIT,
+  TARGET_V0,
+  TARGET_F1_OVER_F2,
+  TARGET_M1_OVER_M2,
+  TARGET_FROUDE,
+  TARGET_LABEL /* no parameter: a text beside the point */
+};
+
+struct sweep_end { /* of a range */
+  bool is_formula; /* of what is set further out */
+  double number;
+  struct formula formula;
+};
+
+struct sweep_variable {
+  const char *name, *sets; /* the parameter that it sets: F1 for F1_over_F2, T for froude, else its own name */
+  enum sweep_target target;
+  int place;          /* of a number among the crawler's, of a label among the labels */
+  long count;         /* values; 1: the same throughout its group */
+  double *numbers;    /* a list of numbers, or NULL */
+  const char **texts; /* a list of texts: labels, gaits, numbers as they were written (NULL: as a double), or NULL */
+  bool is_log;        /* a range */
+  bool needs_onset;   /* to know its ends: they are formulas of sticking_onset */
+  struct sweep_end from, to;
+};
+
+struct sweep_group {
+  int variables;
+  struct sweep_variable variable[SWEEP_VARIABLES];
+  long count;
+};
+struct sweep_product {
+  int groups;
+  struct sweep_group group[SWEEP_GROUPS];
+};
+struct sweep {
+  int products; /* at least one, which may have no groups: one point */
+  struct sweep_product *product;
+};
+
+/* Sets name, sets, target and place, but of a label. False: there is no such variable. */
+bool sweep_variable_of_name(struct sweep_variable *variable, const char *name);
+/* NULL, or what is wrong with a number of the variable, at the point. text: as it was written, or NULL. Lives until the next call. */
+const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, double x, const char *text);
+/* The variable of the product that sets the same as another one, or NULL. */
+const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
+/* The variables of all products, one after another: number i, or NULL after the last. */
+const struct sweep_variable *sweep_variable(const struct sweep *sweep, int i);
+long sweep_points(const struct sweep *sweep);
+long sweep_product_points(const struct sweep_product *product);
+void sweep_free(struct sweep *sweep);
+
+/* Where a sweep is: what is beside the point, and the numbers of the point as they are written. */
+struct swept {
+  const char *label[SWEEP_LABELS];       /* NULL: none */
+  double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan */
+  char why[SWEEP_WHY];                   /* the first value that is not allowed, or "" */
+  char written[CRAWLER_NUMBERS][DIGITS_TEXT], written_v0[DIGITS_TEXT];
+};
+/* The value of a formula at the point as it is so far */
+typedef double sweep_formula(void *context, const struct formula *formula);
+/* Moves point, which is where nothing varies, to index[g] in group g of the product. */
+void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,
+                sweep_formula *value, void *context);
+/* Advances index by one point. False: it was the last, and index is that of the first again. */
+bool sweep_next(const struct sweep_product *product, long index[SWEEP_GROUPS]);
+
+#endif

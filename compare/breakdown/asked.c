@@ -1,0 +1,75 @@
+#include "compare/breakdown/asked.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/command/options.h"
+
+enum { DOUBLE_DIGITS = 17 };
+/* Errors are known to some 1e-32. */
+static const double LEAST_TOLERANCE = 1e-20;
+
+const char *breakdown_source_text(enum breakdown_source source)
+{
+  static const char *const text[] = { "published", "derived", "limit" };
+  return text[source];
+}
+
+/* One of the names, or a complaint. */
+static bool is_one_of(const char *option, const char *given, const char *const *names)
+{
+  char all[200] = "";
+  size_t used = 0;
+  for (const char *const *n = names; *n; n++) {
+    if (!given || strcmp(given, *n) == 0)
+      return true;
+    used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", n == names ? "" : n[1] ? ", " : " or ", *n);
+  }
+  complain("breakdown", "--%s: '%.40s' is not allowed here: it takes %s%s", option, given, all,
+           did_you_mean(nearest(given, names)));
+  return false;
+}
+
+bool breakdown_quantity_read(enum quantity_id *quantity, const char *name, enum quantity_of of)
+{
+  const char *names[QUANTITIES + 1] = { NULL };
+  int n = 0;
+  for (int q = 0; q < QUANTITIES; q++)
+    if (quantity_rows[q].has_series && quantity_rows[q].of == of)
+      names[n++] = quantity_rows[q].name;
+  *quantity = quantity_of_name(name);
+  return is_one_of("quantity", name, names);
+}
+
+bool breakdown_is_sound(const struct options *o, enum quantity_of of)
+{
+  static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
+  enum quantity_id quantity;
+  if (!is_one_of("only", o->only, kinds) || (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, of)))
+    return false;
+  bool not_derived = o->has_source && strcmp(o->source, "derived") != 0;
+  if (o->has_order && not_derived) {
+    complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");
+    return false;
+  }
+  bool reaches = !o->only || strcmp(o->only, "reach") == 0, events = !reaches && strcmp(o->only, "event") == 0;
+  const char *idle = reaches                                    ? NULL
+                     : o->has_tolerance                         ? "tol"
+                     : o->quantity && events                    ? "quantity"
+                     : not_derived || (o->has_source && events) ? "source"
+                     : o->has_order                             ? "order"
+                                                                : NULL;
+  if (idle) {
+    complain("breakdown", "--%s has nothing to do with --only %s", idle, o->only);
+    return false;
+  }
+  if (o->digits > DOUBLE_DIGITS) {
+    complain("breakdown", "--digits: %ld is more than a double has: 1 to 17", o->digits);
+    return false;
+  }
+  if (o->has_tolerance && o->tolerance < LEAST_TOLERANCE) {
+    complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance);
+    return false;
+  }
+  return true;
+}

@@ -1,0 +1,25 @@
+/* What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another piece of the gait. */
+#ifndef SCALLOP_BREAKDOWN_EVENTS_H
+#define SCALLOP_BREAKDOWN_EVENTS_H
+
+#include "compare/answers/mode_change.h"
+
+enum { EVENT_TEXT = MODE_CHANGE_TEXT };
+
+struct event {
+  double T;
+  char what[EVENT_TEXT];
+  struct scallop_modes modes[2]; /* from here on                                                      */
+  const char *status;            /* how it is known: certified, binary128 or double                   */
+};
+struct events {
+  struct scallop_modes first[2]; /* the modes below the first event                                   */
+  double from, until;            /* searched: this range of T                                         */
+  long count;
+  struct event *event;
+};
+/* limit_modes: those for T -> 0, or "" where they are not known. */
+void events_find(struct events *events, const struct motion *motion, const char *limit_modes);
+void events_clear(struct events *events);
+
+#endif

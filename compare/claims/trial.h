@@ -1,0 +1,68 @@
+/* One motion that claims about an order are about: its expansion as T -> 0, and what a formula leaves out of that. Needs FLINT. Not
+ * public. */
+#ifndef SCALLOP_CLAIMS_TRIAL_H
+#define SCALLOP_CLAIMS_TRIAL_H
+
+#include "asymptotics/derived.h"
+#include "asymptotics/evaluate.h"
+#include "compare/claims/claims.h"
+
+/* Under which a formula is tested */
+struct condition {
+  enum scallop_setting setting; /* SCALLOP_MOVING_EXTENSION stands for any phase with a start velocity */
+  enum scallop_phase_kind kind;
+  const char *text;
+  bool inside;                                 /* assumed by the paper                                */
+  double v0;                                   /* in units of sqrt(L (F1 + F2)/M)                     */
+  bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
+  bool equal_forces;                           /* F2 = F1                                             */
+  bool reversed;                               /* the bodies exchange their roles against the paper   */
+};
+
+enum { TRIAL_IDENTITIES = 3, TRIAL_NUMBERS = 32 };
+
+/* The crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a reversed motion becomes one that the
+ * paper's formulas are for. */
+struct trial {
+  const struct condition *condition;
+  bool mirrored;
+  fmpq_t v0;
+  struct scallop_rational_crawler crawler; /* T is not used                                         */
+  struct expanded *expanded;               /* of the crawler                                                         */
+  /* of random crawlers with the same modes, with exact coefficients; NULL where there is none */
+  struct expanded *others[TRIAL_IDENTITIES];
+  /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL where pi does not come in */
+  struct expanded *numbers[TRIAL_NUMBERS];
+};
+/* False: it has no expansion in powers of T. To be cleared all the same. */
+bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
+                bool mirrored);
+void trial_clear(struct trial *m);
+/* The modes for T -> 0, as in "++ -+ ++ | ++ +- ++". */
+const char *trial_modes(const struct trial *m);
+
+/* What a formula leaves out: the derived expansion minus the formula. */
+struct proof {
+  bool found;  /* false: every coefficient below T^known vanishes                                    */
+  slong order; /* of the first coefficient that does not                                             */
+  slong known;
+  slong general;             /* that order for random crawlers; order where there are none                        */
+  struct series coefficient; /* a constant                                                            */
+  bool undecided;            /* a ball that holds 0 came before                                                  */
+};
+void proof_init(struct proof *p);
+void proof_clear(struct proof *p);
+/* A formula without a text is the leading term of the derived expansion. False: it has no expansion there. */
+bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *formula);
+/* The coefficient of a proof, of a power of a series */
+void proof_set_coefficient(struct proof *proof, const struct series *left_out, slong power);
+
+/* Of the crawler: the expansion of a quantity */
+bool trial_is_steady(const struct trial *m);
+const struct series *trial_series(const struct trial *m, enum scallop_quantity quantity);
+/* Of a steady state */
+slong trial_leading_power(const struct scallop_formula *formula);
+/* x to two significant digits: fractions stay readable, and nothing depends on a library's square root. */
+void trial_set_rounded(fmpq_t x, double value);
+
+#endif

@@ -1,0 +1,10 @@
+/* Scenes from the command line, for the commands that run some. */
+#ifndef SCALLOP_RUN_H
+#define SCALLOP_RUN_H
+
+#include "compare/scenes/scene.h"
+
+/* Reads all scenes, and only then runs them. */
+enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count);
+
+#endif

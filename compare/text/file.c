@@ -1,0 +1,135 @@
+#include "compare/text/file.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { NAME = 4096, LONGEST_HEAD = 200 };
+/* The names of temporary files, for what ends the process; "": the place is free. */
+static char unfinished[FILES_OPEN][NAME];
+
+static void remove_unfinished(void)
+{
+  for (int i = 0; i < FILES_OPEN; i++)
+    if (unfinished[i][0])
+      unlink(unfinished[i]);
+}
+
+static void end_by(int signal_number)
+{
+  remove_unfinished();
+  signal(signal_number, SIG_DFL);
+  raise(signal_number);
+}
+
+static void watch_for_the_end(void)
+{
+  static const int ends[] = { SIGHUP, SIGINT, SIGTERM };
+  static bool watched;
+  struct sigaction before, ours = { .sa_handler = end_by };
+  sigfillset(&ours.sa_mask);
+  if (!watched)
+    watched = atexit(remove_unfinished) == 0;
+  for (int i = 0; i < 3; i++) /* an ignored signal stays ignored, as nohup wants it */
+    if (sigaction(ends[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+      sigaction(ends[i], &ours, NULL);
+}
+
+/* The permissions of a new file */
+static mode_t usual_mode(void)
+{
+  mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+/* The name is noted before there is a file, so that no signal can miss it. */
+static int open_temporary(struct file *f, mode_t mode)
+{
+  char *slash = strrchr(f->target, '/'), *name = NULL;
+  int folder = slash ? (int)(slash + 1 - f->target) : 0;
+  for (int i = 0; i < FILES_OPEN && !name; i++)
+    name = unfinished[i][0] ? NULL : unfinished[i];
+  if (!name)
+    return EMFILE;
+  watch_for_the_end();
+  snprintf(name, NAME, "%.*s%.*s.scallop-XXXXXX", folder, f->target, LONGEST_HEAD, f->target + folder);
+  int descriptor = mkstemp(name);
+  f->stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+  int error = f->stream ? 0 : errno;
+  f->temporary = name;
+  if (f->stream)
+    (void)fchmod(descriptor, mode);
+  else if (descriptor >= 0) {
+    close(descriptor);
+    unlink(name);
+  }
+  return error;
+}
+
+static void forget(struct file *f)
+{
+  if (f->temporary)
+    f->temporary[0] = '\0';
+  free(f->target);
+  *f = (struct file){ .stream = NULL };
+}
+
+/* Renaming a file to a link such as /dev/stdout would replace what standard output held before. */
+static bool leads_to_standard_output(const char *path)
+{
+  struct stat link, there, standard;
+  return lstat(path, &link) == 0 && S_ISLNK(link.st_mode) && stat(path, &there) == 0 && fstat(STDOUT_FILENO, &standard) == 0
+         && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
+}
+
+int file_open(struct file *f, const char *path)
+{
+  struct stat there;
+  *f = (struct file){ .stream = stdout };
+  if (!path || leads_to_standard_output(path))
+    return 0;
+  bool exists = stat(path, &there) == 0;
+  if (!exists && (errno != ENOENT || lstat(path, &there) == 0)) /* a link to nothing is refused */
+    return errno;
+  if (exists && !S_ISREG(there.st_mode))
+    return (f->stream = fopen(path, "w")) ? 0 : errno;
+  if (exists && access(path, W_OK) != 0)
+    return errno;
+  f->target = exists ? realpath(path, NULL) : strdup(path);
+  int error = f->target ? open_temporary(f, exists ? there.st_mode & 07777 : usual_mode()) : errno;
+  if (error != 0)
+    forget(f);
+  return error;
+}
+
+/* A name may reach the disk before what it stands for, so that without fsync a power cut could leave an empty file in place of the
+ * earlier one; and of some file systems only fsync tells that the quota is full. EINVAL: there is no disk behind the file. */
+int file_flush(struct file *f)
+{
+  bool flushed = fflush(f->stream) == 0 && (!f->target || fsync(fileno(f->stream)) == 0 || errno == EINVAL);
+  return flushed ? 0 : errno;
+}
+
+/* Closing a copy of standard output tells what closing it would, and leaves it open. */
+static bool closes(FILE *stream)
+{
+  int copy = stream == stdout ? dup(STDOUT_FILENO) : -1;
+  return stream == stdout ? copy < 0 || close(copy) == 0 : fclose(stream) == 0;
+}
+
+int file_close(struct file *f, bool keep)
+{
+  int error = keep ? file_flush(f) : 0;
+  if (!closes(f->stream) && error == 0)
+    error = errno;
+  if (f->target && keep && error == 0 && rename(f->temporary, f->target) != 0)
+    error = errno;
+  if (f->target && (!keep || error != 0))
+    unlink(f->temporary);
+  forget(f);
+  return error;
+}

@@ -1,0 +1,29 @@
+/* Output that is complete or absent.
+ *
+ * A plain file is written under another name in its folder, TARGET.scallop-XXXXXX with six random characters (of a long name the first
+ * 200 bytes), is brought to the disk, and only then renamed to TARGET: until then an earlier TARGET stays, and two programs that write
+ * the same TARGET do not mix. A failure, exit, SIGHUP, SIGINT and SIGTERM remove the temporary file; SIGKILL, any other signal and a
+ * power cut can leave it. Standard output, a pipe or a device has nothing to replace and is written directly. */
+#ifndef SCALLOP_FILE_H
+#define SCALLOP_FILE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { FILES_OPEN = 64 }; /* temporary files at a time, opened and closed by one thread */
+
+struct file {
+  FILE *stream;    /* to write to                                                              */
+  char *target;    /* the file to replace, symbolic links followed; NULL: written directly      */
+  char *temporary; /* the name of the file until then                                          */
+};
+
+/* Opens path, or standard output where path is NULL or a link to what standard output goes to. An earlier file must be writable, and
+ * its permissions are kept. Returns 0, or an error as in errno: then nothing is left to close. */
+int file_open(struct file *file, const char *path);
+/* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
+int file_flush(struct file *file);
+/* Closes the file; keep: and a plain one replaces its target. Returns 0 or an error: then the earlier file stays. */
+int file_close(struct file *file, bool keep);
+
+#endif

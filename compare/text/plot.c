@@ -1,0 +1,175 @@
+#include "compare/text/plot.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include "compare/text/file.h"
+#include "compare/text/message.h"
+#include "compare/text/shipped.h"
+
+extern char **environ;
+
+const char *plot_kind(const char *file)
+{
+  static const char *const kinds[] = { "svg", "png", "pdf" };
+  const char *point = strrchr(file, '.');
+  for (int i = 0; point && i < 3; i++)
+    if (strcmp(point + 1, kinds[i]) == 0)
+      return kinds[i];
+  return NULL;
+}
+
+/* In double quotes a backslash and three octal digits are a byte; all but the plainest characters are written so. */
+static void put_quoted(FILE *to, const char *begin, const char *text)
+{
+  fprintf(to, "\"%s", begin);
+  for (const unsigned char *c = (const unsigned char *)text; *c; c++)
+    if (*c < 0x80 && (isalnum(*c) || strchr(" _./:+-=,()", *c)))
+      fputc(*c, to);
+    else
+      fprintf(to, "\\%03o", *c);
+  fputs("\"\n", to);
+}
+
+static void put_text(FILE *to, const char *name, const char *text)
+{
+  fprintf(to, "%s = ", name);
+  put_quoted(to, "", text ? text : "");
+}
+
+/* "./" keeps '<', '|', '-' and whatever else means no file to gnuplot off the first place. */
+static void put_path(FILE *to, const char *before, const char *path)
+{
+  fputs(before, to);
+  put_quoted(to, *path == '/' ? "" : "./", path);
+}
+
+static void put_columns(FILE *to, const char *name, const char *const *columns)
+{
+  int count = 0;
+  fprintf(to, "array %s_columns[%d]\n", name, PLOT_COLUMNS);
+  for (; columns[count]; count++) {
+    fprintf(to, "%s_columns[%d] = ", name, count + 1);
+    put_quoted(to, "", columns[count]);
+  }
+  fprintf(to, "%ss = %d\n", name, count);
+}
+
+static void put_script(FILE *to, const struct plot *p, const char *picture)
+{
+  put_path(to, "table = ", p->table);
+  put_path(to, "output_file = ", picture);
+  put_text(to, "kind", plot_kind(p->file));
+  put_text(to, "title", p->title);
+  put_text(to, "x_column", p->x);
+  put_columns(to, "y", p->y);
+  put_columns(to, "by", p->by);
+  fprintf(to, "log_x = %d\nlog_y = %d\n%s", p->log_x, p->log_y, shipped_text(shipped_scripts, "common"));
+  if (p->script)
+    put_path(to, "load ", p->script);
+  else
+    fputs(p->program ? p->program : shipped_text(shipped_scripts, "curves"), to);
+  fputs("unset output\n", to);
+}
+
+static bool fail(const struct plot *p, const char *command, const char *what, int error)
+{
+  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "", error != 0 ? strerror(error) : "");
+  return false;
+}
+
+/* Starts gnuplot with these for input and output. Returns an error, or 0. The script was opened first: said is not descriptor 0. */
+static int start(pid_t *process, FILE *script, FILE *said)
+{
+  static char name[] = "gnuplot", plain[] = "-d"; /* without the settings of the user */
+  char *const arguments[] = { name, plain, NULL };
+  posix_spawn_file_actions_t places;
+  int error = posix_spawn_file_actions_init(&places);
+  if (error != 0)
+    return error;
+  for (int to = 0; error == 0 && to < 3; to++)
+    error = posix_spawn_file_actions_adddup2(&places, fileno(to == 0 ? script : said), to);
+  if (error == 0)
+    error = posix_spawnp(process, name, &places, NULL, arguments, environ);
+  posix_spawn_file_actions_destroy(&places);
+  return error;
+}
+
+static bool ends_well(pid_t process)
+{
+  int status;
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR)
+      return false;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* Passes on what gnuplot said, line by line, without blank lines and those that point at a place in another. */
+static void pass_on(FILE *said, const char *command)
+{
+  enum { MOST_LINES = 20 };
+  char line[400];
+  rewind(said);
+  for (int count = 0; count < MOST_LINES && fgets(line, sizeof line, said);) {
+    line[strcspn(line, "\r\n")] = '\0';
+    for (char *c = line; *c; c++)
+      if ((unsigned char)*c < 0x20 || *c == 0x7f)
+        *c = *c == '\t' ? ' ' : '?';
+    if (line[strspn(line, " ^")] == '\0')
+      continue;
+    complain(command, "gnuplot: %s", line + strspn(line, " "));
+    count++;
+  }
+}
+
+static bool run(const struct plot *p, const char *command, FILE *script, FILE *said, const struct file *picture)
+{
+  pid_t process;
+  struct stat there;
+  put_script(script, p, picture->temporary);
+  if (fflush(script) != 0 || ferror(script) || fseek(script, 0, SEEK_SET) != 0)
+    return fail(p, command, "cannot write a temporary file", errno);
+  int error = start(&process, script, said);
+  if (error == ENOENT)
+    return fail(p, command, "gnuplot is not installed (Debian: gnuplot-nox); the tables are written", 0);
+  if (error != 0)
+    return fail(p, command, "cannot run gnuplot", error);
+  bool well = ends_well(process);
+  if (!well || p->script)
+    pass_on(said, command);
+  if (!well)
+    return fail(p, command, "gnuplot has failed", 0);
+  return (fstat(fileno(picture->stream), &there) == 0 && there.st_size > 0)
+         || fail(p, command, "gnuplot has drawn nothing", 0);
+}
+
+static bool draw(const struct plot *p, const char *command, FILE *script, FILE *said)
+{
+  struct file picture;
+  int error = file_open(&picture, p->file);
+  if (error != 0)
+    return fail(p, command, "cannot write it", error);
+  bool drawn = run(p, command, script, said, &picture);
+  error = file_close(&picture, drawn);
+  return drawn && (error == 0 || fail(p, command, "cannot write it", error));
+}
+
+/* Through files that have no name: a pipe could wait for a reader that waits itself. */
+bool plot_draw(const struct plot *p, const char *command)
+{
+  struct stat there;
+  if (stat(p->file, &there) == 0 && !S_ISREG(there.st_mode))
+    return fail(p, command, "there is something of this name that is no file", 0);
+  FILE *script = tmpfile(), *said = script ? tmpfile() : NULL;
+  bool drawn = said ? draw(p, command, script, said) : fail(p, command, "no temporary file", errno);
+  if (script)
+    fclose(script);
+  if (said)
+    fclose(said);
+  return drawn;
+}

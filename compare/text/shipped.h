@@ -1,0 +1,20 @@
+/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/embed.sh writes them. */
+#ifndef SCALLOP_SHIPPED_H
+#define SCALLOP_SHIPPED_H
+
+struct shipped {
+  const char *name, *text;
+};
+/* The last of each list has name NULL. */
+extern const struct shipped shipped_scenes[];     /* data/scenes/                                                      */
+extern const struct shipped shipped_scripts[];    /* gnuplot scripts: common, curves, figure2 to figure5                  */
+extern const struct shipped shipped_completion[]; /* scripts/completion.bash alone                                    */
+extern const struct shipped shipped_ledger[];     /* data/claims.tsv; only in the program that has FLINT               */
+
+/* The text called name ("figure4"), or NULL. */
+const char *shipped_text(const struct shipped *list, const char *name);
+
+/* The name of one that is near, or NULL. */
+const char *shipped_near(const struct shipped *list, const char *name);
+
+#endif

@@ -1,0 +1,51 @@
+/* Tables as text: TSV files, or columns between blanks, one row at a time.
+ *
+ * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is
+ * dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault. */
+#ifndef SCALLOP_TSV_H
+#define SCALLOP_TSV_H
+
+#include <stdbool.h>
+
+#include "compare/text/lines.h"
+
+enum { TSV_CELLS = 256, TSV_MESSAGE = 480 };
+
+enum tsv_style {
+  TSV_TABS, /* each tab ends a cell                                                                            */
+  TSV_WORDS /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of theirs */
+};
+
+struct tsv {
+  struct lines lines; /* the current line's number                                  */
+  const char *name;   /* of the file, for messages                                   */
+  enum tsv_style style;
+  const char *fault; /* of the current row: why it cannot be read, or NULL          */
+  int count;         /* cells of the current row                                    */
+  char *cell[TSV_CELLS];
+  int columns; /* of the header, 0: none was read                                   */
+  char *column[TSV_CELLS];
+  char *header; /* what they point into                                             */
+  char message[TSV_MESSAGE];
+};
+
+/* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
+bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style);
+/* The same for a text, of which a copy is kept, with all cells until tsv_close; name is for messages. False: out of memory. */
+bool tsv_open_text(struct tsv *tsv, const char *name, const char *text);
+void tsv_close(struct tsv *tsv);
+
+/* Goes on to the next row, and splits it unless it has a fault. False: there is none, or the file cannot be read (tsv_error). */
+bool tsv_next(struct tsv *tsv);
+/* "cannot read FILE: why", or NULL. */
+const char *tsv_error(struct tsv *tsv);
+
+/* Takes the current row as the header: names of columns, without blanks and quotes around them. False: out of memory */
+bool tsv_take_header(struct tsv *tsv);
+/* The place of a column, or -1. */
+int tsv_column(const struct tsv *tsv, const char *name);
+
+/* "FILE:LINE: text", of the current row. It lives until the next call. */
+const char *tsv_at(struct tsv *tsv, const char *format, ...) __attribute__((format(printf, 2, 3), returns_nonnull));
+
+#endif

@@ -1,0 +1,94 @@
+/* claims --check against a ledger with a verdict of its own, a row less and a row more: all three are found, and nothing else. */
+#include "tests/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/claims/claims.h"
+#include "compare/command/compare.h"
+#include "compare/text/shipped.h"
+#include "tests/said.h"
+#include "tests/scratch_folder.h"
+
+static const char file[] = "differences.tsv";
+
+/* In the ledger of the tool the first row about the quadratic gait that holds is upset, and the next one is called otherwise. */
+static void change(char *text)
+{
+  for (char *line = text; *line; line = strchr(line, '\n') + 1) {
+    char *gait = strstr(line, "\tquadratic\t"), *holds = strstr(line, "\tholds\t"), *end = strchr(line, '\n');
+    if (!gait || !holds || gait > end || holds > end)
+      continue;
+    for (int i = 0; i < 5; i++)
+      holds[1 + i] = "upset"[i];
+    end[1] = 'X';
+    return;
+  }
+  fail_msg("no row of the quadratic gait holds");
+}
+
+static enum exit_code check(const char *ledger, char *table, size_t size, struct said *said)
+{
+  struct options options;
+  options_initial(&options, &command_claims);
+  options.check = options.point.has_gait = true;
+  options.output = file;
+  said_begin(said);
+  enum exit_code code = claims_check(&options, ledger);
+  said_end(said);
+  FILE *written = fopen(file, "r");
+  assert_non_null(written);
+  table[fread(table, 1, size - 1, written)] = '\0';
+  fclose(written);
+  remove(file);
+  return code;
+}
+
+static void differences_are_found(void **state)
+{
+  (void)state;
+  enum { TABLE = 4000 };
+  char table[TABLE], *text = strdup(shipped_text(shipped_ledger, "claims"));
+  struct said said;
+  assert_non_null(text);
+  change(text);
+  assert_int_equal(check(text, table, TABLE, &said), EXIT_CHECK_FAILED);
+  assert_non_null(strstr(said.text, " verdicts, 3 differ from the ledger that comes with the tool\n"));
+  const char *rows = strstr(table, "committed_order\n");
+  assert_non_null(rows);
+  rows += strlen("committed_order\n");
+  int lines = 0, upset = 0, unknown = 0, gone = 0;
+  for (const char *line = rows; *line; line = strchr(line, '\n') + 1, lines++) {
+    const char *end = strchr(line, '\n');
+    assert_non_null(end);
+    const char *verdict = strstr(line, "\tholds\t"), *was = strstr(line, "\tupset\t");
+    upset += verdict && was && verdict < was && was < end;
+    unknown += *line != 'X' && strncmp(end - 4, "\t-\t-", 4) == 0;
+    gone += *line == 'X' && strstr(line, "\t-\t-\t") && strstr(line, "\t-\t-\t") < end;
+  }
+  assert_int_equal(lines, 3);
+  assert_int_equal(upset, 1);
+  assert_int_equal(unknown, 1);
+  assert_int_equal(gone, 1);
+  free(text);
+}
+
+static void a_text_that_is_no_ledger(void **state)
+{
+  (void)state;
+  struct options options;
+  struct said said;
+  options_initial(&options, &command_claims);
+  said_begin(&said);
+  enum exit_code code = claims_check(&options, "h\terr\n1\t2\n");
+  assert_string_equal(said_end(&said),
+                      "scallop claims: the ledger that comes with the tool:1: there is no column 'claim'\n");
+  assert_int_equal(code, EXIT_UNSOLVED);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = { cmocka_unit_test(differences_are_found), cmocka_unit_test(a_text_that_is_no_ledger) };
+  return cmocka_run_group_tests_name("claims_check", tests, scratch_begin, scratch_end);
+}
