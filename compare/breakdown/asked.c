@@ -25,9 +25,8 @@ static bool is_one_of(const char *option, const char *given, const char *const *
       return true;
     used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", n == names ? "" : n[1] ? ", " : " or ", *n);
   }
-  const char *near = nearest(given, names);
-  complain("breakdown", "--%s: '%.40s' is not allowed here: it takes %s%s%s%s", option, given, all,
-           near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
+  complain("breakdown", "--%s: '%.40s' is not allowed here: it takes %s%s", option, given, all,
+           did_you_mean(nearest(given, names)));
   return false;
 }
 

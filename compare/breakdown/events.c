@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
+#include "compare/answers/halfway.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/grow.h"
 
@@ -87,11 +88,11 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
   *out = (struct signature){ .part = { 0 } };
   if (!answer_in_double(a, &m))
     return false;
-  const double v[2] = { m.of == OF_STEADY ? a->value[Q_V_START].high : m.v0, a->value[Q_V_MID].high };
   for (int phase = 0; phase < phases_of(&m); phase++) {
     struct collector collector = { f, out, phase };
+    double v = m.of == OF_PHASE ? m.v0 : a->value[phase == 0 ? Q_V_START : Q_V_MID].high;
     a->modes[phase].count = 0;
-    if (scallop_phase_intervals(&m.crawler, kind_of(&m, phase), v[phase], collect, &collector) < 0)
+    if (scallop_phase_intervals(&m.crawler, kind_of(&m, phase), v, collect, &collector) < 0)
       return false;
   }
   return true;
@@ -116,7 +117,7 @@ static bool settle(double *low, double *high, const struct motion *m, const stru
 {
   if (!is_in_wide(m, *low, before) || !is_in_wide(m, *high, after))
     return false;
-  for (double T; (T = *low + (*high - *low) / 2) > *low && T < *high;)
+  for (double T; halfway(&T, *low, *high);)
     *(is_in_wide(m, T, before) ? low : high) = T;
   return true;
 }
@@ -163,7 +164,7 @@ static void describe(struct event *e, const struct motion *m, const struct signa
 static double settle_place(const struct finder *f, double low, double high, const struct signature *before)
 {
   struct signature middle;
-  for (double T; (T = low + (high - low) / 2) > low && T < high && signature_at(&middle, f, T);)
+  for (double T; halfway(&T, low, high) && signature_at(&middle, f, T);)
     *(same(&middle, before) ? &low : &high) = T;
   return low;
 }

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "compare/answers/halfway.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
 
@@ -257,7 +258,7 @@ static double exact_in_wide(const struct comparison *c, double T)
 static double zero_between(const struct comparison *c, double low, double high)
 {
   double sign = copysign(1, exact_in_wide(c, low));
-  for (double T; (T = low + (high - low) / 2) > low && T < high;)
+  for (double T; halfway(&T, low, high);)
     *(sign * exact_in_wide(c, T) > 0 ? &low : &high) = T;
   return low;
 }

@@ -54,9 +54,7 @@ const char *axis_read(struct axis *axis, const char *name, const char *range)
   while (names[kind] && strcmp(name, names[kind]) != 0 && strcmp(name, in_scenes[kind]) != 0)
     kind++;
   if (!names[kind]) {
-    const char *near = nearest(name, names);
-    snprintf(takes, sizeof takes, "F1/F2, m1/m2, alpha, T or froude%s%s%s", near ? ": did you mean '" : "", near ? near : "",
-             near ? "'?" : "");
+    snprintf(takes, sizeof takes, "F1/F2, m1/m2, alpha, T or froude%s", did_you_mean(nearest(name, names)));
     return not_allowed(name, takes);
   }
   struct axis a = { .kind = (enum axis_kind)kind, .log = kind != AXIS_ALPHA };
