@@ -377,6 +377,13 @@ for r in read("friction.tsv"):
     if not near(number(r, "friction_work"), number(r, "derived_8.friction_work"), 1e-6):
         bad("the series is far off", r)
 E2
+scene half.cfg <<'E2'
+crawler = { alpha = 0.5; gait = "trapezoidal:0.3,0.1,0.2,0.4"; };
+vary = ( { T = { from = 1e-3; to = 0.1; count = 9; spacing = "log"; }; } );
+want = ( { what = "orders"; of = [ "derived_3.cost_of_transport", "derived_4.cost_of_transport" ]; accuracy = 1e-40; } );
+E2
+run 0 run half.cfg
+[ "$(cells out order | cut -c 1-4 | tr '\n' ' ')" = "4.00 4.00 " ] || note "a displacement that begins with T^2: $(cells out order | tr '\n' ' ')"
 scene still.cfg <<'E2'
 crawler = { F1 = 2; F2 = 2; L = 10; };
 want = ( { what = "steady"; columns = [ "friction_work", "cost_of_transport", "certified.friction_work", "certified.cost_of_transport", "derived_4.friction_work",

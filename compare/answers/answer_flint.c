@@ -158,7 +158,7 @@ void series_answer_clear(struct series_answer *a)
   series_clear(&a->cost);
 }
 
-/* NULL: the displacement is 0, or begins later than the ring ends. */
+/* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL: it is 0, or begins later. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
                                         slong precision)
 {
@@ -210,7 +210,7 @@ bool answer_in_series(struct series_answer *a, const struct scallop_rational_cra
                       enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision)
 {
   a->why = NULL;
-  a->status = of == OF_STEADY ? scallop_expand_steady(c, order, precision, &a->steady, &a->why)
+  a->status = of == OF_STEADY ? scallop_expand_steady(c, order + order % 2, precision, &a->steady, &a->why)
                               : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
   take_expansions(a, of);
   a->value[Q_COST_OF_TRANSPORT] = of == OF_STEADY && a->status == SCALLOP_OK ? cost_series(a, c, order, precision) : NULL;
