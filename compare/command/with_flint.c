@@ -8,7 +8,7 @@
 #include "compare/claims/claims.h"
 #include "compare/maps/maps.h"
 #include "compare/stress/stiff.h"
-#include "compare/stress/stress.h"
+#include "compare/stress/table.h"
 #include "compare/workprec/workprec.h"
 
 const struct with_flint with_flint = { .answer_in_decimals = answer_in_decimals,
