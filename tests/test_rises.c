@@ -12,10 +12,10 @@ static void judge(const struct stress_case *stressed)
   j.only_error = true;
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     if (stress_broken(&j, q)) {
+      const struct stress_number *n = &j.number[q];
       stress_arguments(stressed, text);
       print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n",
-                  stress_quantity_name(stressed->kind, q), j.number[q].got, j.number[q].exact,
-                  j.number[q].error / j.number[q].unit, j.number[q].unit / j.number[q].ulp, text);
+                  stress_quantity_name(stressed->kind, q), n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
       fail();
     }
 }

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/options.h"
+#include "compare/answers/point.h"
+#include "compare/text/message.h"
 
 enum { MOST_ORDER = 1000, CANDIDATES = 160 };
 

@@ -4,7 +4,7 @@
 
 #include "compare/text/message.h"
 
-struct options;
-enum exit_code stress_stiff(const struct options *options);
+struct stress_options;
+enum exit_code stress_stiff(const struct stress_options *options);
 
 #endif

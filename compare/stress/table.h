@@ -3,12 +3,19 @@
 #ifndef SCALLOP_STRESS_TABLE_H
 #define SCALLOP_STRESS_TABLE_H
 
+#include "compare/answers/points.h"
 #include "compare/text/message.h"
+#include "compare/text/values.h"
 
-struct options;
+struct stress_options {
+  struct request request;
+  const char *family;             /* the only one, or NULL */
+  struct given_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
+  bool check, full, stiff, quick, summary;
+};
 /* The table of families. */
-enum exit_code stress_table(const struct options *options);
+enum exit_code stress_table(const struct stress_options *options);
 /* The table of one point. */
-enum exit_code stress_point(const struct options *options);
+enum exit_code stress_point(const struct stress_options *options);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "compare/answers/defaults.h"
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
 #include "compare/workprec/measure.h"
 #include "compare/workprec/methods.h"
 #include "compare/workprec/rivals.h"
@@ -20,7 +20,7 @@ static const char *const columns[] = {
 };
 
 struct run {
-  const struct options *options;
+  const struct workprec_options *options;
   struct reference references[MOST_REFERENCES];
   int count;
   double limit;
@@ -31,7 +31,7 @@ struct run {
 
 static const char *add_reference(struct run *r, const struct scallop_gait *gait, double T)
 {
-  struct scallop_crawler c = r->options->point.crawler;
+  struct scallop_crawler c = r->options->request.point.crawler;
   assert(r->count < MOST_REFERENCES);
   c.gait = gait;
   c.T = T;
@@ -42,12 +42,13 @@ static const char *add_reference(struct run *r, const struct scallop_gait *gait,
 static bool make_references(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
-  const struct options *o = r->options;
-  bool one = o->point.written[5] != NULL; /* T */
-  const double *T = one ? &o->point.crawler.T : o->quick ? few : all;
+  const struct workprec_options *o = r->options;
+  bool one = o->request.point.written[5] != NULL; /* T */
+  const double *T = one ? &o->request.point.crawler.T : o->quick ? few : all;
   int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
-  for (int g = 0; o->point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    const struct scallop_gait *gait = o->point.has_gait ? o->point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
+  for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    const struct scallop_gait *gait = o->request.point.has_gait ? o->request.point.crawler.gait
+                                                                : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; i < times; i++) {
       const char *why = add_reference(r, gait, T[i]);
       if (why)
@@ -74,14 +75,14 @@ static double call_cost(const struct stopwatch_clock *clock)
 
 static bool begin(struct run *r)
 {
-  const struct options *o = r->options;
+  const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
   struct table *t = &r->table;
-  if (!table_open(t, o))
+  if (!table_open(t, &o->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "", r->limit);
-  table_parameters(t, o, columns_of_points, false);
+  note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
   if (o->summary)
@@ -146,13 +147,13 @@ static void measure(struct run *r, struct settings *settings)
   progress_end(&r->progress);
 }
 
-enum exit_code workprec_table(const struct options *options)
+enum exit_code workprec_table(const struct workprec_options *options)
 {
   struct run r = { .options = options,
-                   .progress = progress_begin(options->quiet),
-                   .limit = options->limit > 0 ? options->limit
-                            : options->quick   ? WORKPREC_QUICK_LIMIT
-                                               : WORKPREC_LIMIT };
+                   .progress = progress_begin(options->request.style.quiet),
+                   .limit = options->limit.value > 0 ? options->limit.value
+                            : options->quick         ? WORKPREC_QUICK_LIMIT
+                                                     : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
   struct settings *settings = calloc(1, sizeof *settings);
   if (!settings)
