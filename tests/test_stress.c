@@ -310,7 +310,7 @@ static void condition_numbers(void **state)
   CHECK_AT_MOST(j.number[0].error, 2 * j.number[0].ulp);
 }
 
-/* A judge who never says no is none. */
+/* Each broken promise is reported. */
 static void sees_what_is_wrong(void **state)
 {
   (void)state;

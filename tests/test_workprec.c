@@ -1,4 +1,4 @@
-/* compare/workprec_measure on settings made up for it: who is on the front, what is an error, what is said of those without an answer. */
+/* compare/workprec on settings made up for it: the front, errors, the cheapest setting, and settings without an answer. */
 #include <stdlib.h>
 #include <time.h>
 

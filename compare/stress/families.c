@@ -27,7 +27,7 @@ static double period_for(const struct scallop_crawler *c, double eps)
 /* Sets T for an eps of so many decades. */
 static void set_eps(struct scallop_crawler *c, double x, double lo, double hi) { c->T = period_for(c, decades(x, lo, hi)); }
 
-/* Nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
+/* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
 static void calm(struct scallop_crawler *c, const double *x)
 {
   c->m1 = decades(x[0], -1, 1);
@@ -41,7 +41,7 @@ static void calm(struct scallop_crawler *c, const double *x)
 
 static bool ordinary(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
+  (void)s, (void)x;
   return true;
 }
 
@@ -55,7 +55,6 @@ static void spread(double *a, double *b, double x)
 
 static bool masses(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   spread(&s->crawler.m1, &s->crawler.m2, x[7]);
   set_eps(&s->crawler, x[6], -6, 6);
   return true;
@@ -63,7 +62,6 @@ static bool masses(struct stress_case *s, const double *x)
 
 static bool forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   spread(&s->crawler.F1, &s->crawler.F2, x[7]);
   set_eps(&s->crawler, x[6], -6, 6);
   return true;
@@ -71,7 +69,6 @@ static bool forces(struct stress_case *s, const double *x)
 
 static bool masses_and_forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   spread(&s->crawler.m1, &s->crawler.m2, x[7]);
   spread(&s->crawler.F1, &s->crawler.F2, x[8]);
   set_eps(&s->crawler, x[6], -12, 12);
@@ -80,21 +77,18 @@ static bool masses_and_forces(struct stress_case *s, const double *x)
 
 static bool equal_forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
   return true;
 }
 
 static bool equal_phases(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.alpha = 0.5 + 0.5 * small(x[7]);
   return true;
 }
 
 static bool equal_both(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
   s->crawler.alpha = 0.5 + 0.5 * small(x[8]);
   return true;
@@ -102,7 +96,6 @@ static bool equal_both(struct stress_case *s, const double *x)
 
 static bool short_phase(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9);
   set_eps(&s->crawler, x[6], -6, 20);
   return true;
@@ -116,7 +109,6 @@ static bool is_in(const struct stress_case *s, enum scallop_regime regime)
 
 static bool small_period(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   double onset = period_for(&s->crawler, 4 * fmin(s->crawler.alpha, 1 - s->crawler.alpha));
   s->crawler.T = decades(x[6], -100, log10(onset));
   return is_in(s, SCALLOP_SLIDING);
@@ -124,7 +116,6 @@ static bool small_period(struct stress_case *s, const double *x)
 
 static bool deep_stick_slip(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   spread(&s->crawler.F1, &s->crawler.F2, x[7]);
   s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
   set_eps(&s->crawler, x[6], 0.5, 9);
@@ -133,7 +124,6 @@ static bool deep_stick_slip(struct stress_case *s, const double *x)
 
 static bool at_rest(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   set_eps(&s->crawler, x[6], 0.5, 30);
   return is_in(s, SCALLOP_AT_REST);
 }
@@ -152,7 +142,6 @@ static void scale(struct scallop_crawler *c, const double *x, double most)
 static bool units(struct stress_case *s, const double *x)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
   scale(c, x, 150);
   set_eps(c, x[6], -6, 2.5);
   return c->T > 0 && isfinite(c->T);
@@ -162,7 +151,6 @@ static bool units(struct stress_case *s, const double *x)
 static bool range(struct stress_case *s, const double *x)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
   scale(c, x, 306);
   if (x[6] < 0.5)
     set_eps(c, 2 * x[6], -300, 300);
@@ -245,7 +233,6 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
   set_eps(c, x[6], -1.5, 2.5);
   switch ((int)(4 * x[7])) {
   case 0: return approach(s, &c->T, c->T * decades(x[8], -1, 1), kind, x[9]);
@@ -267,24 +254,17 @@ static double phase_velocity(const struct stress_case *s)
 static void choose_phase(struct stress_case *s, double x) { s->phase = x < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION; }
 
 /* From rest, or with velocities up to twice the largest |l'| */
-static bool from_any_velocity(struct stress_case *s, const double *x)
+static bool phase_ordinary(struct stress_case *s, const double *x)
 {
   choose_phase(s, x[7]);
   s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
   return true;
 }
 
-static bool phase_ordinary(struct stress_case *s, const double *x)
-{
-  calm(&s->crawler, x);
-  return from_any_velocity(s, x);
-}
-
 static bool phase_small_period(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.T = decades(x[6], -100, 0);
-  return from_any_velocity(s, x);
+  return phase_ordinary(s, x);
 }
 
 static bool phase_range(struct stress_case *s, const double *x)
@@ -298,7 +278,6 @@ static bool phase_range(struct stress_case *s, const double *x)
 
 static bool phase_velocities(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   choose_phase(s, x[7]);
   s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
   return true;
@@ -314,7 +293,6 @@ static bool phase_wild(struct stress_case *s, const double *x)
 
 static bool phase_boundaries(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   choose_phase(s, 2 * fmod(x[7], 0.5));
   s->v0 = x[7] < 0.25 ? 0 : between(x[8], -2, 2) * phase_velocity(s);
   enum boundary kind = x[7] < 0.5 ? STICKING : OTHER_MODES;
@@ -327,7 +305,6 @@ static bool phase_boundaries(struct stress_case *s, const double *x)
 static bool trajectory(struct stress_case *s, const double *x)
 {
   struct scallop_steady_result r;
-  calm(&s->crawler, x);
   set_eps(&s->crawler, x[6], -6, 0);
   if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
     return false;
@@ -404,6 +381,7 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
         x[i] = fmod(x[i] + shift[i], 1);
       *c = (struct stress_case){ .kind = family->kind };
       c->crawler.gait = gait;
+      calm(&c->crawler, x);
       made += family->make(c, x);
     }
   gsl_qrng_free(sequence);

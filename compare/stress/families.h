@@ -19,7 +19,8 @@ struct motion stress_motion(const struct stress_case *stressed);
 struct stress_family {
   const char *name, *about;
   enum stress_kind kind;
-  /* Sets the case, in which the gait is set already, from quasi-random x[STRESS_DIMENSIONS] in [0, 1). False: x gives none. */
+  /* Changes an ordinary case, made from x[0] to x[6], into one of the family. x[STRESS_DIMENSIONS] is quasi-random in [0, 1). False: x
+   * gives none. */
   bool (*make)(struct stress_case *stressed, const double *x);
 };
 enum { STRESS_DIMENSIONS = 10 };

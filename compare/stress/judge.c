@@ -255,7 +255,8 @@ void stress_judge(const struct stress_case *s, struct stress_judgement *j)
   struct solutions all;
   double unit[STRESS_QUANTITIES];
   *j = (struct stress_judgement){ .outcome = STRESS_SOLVED, .only_error = is_trajectory(s) };
-  if (!(is_trajectory(s) ? solve_to_its_end : solve_motion)(s, &all, j))
+  bool solved = is_trajectory(s) ? solve_to_its_end(s, &all, j) : solve_motion(s, &all, j);
+  if (!solved)
     return;
   find_units(s, 1, &all.wide[SCALLOP_BINARY128], unit);
   measure(s, &all, unit, j);
