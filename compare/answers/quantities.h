@@ -24,9 +24,13 @@ enum quantity_id {
   Q_DX2,
   Q_DXC,
   QUANTITIES,
+  /* Columns where their names are asked for: in double they take a second walk. */
+  Q_FRICTION_WORK = QUANTITIES,
+  Q_COST_OF_TRANSPORT,
+  NAMED_QUANTITIES,
   /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first and at the last
    * change of mode; v_end less v0; the velocity of a body that turns, 0. */
-  Q_AT_FIRST = QUANTITIES,
+  Q_AT_FIRST = NAMED_QUANTITIES,
   Q_AT_LAST,
   Q_CHANGE,
   Q_TURNING,
@@ -40,13 +44,13 @@ struct quantity_row {
   enum quantity_of of;
   bool has_series; /* in powers of T */
 };
-extern const struct quantity_row quantity_rows[QUANTITIES];
+extern const struct quantity_row quantity_rows[NAMED_QUANTITIES];
 
-/* The first of a motion and the one after its last: they stand together. */
+/* The columns of a motion: the first, and the one after the last; they stand together. */
 enum quantity_id quantity_first(enum quantity_of of);
 enum quantity_id quantity_end(enum quantity_of of);
 
-/* That of this name, or QUANTITIES. */
+/* That of this name, or NAMED_QUANTITIES. */
 enum quantity_id quantity_of_name(const char *name);
 
 /* What a formula of the paper is about, in a phase of this kind. */

@@ -57,7 +57,7 @@ static bool derived_named(struct quantity *q, const char *name)
   if (!dot)
     return false;
   q->which = (int)quantity_of_name(dot + 1);
-  if (q->which == QUANTITIES || !quantity_rows[q->which].has_series)
+  if (q->which == NAMED_QUANTITIES || !quantity_rows[q->which].has_series)
     return false;
   if (strncmp(name, "limit.", 6) == 0) {
     q->kind = QUANTITY_LIMIT;
@@ -101,12 +101,12 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
     }
   q->which = (int)quantity_of_name(name);
   q->kind = QUANTITY_ANSWER;
-  if (q->which < QUANTITIES)
+  if (q->which < NAMED_QUANTITIES)
     return true;
   if (strncmp(name, "certified.", 10) == 0) {
     q->kind = QUANTITY_CERTIFIED;
     q->which = (int)quantity_of_name(name + 10);
-    return q->which < QUANTITIES;
+    return q->which < NAMED_QUANTITIES;
   }
   return series_named(q, name);
 }
@@ -167,7 +167,7 @@ const char *quantity_near(const struct quantities *all, const char *name)
     names[n++] = single[i].name;
   for (int i = 0; i < all->labels; i++)
     names[n++] = all->label[i];
-  for (int i = 0; i < QUANTITIES; i++)
+  for (int i = 0; i < NAMED_QUANTITIES; i++)
     names[n++] = quantity_rows[i].name;
   for (const struct scallop_formula *f = scallop_published; f->name && n < CANDIDATES - 1; f++)
     names[n++] = f->name;

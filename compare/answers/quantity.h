@@ -3,6 +3,7 @@
  *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
  *     sticking_onset                              the longest period at which an extension from rest does not stick
  *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
+ *     friction_work cost_of_transport                                         likewise
  *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
  *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
