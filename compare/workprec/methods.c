@@ -307,52 +307,46 @@ static enum scallop_status solve_certified(struct setting *s, const struct scall
 
 enum { MOST_NUMBERS = 4, QUICK_NUMBERS = 3 };
 
+struct solver {
+  setting_solve *solve;
+  void *(*make)(const struct setting *setting); /* the memory, or NULL */
+  void (*release)(void *memory);
+};
+static const struct solver derived = { solve_derived, make_derived, release_derived };
+static const struct solver coefficients = { solve_coefficients, make_coefficients, free };
+static const struct solver exact = { solve_exact, NULL, NULL };
+static const struct solver batch = { solve_batch, make_batch, free };
+static const struct solver one_period = { solve_period, NULL, NULL };
+static const struct solver certified = { solve_certified, make_certified, release_certified };
+
 /* A setting for each number, of terms, digits or crawlers. */
 static const struct method {
   const char *name;
   enum method_kind kind;
+  const struct solver *solver;
   long numbers[MOST_NUMBERS]; /* 0: no more */
   const char *before, *after; /* the number in the setting's text; after NULL: the text does not print it */
-  setting_solve *solve;
-  void *(*make)(const struct setting *setting); /* the memory, or NULL */
-  void (*release)(void *memory);
-  int answers; /* to different crawlers, of one call; 0: 1 */
 } methods[] = {
-  { "limit", METHOD_FORMULA, { 1 }, "leading terms", NULL, solve_derived, make_derived, release_derived, 0 },
-  { "derived series",
-    METHOD_FORMULA,
-    { 4, 8, 16, MOST_TERMS },
-    "terms below T^",
-    "",
-    solve_derived,
-    make_derived,
-    release_derived,
-    0 },
-  { "derived series, coefficients known",
-    METHOD_OTHER,
-    { 4, 8, 16, MOST_TERMS },
-    "terms below T^",
-    "",
-    solve_coefficients,
-    make_coefficients,
-    free,
-    0 },
-  { "exact", METHOD_EXACT, { 1 }, "steady state", NULL, solve_exact, NULL, NULL, 0 },
-  { "exact, batch", METHOD_OTHER, { BATCH }, "each of ", ", one thread", solve_batch, make_batch, free, BATCH },
-  { "exact, one period", METHOD_OTHER, { 1 }, "from the steady velocity", NULL, solve_period, NULL, NULL, 0 },
-  { "certified", METHOD_EXACT, { 16, 50, 200 }, "", " digits", solve_certified, make_certified, release_certified, 0 },
+  { "limit", METHOD_FORMULA, &derived, { 1 }, "leading terms", NULL },
+  { "derived series", METHOD_FORMULA, &derived, { 4, 8, 16, MOST_TERMS }, "terms below T^", "" },
+  { "derived series, coefficients known", METHOD_OTHER, &coefficients, { 4, 8, 16, MOST_TERMS }, "terms below T^", "" },
+  { "exact", METHOD_EXACT, &exact, { 1 }, "steady state", NULL },
+  { "exact, batch", METHOD_OTHER, &batch, { BATCH }, "each of ", ", one thread" },
+  { "exact, one period", METHOD_OTHER, &one_period, { 1 }, "from the steady velocity", NULL },
+  { "certified", METHOD_EXACT, &certified, { 16, 50, 200 }, "", " digits" },
 };
 
 static void add(struct settings *settings, const struct reference *reference, const struct method *m, long number)
 {
-  struct setting *s = m->after ? settings_add(settings, reference, m->name, m->kind, m->solve, "%s%ld%s", m->before, number,
+  setting_solve *solve = m->solver->solve;
+  struct setting *s = m->after ? settings_add(settings, reference, m->name, m->kind, solve, "%s%ld%s", m->before, number,
                                               m->after)
-                               : settings_add(settings, reference, m->name, m->kind, m->solve, "%s", m->before);
+                               : settings_add(settings, reference, m->name, m->kind, solve, "%s", m->before);
   s->number = number;
-  s->share = m->answers > 0 ? 1.0 / m->answers : 1;
-  s->release = m->release;
-  if (m->make)
-    s->memory = m->make(s);
+  s->share = m->solver == &batch ? 1.0 / BATCH : 1;
+  s->release = m->solver->release;
+  if (m->solver->make)
+    s->memory = m->solver->make(s);
 }
 
 void methods_add(struct settings *settings, const struct reference *reference, bool quick)
