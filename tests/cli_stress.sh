@@ -3,7 +3,7 @@
 committed=$(cd "$(dirname "$0")/.." && pwd)/data/stress.tsv
 . tests/common.sh
 
-# ---- the gate: every promise of accuracy, on few cases of every family and of every kind of gait ----
+# the gate: every promise of accuracy, on few cases of every family and of every kind of gait
 run 0 stress --check --quiet
 cp out check.tsv
 {
@@ -33,7 +33,7 @@ for r in rows:
 END
 finish "stress --check: every family and kind of gait keeps its promises"
 
-# ---- families, seeds, and what can be pasted ----
+# families, seeds, and what can be pasted
 run 0 stress --family wild --gait quadratic --cases 20 --seed 3
 cp out first
 run 0 stress --family wild --gait quadratic --cases 20 --seed 3
@@ -61,7 +61,7 @@ run 0 trajectory $(cells out worst_at) --samples 1
 [ "$(rows out | wc -l)" = 10001 ] || note "not 10000 periods"
 finish "so can that of a phase and of a trajectory"
 
-# ---- the committed table, from more cases ----
+# the committed table, from more cases
 python "$committed" <<'END'
 rows = read(sys.argv[1])
 if len(rows) != 48 or any(r["verdict"] != "holds" for r in rows):
@@ -71,7 +71,7 @@ if min(number(r, "cases") for r in rows if r["family"] != "trajectory") < 500:
 END
 finish "data/stress.tsv holds"
 
-# ---- a point ----
+# a point
 run 0 stress --T 5 --gait sinusoidal --format json
 python out <<'END'
 rows = [json.loads(l) for l in open(sys.argv[1])]
@@ -86,7 +86,7 @@ run 3 stress --T 1e200 --quiet
 grep -q "out of range" out || note "a refused point does not say so: $(tail -n 1 out)"
 finish "a point, and one that is refused"
 
-# ---- bad usage ----
+# bad usage
 for arguments in "--family nosuch" "--family wlid" "--cases 0" "--seed -1" "--stiff --cases 3" "--quick" "--T 2 --family wild" "--T 2 --full" \
   "--stiff --phase extension" "--cases 5 6" "--alpha 2"; do
   # shellcheck disable=SC2086
@@ -98,7 +98,7 @@ run 2 stress --family wlid
 grep -q "'wild'" err || note "no suggestion for wlid: $(cat err)"
 finish "bad usage is refused in a line"
 
-# ---- friction smoothed for stiff solvers ----
+# friction smoothed for stiff solvers
 run 0 stress --stiff --quick --quiet
 python out <<'END'
 rows = read(sys.argv[1])
@@ -121,7 +121,7 @@ for r in read(sys.argv[1]):
 END
 finish "stress --stiff: order one in delta, and the creep that is predicted"
 
-# ---- estimates of errors ----
+# estimates of errors
 run 0 steady --error --T 3
 python out <<'END'
 r = read(sys.argv[1])[0]

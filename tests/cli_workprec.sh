@@ -169,7 +169,7 @@ for g in groups(read("table.tsv")):
         e = float(text)
         best = cheapest(g, e, lambda m: True)
         if not best:
-            bad("nobody reaches", text)
+            bad("no setting reaches", text)
         exact = cheapest(g, e, lambda m: m in ("exact", "certified"))
         wanted_rows.append([best["gait"], best["T"], best["quantity"], text, best["method"], best["setting"], best["error"]]
                            + cells(cheapest(g, e, lambda m: m != best["method"]), best) + cells(exact, best)
@@ -192,7 +192,7 @@ cheapest cut.tsv >summary.tsv || note "exit code $?"
 python <<'END'
 rows = read("summary.tsv")
 if not rows or {r["exact_method"] for r in rows} != {"certified"} or "exact" in {r["method"] for r in rows}:
-    bad("who is cut off has no answer:", rows)
+    bad("a method that was cut off has an answer:", rows)
 END
 finish "cheapest.awk: rows that were cut off"
 run 0 workprec --quick --gait quadratic --T 0.5 --summary --limit 0.002

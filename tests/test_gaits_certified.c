@@ -5,7 +5,7 @@
 
 #include "asymptotics/derived.h"
 #include "compare/answers/gaits.h"
-#include "compare/stress/stress.h"
+#include "compare/stress/judge.h"
 #include "model/ball.h"
 #include "numerics/certified.h"
 #include "numerics/wide.h"
@@ -138,13 +138,14 @@ static void judge(const struct stress_case *s, int pieces)
   stress_judge(s, &j);
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     const char *broken = stress_broken(&j, q);
-    if (pieces > 0 && j.outcome != STRESS_LIED)
-      broken = !j.has[q] || j.error[q] <= (STRESS_PROMISE + pieces) * j.unit[q] ? NULL : "error";
+    if (pieces > 0 && j.outcome != STRESS_BROKEN)
+      broken = !j.number[q].exists || j.number[q].error <= (STRESS_PROMISE + pieces) * j.number[q].unit ? NULL : "error";
     if (!broken)
       continue;
     print_crawler(&s->crawler);
     fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
-             stress_quantity_name(s->kind, q), j.error[q] / j.unit[q], j.rounding[q] / j.unit[q], (int)s->phase, s->v0);
+             stress_quantity_name(s->kind, q), j.number[q].error / j.number[q].unit, j.number[q].rounding / j.number[q].unit,
+             (int)s->phase, s->v0);
   }
 }
 

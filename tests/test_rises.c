@@ -1,5 +1,5 @@
 /* Gaits that rise within 1e-2 to 1e-8 of a phase: every number of a phase and of the steady state within the units that are promised. */
-#include "compare/stress/stress.h"
+#include "compare/stress/judge.h"
 #include "tests/check.h"
 #include "tests/random_rises.h"
 
@@ -12,10 +12,10 @@ static void judge(const struct stress_case *stressed)
   j.only_error = true;
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     if (stress_broken(&j, q)) {
+      const struct stress_number *n = &j.number[q];
       stress_arguments(stressed, text);
       print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n",
-                  stress_quantity_name(stressed->kind, q), j.got[q], j.exact[q], j.error[q] / j.unit[q],
-                  j.unit[q] / j.ulp[q], text);
+                  stress_quantity_name(stressed->kind, q), n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
       fail();
     }
 }

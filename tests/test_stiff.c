@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/stress/stiff.h"
+#include "compare/stress/stiff_measure.h"
 
 enum { LONG = 100000, DECADES = 6 };
 
@@ -34,8 +34,6 @@ static struct scallop_crawler exchanged(struct scallop_crawler c)
   return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
 }
 
-/* ---- scenes ---- */
-
 /* High is what the double solver gives, and low is what it cannot: less than an ulp, and not just 0. */
 static void certified_values(void **state)
 {
@@ -49,7 +47,7 @@ static void certified_values(void **state)
     CHECK_NEAR(exact.v_end, scene.v_end.high, 1e-14 * c.L / c.T);
     CHECK_NEAR(exact.displacement, scene.displacement.high, 1e-14 * c.L);
     CHECK_NEAR(scene.v_start, scene.v_end.high, 1e-14 * c.L / c.T);
-    const struct stiff_value *values[] = { &scene.v_end, &scene.displacement };
+    const struct scallop_wide *values[] = { &scene.v_end, &scene.displacement };
     for (int k = 0; k < 2; k++) {
       assert_true(values[k]->low != 0);
       CHECK_AT_MOST(fabs(values[k]->low), 0.5 * DBL_EPSILON * fabs(values[k]->high));
@@ -141,8 +139,6 @@ static void nothing_to_compare_with(void **state)
   c.alpha = 1;
   assert_non_null(stiff_scene_init(&scene, "no alpha", &c));
 }
-
-/* ---- runs ---- */
 
 static void errors_are_the_periods(void **state)
 {
@@ -254,8 +250,6 @@ static void a_run_that_gives_up(void **state)
   stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1, LONG, &run); /* not a tolerance */
   assert_false(run.solved);
 }
-
-/* ---- trends ---- */
 
 static void order_of_the_model(void **state)
 {

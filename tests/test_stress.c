@@ -1,7 +1,7 @@
 /* The judge of `stress`: cases that once broke a promise hold it now, and it sees what is wrong. */
 #include <float.h>
 
-#include "compare/stress/stress.h"
+#include "compare/stress/judge.h"
 #include "tests/check.h"
 #include "tests/random_crawler.h"
 
@@ -215,8 +215,8 @@ static void check_promises(const struct stress_case *c)
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     const char *broken = stress_broken(&j, q);
     if (broken)
-      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantity_name(c->kind, q), j.error[q] / j.unit[q],
-               arguments);
+      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantity_name(c->kind, q),
+               j.number[q].error / j.number[q].unit, arguments);
   }
   assert_true(j.outcome == STRESS_SOLVED || j.outcome == STRESS_UNDECIDED);
 }
@@ -274,9 +274,9 @@ static void units_far_below_the_natural_one(void **state)
   check_promises(&lost);
   check_promises(&kept);
   stress_judge(&lost, &j);
-  assert_true(j.ulp[2] == 0 && j.error[2] > 0);
+  assert_true(j.number[2].ulp == 0 && j.number[2].error > 0);
   stress_judge(&kept, &j);
-  assert_true(j.ulp[2] > 0);
+  assert_true(j.number[2].ulp > 0);
 }
 
 /* What over- or underflows is refused, and nothing else is. */
@@ -305,12 +305,12 @@ static void condition_numbers(void **state)
   struct stress_judgement j;
   stress_judge(&c, &j);
   assert_int_equal(j.outcome, STRESS_SOLVED);
-  double condition = j.unit[0] / j.ulp[0]; /* ulps of parameters and of the result are 1 to 2 roundings each */
+  double condition = j.number[0].unit / j.number[0].ulp; /* ulps of parameters and of the result are 1 to 2 roundings each */
   assert_true(condition > 2.5 && condition < 10);
-  CHECK_AT_MOST(j.error[0], 2 * j.ulp[0]);
+  CHECK_AT_MOST(j.number[0].error, 2 * j.number[0].ulp);
 }
 
-/* A judge who never says no is none. */
+/* Each broken promise is reported. */
 static void sees_what_is_wrong(void **state)
 {
   (void)state;
@@ -320,26 +320,26 @@ static void sees_what_is_wrong(void **state)
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     assert_null(stress_broken(&right, q));
   j = right;
-  j.error[1] = 8.01 * j.unit[1];
-  j.estimate[1] = j.error[1];
+  j.number[1].error = 8.01 * j.number[1].unit;
+  j.number[1].estimate = j.number[1].error;
   assert_string_equal(stress_broken(&j, 1), "error");
   j = right;
-  j.error[2] = NAN;
+  j.number[2].error = NAN;
   assert_string_equal(stress_broken(&j, 2), "error");
   j = right;
-  j.rounding[3] = 32.1 * j.unit[3];
+  j.number[3].rounding = 32.1 * j.number[3].unit;
   assert_string_equal(stress_broken(&j, 3), "spread over the rounding modes");
   j = right;
-  j.perturbed[3] = 17.1 * j.unit[3];
+  j.number[3].perturbed = 17.1 * j.number[3].unit;
   assert_string_equal(stress_broken(&j, 3), "spread over parameters an ulp apart");
   j = right;
-  j.estimate[4] = 0.99 * j.error[4];
+  j.number[4].estimate = 0.99 * j.number[4].error;
   assert_string_equal(stress_broken(&j, 4), "estimate of the error too small");
   j = right;
-  j.estimate[4] = 200 * j.ulp[4];
+  j.number[4].estimate = 200 * j.number[4].ulp;
   assert_string_equal(stress_broken(&j, 4), "estimate of the error too large");
   j = right;
-  j.outcome = STRESS_LIED;
+  j.outcome = STRESS_BROKEN;
   j.why = "reason";
   assert_string_equal(stress_broken(&j, 5), "reason");
 }
@@ -429,8 +429,8 @@ static void trajectories(void **state)
     stress_judge(&c, &j);
     assert_int_equal(j.outcome, STRESS_SOLVED);
     for (int q = 0; q < 2; q++)
-      CHECK_AT_MOST(j.error[q], 8 * j.unit[q]);
-    CHECK_RELATIVE(j.exact[0], 500 * s.period.displacement, 0.01);
+      CHECK_AT_MOST(j.number[q].error, 8 * j.number[q].unit);
+    CHECK_RELATIVE(j.number[0].exact, 500 * s.period.displacement, 0.01);
   }
   c.v0 = 0; /* starts from rest: other modes at first */
   stress_judge(&c, &j);

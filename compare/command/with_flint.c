@@ -9,8 +9,8 @@
 #include "compare/command/series_flint.h"
 #include "compare/maps/maps.h"
 #include "compare/stress/stiff.h"
-#include "compare/stress/stress.h"
-#include "compare/workprec/workprec.h"
+#include "compare/stress/table.h"
+#include "compare/workprec/table.h"
 
 const struct with_flint with_flint = { .answer_in_decimals = answer_in_decimals,
                                        .decimals_free = decimals_free,

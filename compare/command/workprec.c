@@ -1,7 +1,7 @@
 #include <stddef.h>
 
 #include "compare/command/commands.h"
-#include "compare/workprec/workprec.h"
+#include "compare/workprec/table.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
@@ -69,7 +69,7 @@ const struct command command_workprec = {
       "The rivals, each simulated from rest until its periods repeat, and as the root of its period map: gsl rkf45, rk8pd,\n"
       "msadams and SUNDIALS cvode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff steppers;\n"
       "moreau: time stepping, which steps over events.\n"
-      "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
+      "--summary: for each wanted error that a setting reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
       "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact).",
   .run = run,

@@ -1,16 +1,12 @@
-/* The families of `stress`: where digits are in danger. */
+#include "compare/stress/families.h"
+
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_rng.h>
 
-#include "numerics/numerics.h"
-#include "compare/stress/stress.h"
-
-/* ---- from [0, 1) to parameters ---- */
+#include "compare/text/table.h"
 
 static double decades(double x, double lo, double hi) { return pow(10, lo + (hi - lo) * x); }
 static double between(double x, double lo, double hi) { return lo + (hi - lo) * x; }
@@ -28,7 +24,10 @@ static double period_for(const struct scallop_crawler *c, double eps)
   return sqrt(eps) * sqrt(c->m1 + c->m2) * sqrt(c->L) / sqrt(c->F1 + c->F2);
 }
 
-/* Nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
+/* Sets T for an eps of so many decades. */
+static void set_eps(struct scallop_crawler *c, double x, double lo, double hi) { c->T = period_for(c, decades(x, lo, hi)); }
+
+/* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
 static void calm(struct scallop_crawler *c, const double *x)
 {
   c->m1 = decades(x[0], -1, 1);
@@ -37,71 +36,59 @@ static void calm(struct scallop_crawler *c, const double *x)
   c->F2 = decades(x[3], -1, 1);
   c->L = decades(x[4], -1, 1);
   c->alpha = between(x[5], 0.02, 0.98);
-  c->T = period_for(c, decades(x[6], -6, 2.5));
+  set_eps(c, x[6], -6, 2.5);
 }
 
 static bool ordinary(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
+  (void)s, (void)x;
   return true;
 }
 
-static void mass_ratio(struct scallop_crawler *c, double x)
+/* Moves the ratio of two parameters by up to 12 decades either way. */
+static void spread(double *a, double *b, double x)
 {
   double half = decades(x, -6, 6);
-  c->m1 *= half;
-  c->m2 /= half;
-}
-
-static void force_ratio(struct scallop_crawler *c, double x)
-{
-  double half = decades(x, -6, 6);
-  c->F1 *= half;
-  c->F2 /= half;
+  *a *= half;
+  *b /= half;
 }
 
 static bool masses(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
-  mass_ratio(&s->crawler, x[7]);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 6));
+  spread(&s->crawler.m1, &s->crawler.m2, x[7]);
+  set_eps(&s->crawler, x[6], -6, 6);
   return true;
 }
 
 static bool forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
-  force_ratio(&s->crawler, x[7]);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 6));
+  spread(&s->crawler.F1, &s->crawler.F2, x[7]);
+  set_eps(&s->crawler, x[6], -6, 6);
   return true;
 }
 
 static bool masses_and_forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
-  mass_ratio(&s->crawler, x[7]);
-  force_ratio(&s->crawler, x[8]);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], -12, 12));
+  spread(&s->crawler.m1, &s->crawler.m2, x[7]);
+  spread(&s->crawler.F1, &s->crawler.F2, x[8]);
+  set_eps(&s->crawler, x[6], -12, 12);
   return true;
 }
 
 static bool equal_forces(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
   return true;
 }
 
 static bool equal_phases(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.alpha = 0.5 + 0.5 * small(x[7]);
   return true;
 }
 
 static bool equal_both(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
   s->crawler.alpha = 0.5 + 0.5 * small(x[8]);
   return true;
@@ -109,51 +96,54 @@ static bool equal_both(struct stress_case *s, const double *x)
 
 static bool short_phase(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   s->crawler.alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 20));
+  set_eps(&s->crawler, x[6], -6, 20);
   return true;
+}
+
+static bool is_in(const struct stress_case *s, enum scallop_regime regime)
+{
+  struct scallop_steady_result r;
+  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == regime;
 }
 
 static bool small_period(struct stress_case *s, const double *x)
 {
-  struct scallop_steady_result r;
-  calm(&s->crawler, x);
   double onset = period_for(&s->crawler, 4 * fmin(s->crawler.alpha, 1 - s->crawler.alpha));
   s->crawler.T = decades(x[6], -100, log10(onset));
-  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_SLIDING;
+  return is_in(s, SCALLOP_SLIDING);
 }
 
 static bool deep_stick_slip(struct stress_case *s, const double *x)
 {
-  struct scallop_steady_result r;
-  calm(&s->crawler, x);
-  force_ratio(&s->crawler, x[7]);
+  spread(&s->crawler.F1, &s->crawler.F2, x[7]);
   s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 9));
-  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_STICK_SLIP;
+  set_eps(&s->crawler, x[6], 0.5, 9);
+  return is_in(s, SCALLOP_STICK_SLIP);
 }
 
 static bool at_rest(struct stress_case *s, const double *x)
 {
-  struct scallop_steady_result r;
-  calm(&s->crawler, x);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], 0.5, 30));
-  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == SCALLOP_AT_REST;
+  set_eps(&s->crawler, x[6], 0.5, 30);
+  return is_in(s, SCALLOP_AT_REST);
+}
+
+static void scale(struct scallop_crawler *c, const double *x, double most)
+{
+  double m = decades(x[7], -most, most), F = decades(x[8], -most, most), L = decades(x[9], -most, most);
+  c->m1 *= m;
+  c->m2 *= m;
+  c->F1 *= F;
+  c->F2 *= F;
+  c->L *= L;
 }
 
 /* Units of any size: the same crawler, far from 1. What over- or underflows on the way is refused, and that is right. */
 static bool units(struct stress_case *s, const double *x)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
-  double m = decades(x[7], -150, 150), F = decades(x[8], -150, 150), L = decades(x[9], -150, 150);
-  c->m1 *= m;
-  c->m2 *= m;
-  c->F1 *= F;
-  c->F2 *= F;
-  c->L *= L;
-  c->T = period_for(c, decades(x[6], -6, 2.5));
+  scale(c, x, 150);
+  set_eps(c, x[6], -6, 2.5);
   return c->T > 0 && isfinite(c->T);
 }
 
@@ -161,14 +151,11 @@ static bool units(struct stress_case *s, const double *x)
 static bool range(struct stress_case *s, const double *x)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
-  double m = decades(x[7], -306, 306), F = decades(x[8], -306, 306), L = decades(x[9], -306, 306);
-  c->m1 *= m;
-  c->m2 *= m;
-  c->F1 *= F;
-  c->F2 *= F;
-  c->L *= L;
-  c->T = x[6] < 0.5 ? period_for(c, decades(2 * x[6], -300, 300)) : period_for(c, decades(2 * x[6] - 1, -6, 2.5));
+  scale(c, x, 306);
+  if (x[6] < 0.5)
+    set_eps(c, 2 * x[6], -300, 300);
+  else
+    set_eps(c, 2 * x[6] - 1, -6, 2.5);
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
@@ -185,69 +172,56 @@ static bool wild(struct stress_case *s, const double *x)
   return true;
 }
 
-/* ---- at the boundaries between sequences of modes ---- */
-
 enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
 
-struct signature {
-  bool forward; /* the crawler as the period starts                                              */
-  enum scallop_regime regime;
-  char modes[2 * SCALLOP_MODES_TEXT];
+/* What differs on the two sides of a boundary */
+struct side {
+  bool forward; /* the velocity as the motion starts */
+  struct answer answer;
 };
 
-static bool signature_of(const struct stress_case *s, struct signature *out)
+static bool solve_side(const struct stress_case *s, struct side *side)
 {
-  struct scallop_steady_result r;
-  struct scallop_phase_result p;
-  *out = (struct signature){ .forward = s->v0 > 0 };
-  if (s->kind == STRESS_PHASE) {
-    bool solved = scallop_phase(&s->crawler, s->phase, s->v0, &p) == SCALLOP_OK;
-    if (solved)
-      scallop_modes_text(&p.modes, out->modes);
-    out->regime = solved ? p.regime : SCALLOP_SLIDING;
-    return solved;
-  }
-  if (scallop_steady(&s->crawler, &r) != SCALLOP_OK)
-    return false;
-  out->forward = r.period.v_start > 0;
-  out->regime = r.period.regime;
-  scallop_modes_text(&r.period.modes[0], out->modes);
-  scallop_modes_text(&r.period.modes[1], out->modes + SCALLOP_MODES_TEXT);
-  return true;
+  const struct motion m = stress_motion(s);
+  bool solved = answer_in_double(&side->answer, &m) && side->answer.status == SCALLOP_OK;
+  side->forward = (s->kind == STRESS_PHASE ? s->v0 : side->answer.value[Q_V_START].high) > 0;
+  return solved;
 }
 
-static bool same(const struct signature *a, const struct signature *b)
+static bool same(const struct side *a, const struct side *b)
 {
-  return a->forward == b->forward && a->regime == b->regime && memcmp(a->modes, b->modes, sizeof a->modes) == 0;
+  return a->forward == b->forward && a->answer.regime == b->answer.regime && same_modes(a->answer.modes, b->answer.modes);
 }
 
-static enum boundary kind_of(const struct signature *a, const struct signature *b)
+static enum boundary kind_of(const struct side *a, const struct side *b)
 {
-  return a->regime != b->regime ? STICKING : a->forward != b->forward ? START_VELOCITY : OTHER_MODES;
+  if (a->answer.regime != b->answer.regime)
+    return STICKING;
+  return a->forward != b->forward ? START_VELOCITY : OTHER_MODES;
 }
 
 /* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary that halving the
  * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or it is of another kind. */
 static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
 {
+  enum { HALVINGS = 200 };
   double here = *moved, there = other;
-  struct signature first, second, at;
-  if (!signature_of(s, &first))
+  struct side first, second, at;
+  if (!solve_side(s, &first))
     return false;
   *moved = there;
-  if (!signature_of(s, &second) || same(&first, &second))
+  if (!solve_side(s, &second) || same(&first, &second))
     return false;
-  for (int i = 0; i < 200; i++) {
-    double middle = here + (there - here) / 2;
-    if (middle == here || middle == there)
+  for (int i = 0; i < HALVINGS; i++) {
+    *moved = here + (there - here) / 2;
+    if (*moved == here || *moved == there)
       break;
-    *moved = middle;
-    if (!signature_of(s, &at))
+    if (!solve_side(s, &at))
       return false;
     if (same(&first, &at))
-      here = middle;
+      here = *moved;
     else {
-      there = middle;
+      there = *moved;
       second = at;
     }
   }
@@ -259,8 +233,7 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
 {
   struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
-  c->T = period_for(c, decades(x[6], -1.5, 2.5));
+  set_eps(c, x[6], -1.5, 2.5);
   switch ((int)(4 * x[7])) {
   case 0: return approach(s, &c->T, c->T * decades(x[8], -1, 1), kind, x[9]);
   case 1: return approach(s, &c->F1, c->F1 * decades(x[8], -1, 1), kind, x[9]);
@@ -273,8 +246,6 @@ static bool near_start_velocity(struct stress_case *s, const double *x) { return
 static bool near_sticking(struct stress_case *s, const double *x) { return at_boundary(s, x, STICKING); }
 static bool near_grazing(struct stress_case *s, const double *x) { return at_boundary(s, x, OTHER_MODES); }
 
-/* ---- phases ---- */
-
 static double phase_velocity(const struct stress_case *s)
 {
   return s->crawler.L / scallop_phase_duration(&s->crawler, s->phase);
@@ -285,7 +256,6 @@ static void choose_phase(struct stress_case *s, double x) { s->phase = x < 0.5 ?
 /* From rest, or with velocities up to twice the largest |l'| */
 static bool phase_ordinary(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   choose_phase(s, x[7]);
   s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
   return true;
@@ -293,11 +263,8 @@ static bool phase_ordinary(struct stress_case *s, const double *x)
 
 static bool phase_small_period(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
-  choose_phase(s, x[7]);
   s->crawler.T = decades(x[6], -100, 0);
-  s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
-  return true;
+  return phase_ordinary(s, x);
 }
 
 static bool phase_range(struct stress_case *s, const double *x)
@@ -311,7 +278,6 @@ static bool phase_range(struct stress_case *s, const double *x)
 
 static bool phase_velocities(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   choose_phase(s, x[7]);
   s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
   return true;
@@ -327,7 +293,6 @@ static bool phase_wild(struct stress_case *s, const double *x)
 
 static bool phase_boundaries(struct stress_case *s, const double *x)
 {
-  calm(&s->crawler, x);
   choose_phase(s, 2 * fmod(x[7], 0.5));
   s->v0 = x[7] < 0.25 ? 0 : between(x[8], -2, 2) * phase_velocity(s);
   enum boundary kind = x[7] < 0.5 ? STICKING : OTHER_MODES;
@@ -336,14 +301,11 @@ static bool phase_boundaries(struct stress_case *s, const double *x)
   return approach(s, &s->v0, s->v0 + between(fmod(16 * x[8], 1), -1, 1) * phase_velocity(s), kind, x[9]);
 }
 
-/* ---- trajectories ---- */
-
 /* Sliding, from the steady state as a double or, where l' is made of ramps, from 1 % beside it. */
 static bool trajectory(struct stress_case *s, const double *x)
 {
   struct scallop_steady_result r;
-  calm(&s->crawler, x);
-  s->crawler.T = period_for(&s->crawler, decades(x[6], -6, 0));
+  set_eps(&s->crawler, x[6], -6, 0);
   if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
     return false;
   bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
@@ -380,8 +342,6 @@ const struct stress_family stress_families[] = {
   { NULL, NULL, STRESS_STEADY, NULL },
 };
 
-/* ---- making them ---- */
-
 /* A shift of the whole sequence, another one for each seed, family and gait (Cranley & Patterson 1976) */
 static bool draw_shift(unsigned long seed, const struct stress_family *family, const struct scallop_gait *gait,
                        double shift[STRESS_DIMENSIONS])
@@ -401,6 +361,11 @@ static bool draw_shift(unsigned long seed, const struct stress_family *family, c
   return true;
 }
 
+struct motion stress_motion(const struct stress_case *s)
+{
+  return (struct motion){ s->kind == STRESS_PHASE ? OF_PHASE : OF_STEADY, s->crawler, s->phase, s->v0 };
+}
+
 int stress_make(const struct stress_family *family, const struct scallop_gait *gait, unsigned long seed, int count,
                 struct stress_case *cases)
 {
@@ -416,6 +381,7 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
         x[i] = fmod(x[i] + shift[i], 1);
       *c = (struct stress_case){ .kind = family->kind };
       c->crawler.gait = gait;
+      calm(&c->crawler, x);
       made += family->make(c, x);
     }
   gsl_qrng_free(sequence);

@@ -1,92 +1,118 @@
-/* One case of `stress`: solved in every arithmetic, and judged. */
+#include "compare/stress/judge.h"
+
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
-#include <stddef.h>
-#include <string.h>
 
-#include "compare/answers/answer_flint.h"
-#include "compare/stress/stress.h"
+#include "compare/stress/ball_period.h"
+#include "compare/stress/trajectory.h"
 
-static const char *const at_the_end[STRESS_QUANTITIES] = { "x", "v" }; /* of a trajectory */
+enum { PARAMETERS = 8, DIGITS = 36 };
 
-enum { PARAMETERS = 8, CERTIFIED_DIGITS = 36 };
+/* All answers to one case. Of a trajectory the closed form stands for both wider ones. */
+struct solutions {
+  struct answer got, exact, wide[2];
+  double errors[QUANTITIES];
+};
 
 static bool is_phase(const struct stress_case *s) { return s->kind == STRESS_PHASE; }
+static bool is_trajectory(const struct stress_case *s) { return s->kind == STRESS_TRAJECTORY; }
 
-static enum quantity_id first_of(const struct stress_case *s) { return quantity_first(is_phase(s) ? OF_PHASE : OF_STEADY); }
+/* Where the numbers of a case begin in an answer. */
+static int first_of(enum stress_kind kind)
+{
+  return kind == STRESS_TRAJECTORY ? 0 : (int)quantity_first(kind == STRESS_PHASE ? OF_PHASE : OF_STEADY);
+}
 
 const char *stress_quantity_name(enum stress_kind kind, int q)
 {
-  return kind == STRESS_TRAJECTORY
-             ? at_the_end[q]
-             : quantity_rows[(int)quantity_first(kind == STRESS_PHASE ? OF_PHASE : OF_STEADY) + q].name;
+  static const char *const of_trajectory[STRESS_QUANTITIES] = { [END_X] = "x", [END_V] = "v" };
+  return kind == STRESS_TRAJECTORY ? of_trajectory[q] : quantity_rows[first_of(kind) + q].name;
 }
 
-static struct motion motion(const struct stress_case *s)
-{
-  return (struct motion){ is_phase(s) ? OF_PHASE : OF_STEADY, s->crawler, s->phase, s->v0 };
-}
-
-/* The six numbers of a case */
 static const struct scallop_wide *numbers(const struct stress_case *s, const struct answer *a)
 {
-  return a->value + first_of(s);
+  return a->value + first_of(s->kind);
 }
 
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
 static bool may_jump(const struct stress_case *s, int q) { return is_phase(s) ? q < 2 : q == STRESS_QUANTITIES - 1; }
 
-double stress_difference(const struct scallop_wide *a, const struct scallop_wide *b)
+static double distance(const struct scallop_wide *a, const struct scallop_wide *b)
 {
   return fabs((a->high - b->high) + (a->low - b->low));
 }
 
+static bool fail(struct stress_judgement *j, enum stress_outcome outcome, const char *why)
+{
+  j->outcome = outcome;
+  j->why = why;
+  return false;
+}
+
 static bool solve_double(const struct stress_case *s, struct answer *a)
 {
-  const struct motion m = motion(s);
+  const struct motion m = stress_motion(s);
   return answer_in_double(a, &m);
 }
 
-static bool solve_wide(const struct stress_case *s, enum scallop_width width, struct answer *a)
+static bool solve_trajectory(const struct stress_case *s, struct answer *a,
+                             bool (*route)(const struct stress_case *, struct scallop_wide *))
 {
-  const struct motion m = motion(s);
-  return answer_in_wide(a, &m, width);
+  *a = (struct answer){ .status = SCALLOP_OK };
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    a->value[q].high = NAN;
+  return route(s, a->value);
 }
 
-static struct scallop_wide middle(const arb_t x)
+/* In the arithmetic in which changes of parameters are measured */
+static bool solve_wider(const struct stress_case *s, struct answer *a)
 {
-  arf_t low;
-  struct scallop_wide w = { arf_get_d(arb_midref(x), ARF_RND_NEAR), 0 };
-  arf_init(low);
-  arf_set_d(low, w.high);
-  arf_sub(low, arb_midref(x), low, ARF_PREC_EXACT, ARF_RND_NEAR);
-  if (isfinite(w.high))
-    w.low = arf_get_d(low, ARF_RND_NEAR);
-  arf_clear(low);
-  return arb_contains_zero(x) ? (struct scallop_wide){ 0, 0 } : w;
+  const struct motion m = stress_motion(s);
+  return is_trajectory(s) ? solve_trajectory(s, a, trajectory_in_balls) : answer_in_wide(a, &m, SCALLOP_BINARY128);
 }
 
-static bool certify(const struct stress_case *s, struct answer *a, const char **why)
+static bool certify(const struct motion *m, struct answer *a, const char **why)
 {
-  const struct motion m = motion(s);
   struct ball_answer proven;
   ball_answer_init(&proven);
-  bool done = answer_of_doubles(&proven, &m, CERTIFIED_DIGITS);
+  bool done = answer_of_doubles(&proven, m, DIGITS);
   for (int q = 0; q < QUANTITIES && done; q++)
-    a->value[q] = proven.value[q] ? middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
+    a->value[q] = proven.value[q] ? ball_middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
   *why = proven.why;
   ball_answer_clear(&proven);
   return done;
 }
 
-static void fail(struct stress_judgement *j, enum stress_outcome outcome, const char *why)
+static bool solve_motion(const struct stress_case *s, struct solutions *all, struct stress_judgement *j)
 {
-  j->outcome = outcome;
-  j->why = why;
+  const struct motion m = stress_motion(s);
+  const char *why = NULL;
+  if (!answer_with_errors(&all->got, &m, all->errors))
+    return fail(j, all->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN, scallop_status_text(all->got.status));
+  for (int w = 0; w < 2; w++)
+    if (!answer_in_wide(&all->wide[w], &m, (enum scallop_width)w))
+      return fail(j, STRESS_BROKEN, "wider arithmetic finds no solution");
+  if (!certify(&m, &all->exact, &why)) {
+    fail(j, STRESS_UNDECIDED, why);
+    all->exact = all->wide[SCALLOP_BINARY128];
+  }
+  return true;
 }
 
-bool stress_neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
+static bool solve_to_its_end(const struct stress_case *s, struct solutions *all, struct stress_judgement *j)
+{
+  if (!solve_trajectory(s, &all->exact, trajectory_in_balls))
+    return fail(j, STRESS_REFUSED, "no closed form: the modes change on the way");
+  if (!solve_trajectory(s, &all->got, trajectory_in_double))
+    return fail(j, STRESS_BROKEN, "the trajectory was not solved");
+  all->wide[0] = all->wide[1] = all->exact;
+  return true;
+}
+
+/* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no such parameter,
+ * or the double is not allowed. */
+static bool neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
 {
   struct scallop_crawler *c = &out->crawler;
   *out = *s;
@@ -98,54 +124,50 @@ bool stress_neighbour(const struct stress_case *s, int parameter, double towards
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-/* What the changes of one parameter do to the result, in binary128 and in double. */
-static void disturb(const struct stress_case *s, int parameter, const struct answer *wide, const struct answer *got,
-                    struct stress_judgement *j)
+/* Adds to each unit what changes of one parameter, so many doubles up and down, do to the number, for each double. */
+static void add_changes(const struct stress_case *s, int parameter, int places, const struct answer *wide,
+                        double unit[STRESS_QUANTITIES])
 {
   double most[STRESS_QUANTITIES] = { 0 };
   for (int side = -1; side <= 1; side += 2) {
     struct stress_case next;
     struct answer there;
-    if (!stress_neighbour(s, parameter, side * INFINITY, 1, &next))
-      continue;
-    if (solve_wide(&next, SCALLOP_BINARY128, &there))
+    if (neighbour(s, parameter, side * INFINITY, places, &next) && solve_wider(&next, &there))
       for (int q = 0; q < STRESS_QUANTITIES; q++)
-        most[q] = fmax(most[q], stress_difference(&numbers(s, &there)[q], &numbers(s, wide)[q]));
+        most[q] = fmax(most[q], distance(&numbers(s, &there)[q], &numbers(s, wide)[q]));
+  }
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    unit[q] += most[q] / places;
+}
+
+/* The changes of all parameters by one double; or by as many as are promised, as a kink that far away counts in proportion. */
+static void find_units(const struct stress_case *s, int places, const struct answer *wide, double unit[STRESS_QUANTITIES])
+{
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    unit[q] = 0;
+  for (int parameter = 0; parameter < PARAMETERS; parameter++)
+    add_changes(s, parameter, places, wide, unit);
+}
+
+/* What changes of one parameter do to the result in double */
+static void perturb(const struct stress_case *s, int parameter, const struct answer *got, struct stress_judgement *j)
+{
+  for (int side = -1; side <= 1; side += 2) {
+    struct stress_case next;
+    struct answer there;
+    if (!neighbour(s, parameter, side * INFINITY, 1, &next))
+      continue;
     bool solved = solve_double(&next, &there);
     if (!solved && there.status != SCALLOP_ERANGE)
-      fail(j, STRESS_LIED, "no solution where a parameter is an ulp off");
-    if (!solved)
-      continue;
-    bool same = same_modes(there.modes, got->modes);
-    for (int q = 0; q < STRESS_QUANTITIES; q++)
+      fail(j, STRESS_BROKEN, "no solution where a parameter is an ulp off");
+    bool same = solved && same_modes(there.modes, got->modes);
+    for (int q = 0; solved && q < STRESS_QUANTITIES; q++)
       if (same || !may_jump(s, q))
-        j->perturbed[q] = fmax(j->perturbed[q], stress_difference(&numbers(s, &there)[q], &numbers(s, got)[q]));
+        j->number[q].perturbed = fmax(j->number[q].perturbed, distance(&numbers(s, &there)[q], &numbers(s, got)[q]));
   }
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->unit[q] += most[q];
 }
 
-/* A kink that is further than an ulp away, and not more than as many as are promised, counts in proportion. */
-static void look_further(const struct stress_case *s, const struct answer *wide, struct stress_judgement *j)
-{
-  double unit[STRESS_QUANTITIES] = { 0 };
-  for (int parameter = 0; parameter < PARAMETERS; parameter++) {
-    double most[STRESS_QUANTITIES] = { 0 };
-    for (int side = -1; side <= 1; side += 2) {
-      struct stress_case next;
-      struct answer there;
-      if (stress_neighbour(s, parameter, side * INFINITY, STRESS_PROMISE, &next)
-          && solve_wide(&next, SCALLOP_BINARY128, &there))
-        for (int q = 0; q < STRESS_QUANTITIES; q++)
-          most[q] = fmax(most[q], stress_difference(&numbers(s, &there)[q], &numbers(s, wide)[q]));
-    }
-    for (int q = 0; q < STRESS_QUANTITIES; q++)
-      unit[q] += most[q] / STRESS_PROMISE;
-  }
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->unit[q] = fmax(j->unit[q], unit[q]);
-}
-
+/* The same in the other three rounding modes */
 static void round_otherwise(const struct stress_case *s, const struct answer *got, struct stress_judgement *j)
 {
   static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
@@ -159,7 +181,7 @@ static void round_otherwise(const struct stress_case *s, const struct answer *go
     bool solved = solve_double(s, &there);
     fesetround(before);
     if (!solved && there.status != SCALLOP_ERANGE)
-      fail(j, STRESS_LIED, "no solution in a directed rounding");
+      fail(j, STRESS_BROKEN, "no solution in a directed rounding");
     bool same = solved && same_modes(there.modes, got->modes);
     for (int q = 0; solved && q < STRESS_QUANTITIES; q++) {
       if (!same && may_jump(s, q))
@@ -169,7 +191,7 @@ static void round_otherwise(const struct stress_case *s, const struct answer *go
     }
   }
   for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->rounding[q] = high[q] - low[q];
+    j->number[q].rounding = high[q] - low[q];
 }
 
 /* tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1: at 2^-960 of these, about 1e-289, digits may be
@@ -181,91 +203,98 @@ static double floor_of(const struct stress_case *s, int q)
   double tau = is_phase(s) ? scallop_phase_duration(c, s->phase) : shorter, velocity = c->L / tau;
   const double of_phase[] = { tau, tau, velocity, c->L, c->L, c->L };
   const double of_steady[] = { 0, velocity, velocity, c->L, c->L / c->T, 1 };
-  return 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
+  return is_trajectory(s) ? 0 : 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
 }
 
-static void measure(const struct stress_case *s, const struct answer *exact, const struct answer *got,
-                    const struct answer wide[2], struct stress_judgement *j)
+static void measure(const struct stress_case *s, const struct solutions *all, const double unit[STRESS_QUANTITIES],
+                    struct stress_judgement *j)
 {
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    double y = numbers(s, exact)[q].high;
-    j->exact[q] = y;
-    j->got[q] = numbers(s, got)[q].high;
-    j->has[q] = !isnan(y) || !isnan(numbers(s, got)[q].high);
-    j->ulp[q] = fabs(y) > 0x1p53 * floor_of(s, q) && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
-    double floor = floor_of(s, q);
-    j->unit[q] = fmax(fmax(j->unit[q], j->ulp[q]), fmax(floor, DBL_MIN));
-    j->error[q] = stress_difference(&numbers(s, got)[q], &numbers(s, exact)[q]);
+    struct stress_number *n = &j->number[q];
+    const struct scallop_wide *exact = &numbers(s, &all->exact)[q], *got = &numbers(s, &all->got)[q];
+    double y = exact->high, floor = floor_of(s, q);
+    n->exact = y;
+    n->got = got->high;
+    n->exists = !isnan(y) || !isnan(got->high);
+    n->ulp = fabs(y) > 0x1p53 * floor && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
+    n->unit = fmax(fmax(unit[q], n->ulp), fmax(floor, DBL_MIN));
+    n->error = distance(got, exact);
     for (int w = 0; w < 2; w++)
-      j->wide_error[w][q] = stress_difference(&numbers(s, &wide[w])[q], &numbers(s, exact)[q]);
-    if (fabs(y) > floor && !isnormal(y) && j->has[q]) {
-      j->outcome = STRESS_LIED;
-      j->why = "a number beyond the range of doubles was not refused, or one is there that is not";
-    }
+      n->wide_error[w] = distance(&numbers(s, &all->wide[w])[q], exact);
+    if (fabs(y) > floor && !isnormal(y) && n->exists)
+      fail(j, STRESS_BROKEN, "a number beyond the range of doubles was not refused, or one is there that is not");
   }
+}
+
+/* What is judged of a motion besides its errors */
+static void judge_motion(const struct stress_case *s, const struct solutions *all, struct stress_judgement *j)
+{
+  for (int parameter = 0; parameter < PARAMETERS; parameter++)
+    perturb(s, parameter, &all->got, j);
+  round_otherwise(s, &all->got, j);
+  if (isnan(all->errors[is_phase(s) ? Q_V_END : Q_V_START]))
+    fail(j, STRESS_BROKEN, "there is no estimate of the error");
+  j->other_modes = !same_modes(all->got.modes, all->wide[SCALLOP_BINARY128].modes);
+  for (int q = 0; q < STRESS_QUANTITIES; q++) {
+    struct stress_number *n = &j->number[q];
+    n->estimate = all->errors[first_of(s->kind) + q];
+    n->exists = n->exists && !(j->other_modes && may_jump(s, q));
+  }
+}
+
+static bool any_broken(const struct stress_judgement *j)
+{
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    if (stress_broken(j, q))
+      return true;
+  return false;
 }
 
 void stress_judge(const struct stress_case *s, struct stress_judgement *j)
 {
-  const struct motion m = motion(s);
-  struct answer got, exact, wide[2];
-  double errors[QUANTITIES];
-  if (s->kind == STRESS_TRAJECTORY) {
-    stress_judge_trajectory(s, j);
+  struct solutions all;
+  double unit[STRESS_QUANTITIES];
+  *j = (struct stress_judgement){ .outcome = STRESS_SOLVED, .only_error = is_trajectory(s) };
+  bool solved = is_trajectory(s) ? solve_to_its_end(s, &all, j) : solve_motion(s, &all, j);
+  if (!solved)
     return;
-  }
-  *j = (struct stress_judgement){ .outcome = STRESS_SOLVED };
-  if (!answer_with_errors(&got, &m, errors)) {
-    fail(j, got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_LIED, scallop_status_text(got.status));
+  find_units(s, 1, &all.wide[SCALLOP_BINARY128], unit);
+  measure(s, &all, unit, j);
+  if (is_trajectory(s))
     return;
-  }
-  for (int w = 0; w < 2; w++)
-    if (!solve_wide(s, (enum scallop_width)w, &wide[w])) {
-      fail(j, STRESS_LIED, "wider arithmetic finds no solution");
-      return;
-    }
-  const char *why = NULL;
-  if (!certify(s, &exact, &why)) { /* then wider arithmetic has to do */
-    fail(j, STRESS_UNDECIDED, why);
-    exact = wide[SCALLOP_BINARY128];
-  }
-  for (int parameter = 0; parameter < PARAMETERS; parameter++)
-    disturb(s, parameter, &wide[SCALLOP_BINARY128], &got, j);
-  measure(s, &exact, &got, wide, j);
-  j->other_modes = !same_modes(got.modes, wide[SCALLOP_BINARY128].modes);
+  judge_motion(s, &all, j);
+  if (!any_broken(j))
+    return;
+  find_units(s, STRESS_PROMISE, &all.wide[SCALLOP_BINARY128], unit);
   for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->has[q] = j->has[q] && !(j->other_modes && may_jump(s, q));
-  round_otherwise(s, &got, j);
-  if (isnan(errors[is_phase(s) ? Q_V_END : Q_V_START]))
-    fail(j, STRESS_LIED, "there is no estimate of the error");
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    j->estimate[q] = errors[(int)first_of(s) + q];
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    if (stress_broken(j, q)) {
-      look_further(s, &wide[SCALLOP_BINARY128], j);
-      break;
-    }
+    j->number[q].unit = fmax(j->number[q].unit, unit[q]);
+}
+
+bool stress_is_judged(const struct stress_judgement *j, int q)
+{
+  return (j->outcome == STRESS_SOLVED || j->outcome == STRESS_UNDECIDED) && j->number[q].exists;
 }
 
 const char *stress_broken(const struct stress_judgement *j, int q)
 {
-  if (j->outcome == STRESS_LIED)
+  const struct stress_number *n = &j->number[q];
+  if (j->outcome == STRESS_BROKEN)
     return j->why;
-  if (j->outcome == STRESS_REFUSED || !j->has[q])
+  if (j->outcome == STRESS_REFUSED || !n->exists)
     return NULL;
-  if (!(j->error[q] <= STRESS_PROMISE * j->unit[q]))
+  if (!(n->error <= STRESS_PROMISE * n->unit))
     return "error";
   if (j->only_error)
     return NULL;
-  if (!(j->rounding[q] <= STRESS_ROUNDING * j->unit[q]))
+  if (!(n->rounding <= STRESS_ROUNDING * n->unit))
     return "spread over the rounding modes";
-  if (!(j->perturbed[q] <= STRESS_PERTURBED * j->unit[q]))
+  if (!(n->perturbed <= STRESS_PERTURBED * n->unit))
     return "spread over parameters an ulp apart";
-  bool told = j->unit[q] <= 0x1p50 * j->ulp[q] || j->ulp[q] == 0; /* by 113 bits */
-  if (told && !(j->estimate[q] >= j->error[q]))
+  bool resolved = n->unit <= 0x1p50 * n->ulp || n->ulp == 0; /* by 113 bits */
+  if (resolved && !(n->estimate >= n->error))
     return "estimate of the error too small";
-  double small = 0x1p-7 * (j->ulp[q] > 0 ? j->ulp[q] : fmax(j->unit[q], DBL_MIN)); /* nothing that counts */
-  if (!(j->estimate[q] <= STRESS_GENEROUS * fmax(j->error[q], small)))
+  double negligible = 0x1p-7 * (n->ulp > 0 ? n->ulp : fmax(n->unit, DBL_MIN));
+  if (!(n->estimate <= STRESS_GENEROUS * fmax(n->error, negligible)))
     return "estimate of the error too large";
   return NULL;
 }

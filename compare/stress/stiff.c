@@ -1,36 +1,30 @@
-/* The tables of the stiff way: every run, or with --summary a row for each series of runs. */
 #include "compare/stress/stiff.h"
 
 #include <assert.h>
 #include <math.h>
-#include <unistd.h>
+
+#include "compare/stress/stiff_measure.h"
+#include "compare/stress/table.h"
+#include "compare/text/progress.h"
 
 enum { MOST_SCENES = 6 };
 
-static const char *const columns[] = { "scene",
-                                       "gait",
-                                       "regime",
-                                       "stepper",
-                                       "delta",
-                                       "tolerance",
-                                       "v_end_error",
-                                       "displacement_error",
-                                       "v_end_own_error",
-                                       "displacement_own_error",
-                                       "steps",
-                                       "evaluations",
-                                       "creep",
-                                       "creep_over_delta",
-                                       "predicted_creep_over_delta",
-                                       "creep_velocity",
-                                       "predicted_creep_velocity",
-                                       "last_velocity",
-                                       "status",
-                                       NULL };
-static const char *const summary_of_series[] = {
-  "scene",        "gait",        "regime",  "stepper", "quantity",    "order",       "order_low",
-  "order_high",   "points",      "verdict", "good_to", "error_there", "steps_there", "evaluations_there",
-  "worst_beyond", "gives_up_at", "status",  NULL
+static const char *const names[] = { "scene", "gait", "regime", "stepper", NULL }; /* of a series */
+static const char *const run_columns[] = {
+  "delta", "tolerance",   "v_end_error", "displacement_error", "v_end_own_error", "displacement_own_error",
+  "steps", "evaluations", NULL
+};
+static const char *const creep_columns[] = { "creep",
+                                             "creep_over_delta",
+                                             "predicted_creep_over_delta",
+                                             "creep_velocity",
+                                             "predicted_creep_velocity",
+                                             "last_velocity",
+                                             "status",
+                                             NULL };
+static const char *const summary_columns[] = {
+  "quantity",    "order",       "order_low",         "order_high",   "points",      "verdict", "good_to",
+  "error_there", "steps_there", "evaluations_there", "worst_beyond", "gives_up_at", "status",  NULL
 };
 
 static const double deltas[] = { 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12 };
@@ -40,13 +34,11 @@ struct book {
   const struct stress_options *options;
   struct stiff_scene scenes[MOST_SCENES];
   int scene_count;
-  int deltas; /* the first so many            */
-  long most;  /* steps that a run may take     */
+  int deltas; /* the first so many         */
+  long most;  /* steps that a run may take */
   struct table table;
-  bool shown; /* progress                      */
+  struct progress progress;
 };
-
-/* ---- scenes ---- */
 
 static const struct {
   const char *name;
@@ -95,8 +87,6 @@ static bool make_scenes(struct book *b)
   return true;
 }
 
-/* ---- notes ---- */
-
 static void note_scene(struct table *t, const struct stiff_scene *scene)
 {
   const struct scallop_crawler *c = &scene->crawler;
@@ -139,12 +129,13 @@ static bool begin(struct book *b)
   for (int i = 0; i < b->scene_count; i++)
     note_scene(t, &b->scenes[i]);
   note_meaning(b, t);
-  table_columns(t, o->summary ? summary_of_series : columns);
+  table_columns(t, names);
+  table_columns(t, o->summary ? summary_columns : run_columns);
+  if (!o->summary)
+    table_columns(t, creep_columns);
   table_begin_rows(t);
   return true;
 }
-
-/* ---- rows ---- */
 
 static void write_names(struct table *t, const struct stiff_scene *scene, int stepper)
 {
@@ -208,17 +199,14 @@ static void write_series(struct book *b, const struct stiff_scene *scene, int st
         write_trend(&b->table, scene, stepper, runs, count, quantity);
 }
 
-/* ---- the run ---- */
-
 /* As delta -> 0, until the stepper gives up. Returns how many runs were made. */
 static int solve_series(const struct book *b, const struct stiff_scene *scene, int stepper, struct stiff_run *runs)
 {
   enum scallop_smoothed_stepper which = (enum scallop_smoothed_stepper)stepper;
   for (int i = 0; i < b->deltas; i++) {
     double delta = deltas[i];
-    if (b->shown)
-      fprintf(stderr, "\r%s, %s: %s, delta = %g\033[K", scene->name, scene->crawler.gait->name, stiff_steppers[stepper],
-              delta);
+    progress_show(&b->progress, "%s, %s: %s, delta = %g", scene->name, scene->crawler.gait->name, stiff_steppers[stepper],
+                  delta);
     stiff_solve(scene, which, delta, stiff_tolerance(delta), b->most, &runs[i]);
     if (!runs[i].solved)
       return i + 1;
@@ -234,16 +222,15 @@ static void solve_all(struct book *b)
       int count = solve_series(b, &b->scenes[i], stepper, runs);
       write_series(b, &b->scenes[i], stepper, runs, count);
     }
-  if (b->shown)
-    fprintf(stderr, "\r\033[K");
+  progress_end(&b->progress);
 }
 
 enum exit_code stress_stiff(const struct stress_options *options)
 {
   struct book b = { .options = options,
                     .deltas = options->quick ? QUICK_DELTAS : DELTAS,
-                    .most = options->quick ? 10000 : 100000 };
-  b.shown = !options->request.style.quiet && isatty(STDERR_FILENO);
+                    .most = options->quick ? 10000 : 100000,
+                    .progress = progress_begin(options->request.style.quiet) };
   if (!make_scenes(&b))
     return EXIT_UNSOLVED;
   if (!begin(&b))

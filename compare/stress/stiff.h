@@ -1,82 +1,10 @@
-/* The stiff way: friction smoothed over delta (numerics/smoothed.h), one period from the exact steady start, by each of the stiff
- * steppers, as delta -> 0. Scenes and single runs are made in stiff_measure.c, the table in stiff.c. Needs FLINT. */
+/* `scallop stress --stiff`: the table of stiff runs (stiff_measure.h), or with --summary a row for each series of them. Needs FLINT. */
 #ifndef SCALLOP_STRESS_STIFF_H
 #define SCALLOP_STRESS_STIFF_H
 
-#include "compare/stress/stress.h"
-#include "compare/text/values.h"
-#include "compare/answers/points.h"
-#include "compare/order/order.h"
-#include "numerics/smoothed.h"
+#include "compare/text/message.h"
 
-/* ---- scenes ---- */
-
-/* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of it: the body
- * creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
-struct stiff_held {
-  int body; /* 1 or 2; 0: no body is stuck for any length of time, and nothing else is set */
-  enum scallop_phase_kind phase;
-  double v0;         /* velocity of both bodies where that phase begins */
-  double begin, end; /* since the phase began */
-  double force;      /* |force|/friction in the middle of the stretch */
-  double velocity;   /* in the middle, over v_delta = delta L/T, with its sign */
-  double creep;      /* distance over the stretch, over delta L */
-};
-
-struct stiff_value { /* a certified number: high is it, rounded, and low the rest */
-  double high, low;
-};
-
-struct stiff_scene {
-  const char *name;
-  struct scallop_crawler crawler;
-  double eps; /* T^2 (F1 + F2)/(M L) */
-  enum scallop_regime regime;
-  double v_start;                         /* the certified steady one, rounded */
-  struct stiff_value v_end, displacement; /* of the period from this very v_start */
-  char modes[2 * SCALLOP_MODES_TEXT + 4];
-  struct stiff_held held;
-};
-/* NULL, or why there is nothing to compare with. GSL's error handler must be off. */
-const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler);
-
-/* ---- one run ---- */
-
-enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STEPPERS = 3, STIFF_STATUS = 80 };
-extern const char *const stiff_quantities[]; /* their names */
-extern const char *const stiff_steppers[];   /* by enum scallop_smoothed_stepper */
-
-struct stiff_run {
-  double delta, tolerance;
-  double error[STIFF_QUANTITIES]; /* smoothed - certified, over L/T and L; all of creep, which ought to be 0; nan: none */
-  double own[STIFF_QUANTITIES]; /* of the stepper: how much the answer changes with ten times the tolerance; nan: unknown */
-  double velocity, last;        /* of the held body, in the middle and at the end of the stretch, over v_delta */
-  double steps, evaluations;    /* of the period; nan without an answer */
-  bool solved;
-  char status[STIFF_STATUS]; /* "ok", or why it gave up, and after how many steps */
-};
-/* The tolerance that goes with delta: where all of the steppers leave the error of the model for as long as they can, and no less
- * than rounding allows. */
-double stiff_tolerance(double delta);
-/* tolerance: a tenth of the largest that smoothed.h takes at most. most: accepted steps that a period, or the phase of the stretch,
- * may take. */
-void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta, double tolerance,
-                 long most, struct stiff_run *run);
-
-/* ---- a series of runs as delta -> 0 ---- */
-
-struct stiff_trend {
-  struct order_fit fit;       /* in delta, over the good runs */
-  enum order_verdict verdict; /* against order 1 */
-  int good; /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half of
-             * the one before */
-  double worst_beyond; /* largest |error| that a later run came back with, content; nan if there is none */
-};
-enum { STIFF_MOST_RUNS = 16 };
-/* runs: at most STIFF_MOST_RUNS, delta falling. */
-struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
-
-/* `scallop stress --stiff` */
+struct stress_options;
 enum exit_code stress_stiff(const struct stress_options *options);
 
 #endif

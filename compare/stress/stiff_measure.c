@@ -1,13 +1,11 @@
-/* The scenes of the stiff way, certified; and single runs and series of them, judged. */
-#include "compare/answers/answer.h"
-#include "compare/stress/stiff.h"
+#include "compare/stress/stiff_measure.h"
 
 #include <float.h>
 #include <math.h>
 
 #include <gsl/gsl_integration.h>
 
-#include "numerics/certified.h"
+#include "compare/stress/ball_period.h"
 
 /* Digits that the reference is proven to: errors down to the last bit of a double need twice as many */
 enum { REFERENCE_DIGITS = 40 };
@@ -17,8 +15,6 @@ static const double LOOSER = 10;
 
 const char *const stiff_quantities[] = { "v_end", "displacement", "creep", NULL };
 const char *const stiff_steppers[] = { "msbdf", "bsimp", "rk4imp", NULL };
-
-/* ---- where a body is held ---- */
 
 struct stretch {
   struct scallop_scaled scaled;
@@ -101,75 +97,38 @@ static void find_held(struct stiff_scene *scene, double v_mid)
   scene->held.end *= duration[s.now.phase];
 }
 
-/* ---- a scene ---- */
-
-static void certified_value(struct stiff_value *value, const arb_t x)
+/* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the steady state. */
+static bool certify(struct stiff_scene *scene, const char **why)
 {
-  arb_t rest;
-  arb_init(rest);
-  value->high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-  arb_set_d(rest, value->high);
-  arb_sub(rest, x, rest, 4 * REFERENCE_DIGITS);
-  value->low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
-  arb_clear(rest);
-}
-
-/* The middle of a ball; 0 where the ball holds 0. */
-static void middle_of(fmpq_t middle, const arb_t x)
-{
-  if (arb_contains_zero(x))
-    fmpq_zero(middle);
-  else
-    arf_get_fmpq(middle, arb_midref(x));
-}
-
-/* The period from the certified start velocity, rounded: its own certified values, not those of the steady state. */
-static enum scallop_status solve_period(struct stiff_scene *scene, const struct scallop_rational_crawler *exact,
-                                        struct scallop_certified_phase phase[2], fmpq_t v, const char **why)
-{
-  scallop_rational_set_double(v, scene->v_start);
-  enum scallop_status status = scallop_certified_phase(exact, SCALLOP_EXTENSION, v, REFERENCE_DIGITS, &phase[0], why);
-  if (status != SCALLOP_OK)
-    return status;
-  middle_of(v, phase[0].v_end);
-  status = scallop_certified_phase(exact, SCALLOP_CONTRACTION, v, REFERENCE_DIGITS, &phase[1], why);
-  if (status != SCALLOP_OK)
-    return status;
-  certified_value(&scene->v_end, phase[1].v_end);
-  arb_add(phase[1].dxC, phase[0].dxC, phase[1].dxC, 4 * REFERENCE_DIGITS);
-  certified_value(&scene->displacement, phase[1].dxC);
-  const struct scallop_modes modes[2] = { phase[0].modes, phase[1].modes };
-  motion_modes_text(scene->modes, OF_STEADY, modes);
-  return SCALLOP_OK;
-}
-
-static enum scallop_status certify(struct stiff_scene *scene, const char **why)
-{
+  const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
   struct scallop_rational_crawler exact;
-  struct scallop_certified_steady steady;
-  struct scallop_certified_phase phase[2];
+  struct ball_answer proven;
+  struct ball_period period;
   fmpq_t v;
   fmpq_init(v);
   scallop_rational_init(&exact);
-  scallop_certified_steady_init(&steady);
-  for (int i = 0; i < 2; i++)
-    scallop_certified_phase_init(&phase[i]);
+  ball_answer_init(&proven);
+  ball_period_init(&period);
   scallop_rational_of(&exact, &scene->crawler);
-  enum scallop_status status = scallop_certified_steady(&exact, REFERENCE_DIGITS, &steady, why);
-  if (status == SCALLOP_OK) {
-    middle_of(v, steady.v_start);
-    scene->v_start = fmpq_is_zero(v) ? 0 : arf_get_d(arb_midref(steady.v_start), ARF_RND_NEAR);
-    scene->regime = steady.regime;
-    status = solve_period(scene, &exact, phase, v, why);
+  bool solved = answer_of_doubles(&proven, &steady, REFERENCE_DIGITS);
+  *why = proven.why ? proven.why : scallop_status_text(proven.status);
+  if (solved) {
+    scene->v_start = ball_middle(proven.value[Q_V_START]).high;
+    scene->regime = proven.regime;
+    scallop_rational_set_double(v, scene->v_start);
+    solved = ball_period_solve(&period, &exact, v, REFERENCE_DIGITS, why);
   }
-  if (status == SCALLOP_OK)
-    find_held(scene, fmpq_get_d(v));
-  for (int i = 0; i < 2; i++)
-    scallop_certified_phase_clear(&phase[i]);
-  scallop_certified_steady_clear(&steady);
+  if (solved) {
+    scene->v_end = ball_middle(period.v_end);
+    scene->displacement = ball_middle(period.displacement);
+    motion_modes_text(scene->modes, OF_STEADY, period.modes);
+    find_held(scene, fmpq_get_d(period.v_mid));
+  }
+  ball_period_clear(&period);
+  ball_answer_clear(&proven);
   scallop_rational_clear(&exact);
   fmpq_clear(v);
-  return status;
+  return solved;
 }
 
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
@@ -178,16 +137,11 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   const char *why = NULL;
   enum scallop_status status = scallop_scale(crawler, &scaled);
   *scene = (struct stiff_scene){ .name = name, .crawler = *crawler };
-  if (status == SCALLOP_OK) {
-    scene->eps = scaled.eps;
-    status = certify(scene, &why);
-  }
-  if (status == SCALLOP_OK)
-    return NULL;
-  return why ? why : scallop_status_text(status);
+  if (status != SCALLOP_OK)
+    return scallop_status_text(status);
+  scene->eps = scaled.eps;
+  return certify(scene, &why) ? NULL : why;
 }
-
-/* ---- one run ---- */
 
 struct ration {
   long most, taken;
@@ -199,7 +153,7 @@ static bool ration_lasts(void *context)
   return r->taken++ < r->most;
 }
 
-static double difference(double answer, const struct stiff_value *value) { return (answer - value->high) - value->low; }
+static double difference(double answer, const struct scallop_wide *value) { return (answer - value->high) - value->low; }
 
 /* Samples at the beginning, in the middle and at the end of the stretch. */
 static bool keep(void *context, const struct scallop_sample *sample)
@@ -296,8 +250,6 @@ void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper 
   for (int i = 0; i < STIFF_QUANTITIES; i++)
     run->own[i] = fabs(run->error[i] - looser.error[i]);
 }
-
-/* ---- a series ---- */
 
 static bool is_good(const struct stiff_run *runs, int i, int quantity)
 {

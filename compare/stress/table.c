@@ -1,40 +1,26 @@
-/* The tables of `stress`: families of cases, and a single point. */
+/* The tables of `stress`: a row for each family of cases, or for each number of a single point. */
+#include "compare/stress/table.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "compare/stress/stress.h"
 #include "compare/answers/defaults.h"
+#include "compare/stress/judge.h"
+#include "compare/text/progress.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 
-static const char *const family_columns[] = { "family",
-                                              "gait",
-                                              "cases",
-                                              "refused",
-                                              "undecided",
-                                              "other_modes",
-                                              "quantity",
-                                              "units",
-                                              "ulp",
-                                              "condition",
-                                              "digits",
-                                              "ulp_median",
-                                              "rounding",
-                                              "perturbed",
-                                              "lost_double",
-                                              "lost_long_double",
-                                              "lost_binary128",
-                                              "estimate_least",
-                                              "estimate_most",
-                                              "verdict",
-                                              "worst_at",
-                                              NULL };
-static const char *const point_columns[] = { "quantity",         "value",          "certified", "units",     "ulp",
-                                             "condition",        "digits",         "rounding",  "perturbed", "lost_double",
-                                             "lost_long_double", "lost_binary128", "estimate",  "verdict",   NULL };
+/* In the order in which the cells are written. */
+static const char *const family_columns[] = { "family",    "gait",        "cases",    "refused",
+                                              "undecided", "other_modes", "quantity", NULL };
+static const char *const point_columns[] = { "quantity", "value", "certified", NULL };
+static const char *const error_columns[] = { "units", "ulp", "condition", "digits", NULL };
+static const char *const median_column[] = { "ulp_median", NULL };
+static const char *const spread_columns[] = { "rounding",         "perturbed",      "lost_double",
+                                              "lost_long_double", "lost_binary128", NULL };
+static const char *const family_end[] = { "estimate_least", "estimate_most", "verdict", "worst_at", NULL };
+static const char *const point_end[] = { "estimate", "verdict", NULL };
 
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
@@ -49,55 +35,47 @@ static int cases_of(const struct stress_options *o, enum stress_kind kind)
   return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
 }
 
-/* ---- one number of one case ---- */
-
 static double over(double error, double unit) { return error == 0 ? 0 : error / unit; }
 
 static double digits_kept(double error, double value)
 {
   double most = 53 * log10(2);
-  return value == 0 || isnan(value) ? NAN : error == 0 ? most : fmin(most, fmax(0, -log10(error / fabs(value))));
+  if (value == 0 || isnan(value))
+    return NAN;
+  return error == 0 ? most : fmin(most, fmax(0, -log10(error / fabs(value))));
 }
 
 /* Decimal digits of a type that the error takes away: its ulp is 2^(53 - bits) of a double's */
 static double digits_lost(double error, double ulp, int bits)
 {
   double ulps = ldexp(over(error, ulp), bits - 53);
-  return ulp == 0 ? NAN : ulps > 1 ? log10(ulps) : 0;
+  if (ulp == 0 || bits == 0)
+    return NAN;
+  return ulps > 1 ? log10(ulps) : 0;
 }
 
-/* The same for double, long double and binary128. */
-static void all_lost(const struct stress_judgement *j, int q, double lost[3])
+/* What the columns from rounding to lost_binary128 hold: of one number, or the largest of many. In units, and in digits. */
+enum { ROUNDING, PERTURBED, LOST, SPREADS = LOST + 3 };
+
+static void find_spreads(const struct stress_number *n, double spread[SPREADS])
 {
-  lost[0] = digits_lost(j->error[q], j->ulp[q], 53);
+  spread[ROUNDING] = over(n->rounding, n->unit);
+  spread[PERTURBED] = over(n->perturbed, n->unit);
+  spread[LOST] = digits_lost(n->error, n->ulp, 53);
   for (int w = 0; w < 2; w++)
-    lost[1 + w] = scallop_width_bits((enum scallop_width)w) == 0
-                      ? NAN
-                      : digits_lost(j->wide_error[w][q], j->ulp[q], scallop_width_bits((enum scallop_width)w));
+    spread[LOST + 1 + w] = digits_lost(n->wide_error[w], n->ulp, scallop_width_bits((enum scallop_width)w));
 }
 
-static bool is_judged(const struct stress_judgement *j, int q)
-{
-  return (j->outcome == STRESS_SOLVED || j->outcome == STRESS_UNDECIDED) && j->has[q];
-}
-
-/* How many times the error its estimate is; an error below the 128th part of an ulp counts as that. */
-static double generosity(const struct stress_judgement *j, int q)
-{
-  double least = 0x1p-7 * j->ulp[q];
-  return over(j->estimate[q], fmax(j->error[q], least));
-}
-
-/* ---- a family: the row ---- */
-
+/* A row of the table of families */
 struct row {
   const struct stress_family *family;
   const struct scallop_gait *gait;
   int cases, refused, undecided, other_modes, broken;
-  int worst, quantity;  /* where error/unit is largest: the case, or -1, and which of its numbers        */
-  double units, median; /* there; of errors in ulp over all numbers                                       */
-  double rounding, perturbed, lost[3], estimate_least, estimate_most;
-  const char *what; /* is broken, first of all; NULL: nothing                                      */
+  int worst, quantity; /* where error/unit is largest: the case, or -1, and which of its numbers */
+  double units;        /* there                                                                  */
+  double median;       /* of errors in ulp over all numbers                                      */
+  double spread[SPREADS], estimate_least, estimate_most;
+  const char *what; /* is broken, first of all; NULL: nothing */
 };
 
 static int by_size(const void *a, const void *b)
@@ -114,25 +92,32 @@ static double median_of(double *x, int count)
   return count % 2 ? x[count / 2] : (x[count / 2 - 1] + x[count / 2]) / 2;
 }
 
+/* Estimates over errors; an error below the 128th part of an ulp counts as that. */
+static void add_estimate(struct row *r, const struct stress_number *n)
+{
+  double least = 0x1p-7 * n->ulp, generous = over(n->estimate, fmax(n->error, least));
+  if (!(n->ulp > 0))
+    return;
+  if (n->error > 0 && n->error >= least)
+    r->estimate_least = fmin(r->estimate_least, generous);
+  r->estimate_most = fmax(r->estimate_most, generous);
+}
+
 static void add_number(struct row *r, const struct stress_judgement *j, int i, int q)
 {
-  double units = over(j->error[q], j->unit[q]), lost[3], generous = generosity(j, q);
+  const struct stress_number *n = &j->number[q];
+  double units = over(n->error, n->unit), spread[SPREADS];
   if (r->worst < 0 || units > r->units) {
     r->units = units;
     r->worst = i;
     r->quantity = q;
   }
-  r->rounding = fmax(r->rounding, over(j->rounding[q], j->unit[q]));
-  r->perturbed = fmax(r->perturbed, over(j->perturbed[q], j->unit[q]));
   if (j->only_error)
     return;
-  all_lost(j, q, lost);
-  for (int k = 0; k < 3; k++)
-    r->lost[k] = fmax(r->lost[k], lost[k]);
-  if (j->ulp[q] > 0 && j->error[q] > 0 && j->error[q] >= 0x1p-7 * j->ulp[q])
-    r->estimate_least = fmin(r->estimate_least, generous);
-  if (j->ulp[q] > 0)
-    r->estimate_most = fmax(r->estimate_most, generous);
+  find_spreads(n, spread);
+  for (int k = 0; k < SPREADS; k++)
+    r->spread[k] = fmax(r->spread[k], spread[k]);
+  add_estimate(r, n);
 }
 
 /* errors: room for STRESS_QUANTITIES * r->cases numbers */
@@ -150,14 +135,30 @@ static void sum_up(struct row *r, const struct stress_judgement *judgements, dou
       const char *what = stress_broken(j, q);
       r->broken += what != NULL;
       r->what = r->what ? r->what : what;
-      if (!is_judged(j, q))
+      if (!stress_is_judged(j, q))
         continue;
       add_number(r, j, i, q);
-      if (j->ulp[q] > 0)
-        errors[count++] = over(j->error[q], j->ulp[q]);
+      if (j->number[q].ulp > 0)
+        errors[count++] = over(j->number[q].error, j->number[q].ulp);
     }
   }
   r->median = median_of(errors, count);
+}
+
+/* units, ulp, condition and digits; NULL: there is no number */
+static void write_errors(struct table *t, const struct stress_number *n)
+{
+  bool has_ulp = n && n->ulp > 0;
+  table_rounded(t, n ? over(n->error, n->unit) : NAN, "%.3g");
+  table_rounded(t, has_ulp ? over(n->error, n->ulp) : NAN, "%.3g");
+  table_rounded(t, has_ulp ? n->unit / n->ulp : NAN, "%.3g");
+  table_rounded(t, has_ulp ? digits_kept(n->error, n->exact) : NAN, "%.1f");
+}
+
+static void write_spreads(struct table *t, const double spread[SPREADS], bool known)
+{
+  for (int k = 0; k < SPREADS; k++)
+    table_rounded(t, known ? spread[k] : NAN, k < LOST ? "%.3g" : "%.1f");
 }
 
 static void write_verdict(struct table *t, const char *what, int broken)
@@ -170,37 +171,26 @@ static void write_verdict(struct table *t, const char *what, int broken)
 static void write_row(struct table *t, const struct row *r, const struct stress_case *cases,
                       const struct stress_judgement *judgements)
 {
-  static const struct stress_judgement none = { 0 };
   char arguments[STRESS_ARGUMENTS] = "-";
-  const struct stress_judgement *j = r->worst >= 0 ? &judgements[r->worst] : &none;
-  int q = r->quantity;
-  bool has_ulp = j->ulp[q] > 0;
+  const struct stress_judgement *j = r->worst >= 0 ? &judgements[r->worst] : NULL;
+  bool more = r->family->kind != STRESS_TRAJECTORY;
   table_text(t, r->family->name);
   table_text(t, r->gait->name);
   table_number(t, r->cases);
   table_number(t, r->refused);
   table_number(t, r->undecided);
   table_number(t, r->other_modes);
-  table_text(t, r->worst >= 0 ? stress_quantity_name(r->family->kind, q) : "-");
-  table_rounded(t, r->worst >= 0 ? r->units : NAN, "%.3g");
-  table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
-  table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
-  table_rounded(t, has_ulp ? digits_kept(j->error[q], j->exact[q]) : NAN, "%.1f");
+  table_text(t, j ? stress_quantity_name(r->family->kind, r->quantity) : "-");
+  write_errors(t, j ? &j->number[r->quantity] : NULL);
   table_rounded(t, r->median, "%.3g");
-  bool more = !j->only_error;
-  table_rounded(t, more ? r->rounding : NAN, "%.3g");
-  table_rounded(t, more ? r->perturbed : NAN, "%.3g");
-  for (int k = 0; k < 3; k++)
-    table_rounded(t, more ? r->lost[k] : NAN, "%.1f");
+  write_spreads(t, r->spread, more || !j);
   table_rounded(t, isfinite(r->estimate_least) ? r->estimate_least : NAN, "%.4f");
-  table_rounded(t, more ? r->estimate_most : NAN, "%.4f");
+  table_rounded(t, more || !j ? r->estimate_most : NAN, "%.4f");
   write_verdict(t, r->what, r->broken);
-  if (r->worst >= 0)
+  if (j)
     stress_arguments(&cases[r->worst], arguments);
   table_text(t, arguments);
 }
-
-/* ---- a family: the work ---- */
 
 struct run {
   const struct stress_options *options;
@@ -208,18 +198,18 @@ struct run {
   struct stress_case *stressed;
   struct stress_judgement *judgements;
   double *errors;
-  bool shown;
+  struct progress progress;
   int broken; /* rows */
 };
 
-/* Each broken promise as one command; a few of a family are enough. */
+/* Prints the first few broken promises of a family, each as one command. */
 static void report(const struct row *r, const struct run *run)
 {
   enum { MOST = 3 };
   char arguments[STRESS_ARGUMENTS];
-  int said = 0;
-  for (int i = 0; i < r->cases && said < MOST; i++)
-    for (int q = 0; q < STRESS_QUANTITIES && said < MOST; q++) {
+  int reported = 0;
+  for (int i = 0; i < r->cases && reported < MOST; i++)
+    for (int q = 0; q < STRESS_QUANTITIES && reported < MOST; q++) {
       const char *what = stress_broken(&run->judgements[i], q);
       if (!what)
         continue;
@@ -227,7 +217,7 @@ static void report(const struct row *r, const struct run *run)
       complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
                stress_quantity_name(r->family->kind, q), r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
                arguments);
-      said++;
+      reported++;
     }
 }
 
@@ -246,15 +236,13 @@ static void run_family(struct run *run, const struct stress_family *family, cons
 {
   const struct stress_options *o = run->options;
   struct row r = { .family = family, .gait = gait };
-  if (run->shown)
-    fprintf(stderr, "\r%s, %s gait\033[K", family->name, gait->name);
+  progress_show(&run->progress, "%s, %s gait", family->name, gait->name);
   r.cases = stress_make(family, gait, (unsigned long)o->seed.value, cases_of(o, family->kind), run->stressed);
   for (int i = 0; i < r.cases; i++)
     run->stressed[i].periods = o->full ? FULL_PERIODS : o->check ? CHECK_PERIODS : PERIODS;
   judge_all(run, r.cases);
   sum_up(&r, run->judgements, run->errors);
-  if (run->shown)
-    fprintf(stderr, "\r\033[K");
+  progress_end(&run->progress);
   write_row(&run->table, &r, run->stressed, run->judgements);
   report(&r, run);
   run->broken += r.broken > 0;
@@ -306,12 +294,16 @@ static void begin(struct run *run)
     if (!o->family || f == family_named(o->family))
       table_note(t, "%s: %s", f->name, f->about);
   table_columns(t, family_columns);
+  table_columns(t, error_columns);
+  table_columns(t, median_column);
+  table_columns(t, spread_columns);
+  table_columns(t, family_end);
   table_begin_rows(t);
 }
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o, .shown = !o->request.style.quiet && isatty(STDERR_FILENO) };
+  struct run run = { .options = o, .progress = progress_begin(o->request.style.quiet) };
   enum exit_code code = EXIT_UNSOLVED;
   const size_t most = (size_t)cases_of(o, STRESS_PHASE);
   if (o->family && !family_named(o->family)) {
@@ -339,26 +331,19 @@ enum exit_code stress_table(const struct stress_options *o)
   return code;
 }
 
-/* ---- a point ---- */
-
-static void write_number(struct table *t, const struct stress_case *s, const struct stress_judgement *j, int q)
+static void write_number(struct table *t, enum stress_kind kind, const struct stress_judgement *j, int q)
 {
-  double lost[3];
   const char *broken = stress_broken(j, q);
-  bool judged = is_judged(j, q), has_ulp = judged && j->ulp[q] > 0;
-  all_lost(j, q, lost);
-  table_text(t, stress_quantity_name(s->kind, q));
-  table_number(t, judged ? j->got[q] : NAN);
-  table_number(t, judged ? j->exact[q] : NAN);
-  table_rounded(t, judged ? over(j->error[q], j->unit[q]) : NAN, "%.3g");
-  table_rounded(t, has_ulp ? over(j->error[q], j->ulp[q]) : NAN, "%.3g");
-  table_rounded(t, has_ulp ? j->unit[q] / j->ulp[q] : NAN, "%.3g");
-  table_rounded(t, has_ulp ? digits_kept(j->error[q], j->exact[q]) : NAN, "%.1f");
-  table_rounded(t, judged ? over(j->rounding[q], j->unit[q]) : NAN, "%.3g");
-  table_rounded(t, judged ? over(j->perturbed[q], j->unit[q]) : NAN, "%.3g");
-  for (int k = 0; k < 3; k++)
-    table_rounded(t, judged ? lost[k] : NAN, "%.1f");
-  table_rounded(t, judged ? 1.0005 * j->estimate[q] : NAN, "%.4g"); /* up */
+  bool judged = stress_is_judged(j, q);
+  const struct stress_number *n = &j->number[q];
+  double spread[SPREADS];
+  find_spreads(n, spread);
+  table_text(t, stress_quantity_name(kind, q));
+  table_number(t, judged ? n->got : NAN);
+  table_number(t, judged ? n->exact : NAN);
+  write_errors(t, judged ? n : NULL);
+  write_spreads(t, spread, judged);
+  table_rounded(t, judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
   if (j->outcome == STRESS_REFUSED)
     table_text(t, j->why);
   else if (!judged && !broken)
@@ -388,9 +373,12 @@ enum exit_code stress_point(const struct stress_options *o)
   if (j.outcome == STRESS_UNDECIDED)
     table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
   table_columns(&t, point_columns);
+  table_columns(&t, error_columns);
+  table_columns(&t, spread_columns);
+  table_columns(&t, point_end);
   table_begin_rows(&t);
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    write_number(&t, &s, &j, q);
+    write_number(&t, s.kind, &j, q);
     broken |= stress_broken(&j, q) != NULL;
   }
   if (broken)

@@ -1,163 +1,147 @@
-/* The rivals of numerics/rival.h, each as two ways: simulating from rest until the periods repeat, and as the root of its period map.
- * The memory of a rival is made beforehand, as its user would. */
-#include "compare/workprec/workprec.h"
+#include "compare/workprec/rivals.h"
+
+#include <stdio.h>
+
 #include "numerics/cvode.h"
 #include "numerics/moreau.h"
 #include "numerics/odeiv.h"
 #include "numerics/smoothed.h"
 
-static void take(struct way_answer *answer, const struct scallop_rival_steady *steady)
+static enum scallop_status take(struct setting_answer *answer, enum scallop_status status,
+                                const struct scallop_rival_steady *steady)
 {
-  *answer = (struct way_answer){ .value = { steady->v_start, steady->displacement },
-                                 .gait_evaluations = (double)steady->evaluations,
-                                 .events = (double)steady->events,
-                                 .root_iterations = (double)steady->root_iterations,
-                                 .periods = (double)steady->periods };
-}
-
-static enum scallop_status simulate(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
-{
-  struct scallop_rival_steady steady;
-  enum scallop_status status = scallop_rival_simulate(way->memory, &way->point->crawler, 0, way->tolerance, patience,
-                                                      &steady);
   if (status >= 0)
-    take(answer, &steady);
+    *answer = (struct setting_answer){ .value = { [VELOCITY] = steady->v_start, [DISPLACEMENT] = steady->displacement },
+                                       .gait_evaluations = (double)steady->evaluations,
+                                       .events = (double)steady->events,
+                                       .root_iterations = (double)steady->root_iterations,
+                                       .periods = (double)steady->periods };
   return status;
 }
 
-static enum scallop_status find_root(struct way *way, const struct scallop_patience *patience, struct way_answer *answer)
+static enum scallop_status simulate(struct setting *s, const struct scallop_patience *patience,
+                                    struct setting_answer *answer)
 {
   struct scallop_rival_steady steady;
-  enum scallop_status status = scallop_rival_root(way->memory, &way->point->crawler, way->tolerance, patience, &steady);
-  if (status >= 0)
-    take(answer, &steady);
-  return status;
+  return take(answer, scallop_rival_simulate(s->memory, &s->reference->crawler, 0, s->tolerance, patience, &steady),
+              &steady);
+}
+
+static enum scallop_status find_root(struct setting *s, const struct scallop_patience *patience,
+                                     struct setting_answer *answer)
+{
+  struct scallop_rival_steady steady;
+  return take(answer, scallop_rival_root(s->memory, &s->reference->crawler, s->tolerance, patience, &steady), &steady);
 }
 
 static void release(void *memory) { scallop_rival_destroy(memory); }
 
-enum family { ODEIV, CVODE, SMOOTHED, MOREAU };
-
-struct setting {
-  enum family family;
-  int stepper;
-  double tolerance, delta;
+/* How exact a rival is to be: those of its numbers that it takes. */
+struct accuracy {
+  double delta, tolerance;
   long steps;
 };
-
-static struct scallop_rival *make(const struct setting *s)
-{
-  switch (s->family) {
-  case ODEIV: return scallop_odeiv_rival((enum scallop_odeiv_stepper)s->stepper, s->tolerance);
-  case CVODE: return scallop_cvode_rival(s->tolerance);
-  case SMOOTHED: return scallop_smoothed_rival((enum scallop_smoothed_stepper)s->stepper, s->delta, s->tolerance);
-  case MOREAU: return scallop_moreau_rival(s->steps);
-  }
-  return NULL;
-}
-
-static void describe(char text[WAY_TEXT], const struct setting *s)
-{
-  if (s->family == MOREAU)
-    snprintf(text, WAY_TEXT, "%ld steps", s->steps);
-  else if (s->family == SMOOTHED)
-    snprintf(text, WAY_TEXT, "delta %g, tolerance %g", s->delta, s->tolerance);
-  else
-    snprintf(text, WAY_TEXT, "tolerance %g", s->tolerance);
-}
-
-/* names: of the two ways. Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. */
-static void add(struct ways *ways, const struct trial *point, const char *const names[2], const struct setting *s)
-{
-  char text[WAY_TEXT];
-  describe(text, s);
-  for (int i = 0; i < 2; i++) {
-    struct way *way = ways_add(ways, point, names[i], i == 0 ? WAY_SIMULATION : WAY_ROOT, "%s", text);
-    way->solve = i == 0 ? simulate : find_root;
-    way->tolerance = s->family == MOREAU ? 1 / ((double)s->steps * (double)s->steps) : s->tolerance;
-    way->memory = make(s);
-    way->release = release;
-  }
-}
-
-/* What is tried of a list: from which place on, and how many. */
-struct range {
-  int first, count;
+static const struct accuracy tolerances[] = { { .tolerance = 1e-4 },  { .tolerance = 1e-6 },  { .tolerance = 1e-8 },
+                                              { .tolerance = 1e-10 }, { .tolerance = 1e-12 }, { .tolerance = 1e-14 } };
+static const struct accuracy smoothed[] = { { 1e-2, 1e-6, 0 }, { 1e-2, 1e-9, 0 }, { 1e-4, 1e-6, 0 },
+                                            { 1e-4, 1e-9, 0 }, { 1e-6, 1e-6, 0 }, { 1e-6, 1e-9, 0 } };
+static const struct accuracy steps[] = {
+  { .steps = 16 }, { .steps = 128 }, { .steps = 1024 }, { .steps = 8192 }, { .steps = 65536 }
 };
-static const double tolerances[] = { 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14 };
 
-/* to_rounding: of an order high enough for the last of them */
-static struct range tolerance_range(bool quick, bool to_rounding)
+static struct scallop_rival *make_odeiv(int stepper, const struct accuracy *a)
 {
-  return quick ? (struct range){ 1, 1 } : (struct range){ 0, to_rounding ? 6 : 5 };
+  return scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, a->tolerance);
 }
 
-static void add_odeiv(struct ways *ways, const struct trial *point, bool quick)
+static struct scallop_rival *make_cvode(int stepper, const struct accuracy *a)
 {
-  static const struct {
-    enum scallop_odeiv_stepper stepper;
-    bool to_rounding;
-    const char *names[2];
-  } steppers[] = {
-    { SCALLOP_ODEIV_RKF45, false, { "gsl rkf45, simulated", "gsl rkf45, root" } },
-    { SCALLOP_ODEIV_RK8PD, true, { "gsl rk8pd, simulated", "gsl rk8pd, root" } },
-    { SCALLOP_ODEIV_MSADAMS, false, { "gsl msadams, simulated", "gsl msadams, root" } },
-  };
-  for (size_t k = 0; k < sizeof steppers / sizeof *steppers; k++) {
-    struct range range = tolerance_range(quick, steppers[k].to_rounding);
-    for (int i = range.first; i < range.first + range.count; i++)
-      add(ways, point, steppers[k].names,
-          &(struct setting){ .family = ODEIV, .stepper = steppers[k].stepper, .tolerance = tolerances[i] });
+  (void)stepper;
+  return scallop_cvode_rival(a->tolerance);
+}
+
+static struct scallop_rival *make_smoothed(int stepper, const struct accuracy *a)
+{
+  return scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, a->delta, a->tolerance);
+}
+
+static struct scallop_rival *make_moreau(int stepper, const struct accuracy *a)
+{
+  (void)stepper;
+  return scallop_moreau_rival(a->steps);
+}
+
+/* count: five tolerances, or six where the order is high enough for the last. quick: the place of the only accuracy of --quick. */
+static const struct rival {
+  const char *name;
+  struct scallop_rival *(*make)(int stepper, const struct accuracy *accuracy);
+  int stepper;
+  const struct accuracy *accuracies;
+  int count, quick;
+} rivals[] = {
+  { "gsl rkf45", make_odeiv, SCALLOP_ODEIV_RKF45, tolerances, 5, 1 },
+  { "gsl rk8pd", make_odeiv, SCALLOP_ODEIV_RK8PD, tolerances, 6, 1 },
+  { "gsl msadams", make_odeiv, SCALLOP_ODEIV_MSADAMS, tolerances, 5, 1 },
+  { "cvode", make_cvode, 0, tolerances, 5, 1 },
+  { "smoothed msbdf", make_smoothed, SCALLOP_SMOOTHED_MSBDF, smoothed, 6, 0 },
+  { "smoothed bsimp", make_smoothed, SCALLOP_SMOOTHED_BSIMP, smoothed, 6, 0 },
+  { "smoothed rk4imp", make_smoothed, SCALLOP_SMOOTHED_RK4IMP, smoothed, 6, 0 },
+  { "moreau", make_moreau, 0, steps, 5, 1 },
+};
+
+/* The two methods of a rival */
+static const struct {
+  const char *ending;
+  enum method_kind kind;
+  setting_solve *solve;
+} methods[] = { { "simulated", METHOD_SIMULATION, simulate }, { "root", METHOD_ROOT, find_root } };
+
+static void describe(char text[SETTING_TEXT], const struct accuracy *a)
+{
+  if (a->steps > 0)
+    snprintf(text, SETTING_TEXT, "%ld steps", a->steps);
+  else if (a->delta > 0)
+    snprintf(text, SETTING_TEXT, "delta %g, tolerance %g", a->delta, a->tolerance);
+  else
+    snprintf(text, SETTING_TEXT, "tolerance %g", a->tolerance);
+}
+
+/* Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. The memory of a rival is made
+ * beforehand, as its user would. */
+static void add(struct settings *settings, const struct reference *reference, const struct rival *rival,
+                const struct accuracy *a)
+{
+  char text[SETTING_TEXT], name[SETTING_TEXT];
+  describe(text, a);
+  for (int i = 0; i < 2; i++) {
+    snprintf(name, sizeof name, "%s, %s", rival->name, methods[i].ending);
+    struct setting *s = settings_add(settings, reference, name, methods[i].kind, methods[i].solve, "%s", text);
+    s->tolerance = a->steps > 0 ? 1 / ((double)a->steps * (double)a->steps) : a->tolerance;
+    s->memory = rival->make(rival->stepper, a);
+    s->release = release;
   }
 }
 
-static void add_cvode(struct ways *ways, const struct trial *point, bool quick)
+static void leave_out(struct settings *settings, const struct reference *reference, const struct rival *rival)
 {
-  static const char *const names[2] = { "cvode, simulated", "cvode, root" };
-  if (!scallop_has_cvode()) {
-    for (int i = 0; i < 2; i++) {
-      struct way *way = ways_add(ways, point, names[i], WAY_LEFT_OUT, "-");
-      snprintf(way->status, sizeof way->status, "left out: built without SUNDIALS");
-    }
-    return;
+  char name[SETTING_TEXT];
+  for (int i = 0; i < 2; i++) {
+    snprintf(name, sizeof name, "%s, %s", rival->name, methods[i].ending);
+    struct setting *s = settings_add(settings, reference, name, METHOD_LEFT_OUT, NULL, "-");
+    snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
   }
-  struct range range = tolerance_range(quick, false);
-  for (int i = range.first; i < range.first + range.count; i++)
-    add(ways, point, names, &(struct setting){ .family = CVODE, .tolerance = tolerances[i] });
 }
 
-static void add_smoothed(struct ways *ways, const struct trial *point, bool quick)
+void rivals_add(struct settings *settings, const struct reference *reference, bool quick)
 {
-  static const struct {
-    enum scallop_smoothed_stepper stepper;
-    const char *names[2];
-  } steppers[] = {
-    { SCALLOP_SMOOTHED_MSBDF, { "smoothed msbdf, simulated", "smoothed msbdf, root" } },
-    { SCALLOP_SMOOTHED_BSIMP, { "smoothed bsimp, simulated", "smoothed bsimp, root" } },
-    { SCALLOP_SMOOTHED_RK4IMP, { "smoothed rk4imp, simulated", "smoothed rk4imp, root" } },
-  };
-  static const double deltas[] = { 1e-2, 1e-4, 1e-6 }, tight[] = { 1e-6, 1e-9 };
-  for (size_t k = 0; k < sizeof steppers / sizeof *steppers; k++)
-    for (int d = 0; d < (quick ? 1 : 3); d++)
-      for (int i = 0; i < (quick ? 1 : 2); i++)
-        add(ways, point, steppers[k].names,
-            &(struct setting){
-                .family = SMOOTHED, .stepper = steppers[k].stepper, .delta = deltas[d], .tolerance = tight[i] });
-}
-
-static void add_moreau(struct ways *ways, const struct trial *point, bool quick)
-{
-  static const char *const names[2] = { "moreau, simulated", "moreau, root" };
-  static const long steps[] = { 16, 128, 1024, 8192, 65536 };
-  struct range range = quick ? (struct range){ 1, 1 } : (struct range){ 0, 5 };
-  for (int i = range.first; i < range.first + range.count; i++)
-    add(ways, point, names, &(struct setting){ .family = MOREAU, .steps = steps[i] });
-}
-
-void ways_add_rivals(struct ways *ways, const struct trial *point, bool quick)
-{
-  add_odeiv(ways, point, quick);
-  add_cvode(ways, point, quick);
-  add_smoothed(ways, point, quick);
-  add_moreau(ways, point, quick);
+  for (size_t k = 0; k < sizeof rivals / sizeof *rivals; k++) {
+    const struct rival *rival = &rivals[k];
+    if (rival->make == make_cvode && !scallop_has_cvode())
+      leave_out(settings, reference, rival);
+    else if (quick)
+      add(settings, reference, rival, &rival->accuracies[rival->quick]);
+    else
+      for (int i = 0; i < rival->count; i++)
+        add(settings, reference, rival, &rival->accuracies[i]);
+  }
 }

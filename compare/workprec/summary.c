@@ -1,9 +1,9 @@
-/* Who is cheapest for a wanted error. */
+#include "compare/workprec/summary.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "compare/text/table.h"
-#include "compare/workprec/workprec.h"
+#include "compare/workprec/measure.h"
 
 const char *const summary_columns[] = { "gait",
                                         "T",
@@ -26,60 +26,60 @@ const char *const summary_columns[] = { "gait",
                                         "simulation_over_exact",
                                         NULL };
 
-static bool is_any(enum way_kind kind) { return kind != WAY_ASIDE && kind != WAY_LEFT_OUT; }
-static bool is_exact(enum way_kind kind) { return kind == WAY_EXACT; }
-static bool is_rival(enum way_kind kind) { return kind == WAY_ROOT || kind == WAY_SIMULATION; }
-static bool is_simulation(enum way_kind kind) { return kind == WAY_SIMULATION; }
+static bool is_any(enum method_kind kind) { return kind != METHOD_OTHER && kind != METHOD_LEFT_OUT; }
+static bool is_exact(enum method_kind kind) { return kind == METHOD_EXACT; }
+static bool is_rival(enum method_kind kind) { return kind == METHOD_ROOT || kind == METHOD_SIMULATION; }
+static bool is_simulation(enum method_kind kind) { return kind == METHOD_SIMULATION; }
 
 /* The one of a kind, and of a method other than this one, that reaches the error in the least time; NULL if none does. */
-static const struct way *cheapest(const struct ways *ways, int quantity, double error_log10, bool (*is_kind)(enum way_kind),
-                                  const char *other_than)
+static const struct setting *cheapest(const struct settings *settings, int quantity, double error_log10,
+                                      bool (*is_kind)(enum method_kind), const char *other_than)
 {
-  const struct way *best = NULL;
-  for (int i = 0; i < ways->count; i++) {
-    const struct way *way = &ways->list[i];
-    if (!way->solved || !is_kind(way->kind) || !(way->error_log10[quantity] <= error_log10)
-        || (other_than && strcmp(way->method, other_than) == 0))
+  const struct setting *best = NULL;
+  for (int i = 0; i < settings->count; i++) {
+    const struct setting *s = &settings->list[i];
+    if (!s->solved || !is_kind(s->kind) || !(s->error_log10[quantity] <= error_log10)
+        || (other_than && strcmp(s->method, other_than) == 0))
       continue;
-    if (!best || way_seconds(way->time.median) < way_seconds(best->time.median))
-      best = way;
+    if (!best || printed_seconds(s->time.median) < printed_seconds(best->time.median))
+      best = s;
   }
   return best;
 }
 
-/* A way, and how many times as long as the other one it takes */
-static void write_ratio(struct table *t, const struct way *way, const struct way *to)
+/* A s, and how many times as long as the other one it takes */
+static void write_ratio(struct table *t, const struct setting *s, const struct setting *to)
 {
-  table_text(t, way ? way->method : "-");
-  table_text(t, way ? way->setting : "-");
-  table_rounded(t, way && to ? way_seconds(way->time.median) / way_seconds(to->time.median) : NAN, "%.3g");
+  table_text(t, s ? s->method : "-");
+  table_text(t, s ? s->text : "-");
+  table_rounded(t, s && to ? printed_seconds(s->time.median) / printed_seconds(to->time.median) : NAN, "%.3g");
 }
 
-static void write_wanted(struct table *t, const struct ways *ways, int quantity, double error_log10)
+static void write_wanted(struct table *t, const struct settings *settings, int quantity, double error_log10)
 {
-  const struct way *best = cheapest(ways, quantity, error_log10, is_any, NULL);
-  const struct way *exact = cheapest(ways, quantity, error_log10, is_exact, NULL);
-  char text[WAY_TEXT];
+  const struct setting *best = cheapest(settings, quantity, error_log10, is_any, NULL);
+  const struct setting *exact = cheapest(settings, quantity, error_log10, is_exact, NULL);
+  char text[SETTING_TEXT];
   if (!best)
     return;
-  table_text(t, best->point->crawler.gait->name);
-  table_number(t, best->point->crawler.T);
-  table_text(t, way_quantities[quantity]);
+  table_text(t, best->reference->crawler.gait->name);
+  table_number(t, best->reference->crawler.T);
+  table_text(t, quantity_rows[compared[quantity]].name);
   snprintf(text, sizeof text, "1e%.0f", error_log10);
   table_digits(t, text);
   table_text(t, best->method);
-  table_text(t, best->setting);
+  table_text(t, best->text);
   table_digits(t, best->error[quantity]);
-  write_ratio(t, cheapest(ways, quantity, error_log10, is_any, best->method), best);
+  write_ratio(t, cheapest(settings, quantity, error_log10, is_any, best->method), best);
   write_ratio(t, exact, best);
-  write_ratio(t, cheapest(ways, quantity, error_log10, is_rival, NULL), exact);
-  write_ratio(t, cheapest(ways, quantity, error_log10, is_simulation, NULL), exact);
+  write_ratio(t, cheapest(settings, quantity, error_log10, is_rival, NULL), exact);
+  write_ratio(t, cheapest(settings, quantity, error_log10, is_simulation, NULL), exact);
 }
 
-void summary_write(struct table *table, const struct ways *ways)
+void summary_write(struct table *table, const struct settings *settings)
 {
   static const double wanted[] = { -2, -4, -6, -8, -10, -12, -15, -30, -100 };
-  for (int quantity = 0; quantity < WAY_QUANTITIES; quantity++)
+  for (int quantity = 0; quantity < COMPARED; quantity++)
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
-      write_wanted(table, ways, quantity, wanted[i]);
+      write_wanted(table, settings, quantity, wanted[i]);
 }

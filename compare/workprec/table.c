@@ -1,46 +1,45 @@
-/* The points and the table of ways. */
+#include "compare/workprec/table.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-#include "compare/answers/points.h"
 #include "compare/answers/defaults.h"
-#include "compare/workprec/workprec.h"
+#include "compare/answers/points.h"
+#include "compare/workprec/measure.h"
+#include "compare/workprec/methods.h"
+#include "compare/workprec/rivals.h"
+#include "compare/workprec/summary.h"
 
-enum { MOST_POINTS = 40 };
+enum { MOST_REFERENCES = 40 };
 
 static const char *const columns[] = {
   "method",      "setting",         "gait",    "T",       "quantity",    "error",
   "time_median", "time_min",        "time_q1", "time_q3", "repetitions", "gait_evaluations",
   "events",      "root_iterations", "periods", "pareto",  "status",      NULL
 };
-const char *const way_quantities[WAY_QUANTITIES + 1] = { "v_start", "displacement", NULL };
 
 struct run {
   const struct workprec_options *options;
-  struct trial points[MOST_POINTS];
+  struct reference references[MOST_REFERENCES];
   int count;
   double limit;
   struct stopwatch_clock clock;
   struct table table;
-  const struct trial *at;
+  struct progress progress;
 };
 
-/* ---- points ---- */
-
-static const char *add_point(struct run *r, const struct scallop_gait *gait, double T)
+static const char *add_reference(struct run *r, const struct scallop_gait *gait, double T)
 {
   struct scallop_crawler c = r->options->request.point.crawler;
-  assert(r->count < MOST_POINTS);
+  assert(r->count < MOST_REFERENCES);
   c.gait = gait;
   c.T = T;
-  return point_init(&r->points[r->count++], &c);
+  return reference_init(&r->references[r->count++], &c);
 }
 
 /* All are solved before anything is written. */
-static bool make_points(struct run *r)
+static bool make_references(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
   const struct workprec_options *o = r->options;
@@ -51,7 +50,7 @@ static bool make_points(struct run *r)
     const struct scallop_gait *gait = o->request.point.has_gait ? o->request.point.crawler.gait
                                                                 : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; i < times; i++) {
-      const char *why = add_point(r, gait, T[i]);
+      const char *why = add_reference(r, gait, T[i]);
       if (why)
         complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", gait->name, T[i],
                  why);
@@ -62,18 +61,16 @@ static bool make_points(struct run *r)
   return true;
 }
 
-/* ---- the table ---- */
-
 static double nothing(void *context) { return *(const double *)context; }
 
 /* What a batch adds to each solve: the loop and a call */
 static double call_cost(const struct stopwatch_clock *clock)
 {
-  double samples[WAY_SAMPLES], zero = 0;
+  double samples[SETTING_SAMPLES], zero = 0;
   long passes = stopwatch_passes(nothing, &zero, stopwatch_long_enough(clock));
-  for (int i = 0; i < WAY_SAMPLES; i++)
+  for (int i = 0; i < SETTING_SAMPLES; i++)
     samples[i] = stopwatch_batch(nothing, &zero, passes) / (double)passes;
-  return stopwatch_spread(samples, WAY_SAMPLES).median;
+  return stopwatch_spread(samples, SETTING_SAMPLES).median;
 }
 
 static bool begin(struct run *r)
@@ -101,19 +98,19 @@ static bool begin(struct run *r)
   return true;
 }
 
-static void write_way(struct table *t, const struct way *way, int quantity)
+static void write_setting(struct table *t, const struct setting *s, int quantity)
 {
-  const struct stopwatch_spread *time = &way->time;
-  const struct way_answer *a = &way->answer;
-  table_text(t, way->method);
-  table_text(t, way->setting);
-  table_text(t, way->point->crawler.gait->name);
-  table_number(t, way->point->crawler.T);
-  table_text(t, way_quantities[quantity]);
-  if (isnan(way->error_log10[quantity]))
+  const struct stopwatch_spread *time = &s->time;
+  const struct setting_answer *a = &s->answer;
+  table_text(t, s->method);
+  table_text(t, s->text);
+  table_text(t, s->reference->crawler.gait->name);
+  table_number(t, s->reference->crawler.T);
+  table_text(t, quantity_rows[compared[quantity]].name);
+  if (isnan(s->error_log10[quantity]))
     table_number(t, NAN);
   else
-    table_digits(t, way->error[quantity]);
+    table_digits(t, s->error[quantity]);
   table_rounded(t, time->median, "%.4g");
   table_rounded(t, time->least, "%.4g");
   table_rounded(t, time->q1, "%.4g");
@@ -123,71 +120,54 @@ static void write_way(struct table *t, const struct way *way, int quantity)
   table_number(t, a->events);
   table_number(t, a->root_iterations);
   table_number(t, a->periods);
-  table_text(t, way->kind == WAY_ASIDE || !way->solved ? "-" : way->front[quantity] ? "yes" : "no");
-  table_text(t, way->status);
+  table_text(t, s->kind == METHOD_OTHER || !s->solved ? "-" : s->front[quantity] ? "yes" : "no");
+  table_text(t, s->status);
 }
 
-static void write_ways(struct run *r, const struct ways *ways)
+static void write_settings(struct run *r, const struct settings *settings)
 {
-  for (int i = 0; i < ways->count; i++)
-    for (int quantity = 0; quantity < WAY_QUANTITIES; quantity++)
-      if (way_has(&ways->list[i], quantity))
-        write_way(&r->table, &ways->list[i], quantity);
+  for (int i = 0; i < settings->count; i++)
+    for (int quantity = 0; quantity < COMPARED; quantity++)
+      if (setting_has(&settings->list[i], quantity))
+        write_setting(&r->table, &settings->list[i], quantity);
 }
 
-/* ---- the run ---- */
-
-static void say(void *context, int done, int count, const struct way *way)
+static void measure(struct run *r, struct settings *settings)
 {
-  const struct run *r = context;
-  fprintf(stderr, "\r%s, T = %g: %d of %d: %s, %s\033[K", r->at->crawler.gait->name, r->at->crawler.T, done + 1, count,
-          way->method, way->setting);
-}
-
-static void say_nothing(void *context, int done, int count, const struct way *way)
-{
-  (void)context, (void)done, (void)count, (void)way;
-}
-
-static void measure(struct run *r, struct ways *ways)
-{
-  bool shown = !r->options->request.style.quiet && isatty(STDERR_FILENO);
-  const struct workprec_progress progress = { shown ? say : say_nothing, r };
   for (int i = 0; i < r->count; i++) {
-    r->at = &r->points[i];
-    ways_add_ours(ways, r->at, r->options->quick);
-    ways_add_rivals(ways, r->at, r->options->quick);
-    ways_measure(ways, &r->clock, r->limit, &progress);
+    methods_add(settings, &r->references[i], r->options->quick);
+    rivals_add(settings, &r->references[i], r->options->quick);
+    settings_measure(settings, &r->clock, r->limit, &r->progress);
     if (r->options->summary)
-      summary_write(&r->table, ways);
+      summary_write(&r->table, settings);
     else
-      write_ways(r, ways);
-    ways_clear(ways);
+      write_settings(r, settings);
+    settings_clear(settings);
   }
-  if (shown)
-    fprintf(stderr, "\r\033[K");
+  progress_end(&r->progress);
 }
 
 enum exit_code workprec_table(const struct workprec_options *options)
 {
   struct run r = { .options = options,
+                   .progress = progress_begin(options->request.style.quiet),
                    .limit = options->limit.value > 0 ? options->limit.value
                             : options->quick         ? WORKPREC_QUICK_LIMIT
                                                      : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
-  struct ways *ways = calloc(1, sizeof *ways);
-  if (!ways)
+  struct settings *settings = calloc(1, sizeof *settings);
+  if (!settings)
     complain("workprec", "out of memory");
-  else if (make_points(&r)) {
+  else if (make_references(&r)) {
     r.clock = stopwatch_clock();
     code = begin(&r) ? EXIT_DONE : EXIT_FILE;
   }
   if (code == EXIT_DONE) {
-    measure(&r, ways);
+    measure(&r, settings);
     code = table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
   }
   for (int i = 0; i < r.count; i++)
-    point_clear(&r.points[i]);
-  free(ways);
+    reference_clear(&r.references[i]);
+  free(settings);
   return code;
 }
