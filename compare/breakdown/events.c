@@ -9,7 +9,6 @@
 #include "compare/text/halfway.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/memory.h"
-#include "compare/text/halfway.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */
 enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24 };
