@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/claims/words.h"
+#include "compare/claims/decide.h"
 
 /* One extension from rest against its duration. x: the duration */
 
@@ -131,16 +131,17 @@ static void measure_fall(struct question *q, const struct fall *worst)
   command(q, "", &paper, " | cut -f 6,16");
 }
 
-static void falls_from_velocity(struct question *q, const double *forces, int count)
+void never_falls(struct question *q)
 {
   static const double velocities[] = { 0.5, 1, 2, 5, 10, 20 };
+  const struct ratios *ratios = q->with;
   struct fall worst = { .size = 1e-14 };
-  under(q, ", from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%");
+  under(q, "the paper's crawler, F1/F2 = %s, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%", ratios->text);
   q->row.inside = false;
-  for (int i = 0; i < count; i++)
+  for (int i = 0; i < ratios->count; i++)
     for (size_t j = 0; j < sizeof velocities / sizeof *velocities; j++) {
       struct scallop_crawler c = q->crawler;
-      c.F1 = forces[i];
+      c.F1 = ratios->value[i];
       largest_fall(&worst, c, velocities[j]);
     }
   if (worst.v0 > 0) {
@@ -149,19 +150,6 @@ static void falls_from_velocity(struct question *q, const double *forces, int co
   }
   measured(q, "it never falls by more than 1e-14 L");
   settle(q, true, false);
-}
-
-void displacement_of_strong_rear(struct question *q)
-{
-  static const double forces[] = { 2, 4, 10, 40 };
-  under(q, "the paper's crawler, F1/F2 = 2, 4, 10, 40");
-  falls_from_velocity(q, forces, 4);
-}
-void displacement_of_weak_rear(struct question *q)
-{
-  static const double forces[] = { 0.25, 0.5 };
-  under(q, "the paper's crawler, F1/F2 = 1/4, 1/2");
-  falls_from_velocity(q, forces, 2);
 }
 
 /* The steady state */
