@@ -4,8 +4,7 @@
 
 #include "numerics/certified.h"
 #include "asymptotics/derived.h"
-#include "compare/answers/rational.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/point_flint.h"
 
 void ball_answer_init(struct ball_answer *a)
 {

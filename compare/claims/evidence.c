@@ -9,7 +9,7 @@
 #include <gsl/gsl_qrng.h>
 
 #include "compare/text/halfway.h"
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 #include "compare/text/table.h"
 
 enum { DIGITS = 30 };

@@ -7,7 +7,7 @@
 #include "asymptotics/evaluate.h"
 #include "compare/answers/answer.h"
 #include "compare/claims/decide.h"
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 
 /* One steady state that decides */
 

@@ -120,40 +120,24 @@ bool add_labels(const struct reading *r, const config_setting_t *at, struct scen
   return true;
 }
 
-static bool certified_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
-                              const char *const *names, int count)
+/* The numbers of a motion, in doubles or certified. */
+bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of)
 {
-  for (int i = 0; i < count; i++) {
-    char column[FORMULA_TEXT];
-    snprintf(column, sizeof column, "%s = certified.%s", names[i], names[i]);
-    if (!read_column(r, at, w, column))
-      return false;
-  }
-  return true;
-}
-
-bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", NULL };
-  static const char *const before[] = { "froude", NULL }, *const after[] = { "regime", "modes", "status", NULL };
-  static const char *const status[] = { "status", NULL };
-  bool doubles = w->digits <= DIGITS_OF_DOUBLE;
-  return add_columns(r, at, w, crawler_parameters)
-         && (doubles ? add_columns(r, at, w, before) && add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 5) && add_columns(r, at, w, status));
-}
-
-bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
-  static const char *const before[] = { "phase", "v0", NULL };
-  static const char *const after[] = { "regime = phase_regime", "modes = phase_modes", "status", NULL }, *const status[] = {
-    "status", NULL
+  static const char *const start[] = { "phase", "v0", NULL }, *const status[] = { "status", NULL };
+  static const char *const how[][3] = {
+    [OF_STEADY] = { "regime", "modes", NULL }, [OF_PHASE] = { "regime = phase_regime", "modes = phase_modes", NULL }
   };
   bool doubles = w->digits <= DIGITS_OF_DOUBLE;
-  return add_columns(r, at, w, crawler_parameters) && add_columns(r, at, w, before)
-         && (doubles ? add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 6) && add_columns(r, at, w, status));
+  if (!add_columns(r, at, w, crawler_parameters) || (of == OF_PHASE && !add_columns(r, at, w, start)))
+    return false;
+  for (int q = quantity_first(of); q < (int)quantity_end(of); q++) {
+    const char *name = quantity_rows[q].name;
+    char column[FORMULA_TEXT];
+    snprintf(column, sizeof column, doubles ? "%s" : "%s = certified.%s", name, name);
+    if ((doubles || q != Q_FROUDE) && !read_column(r, at, w, column)) /* froude is known without a solution */
+      return false;
+  }
+  return (!doubles || add_columns(r, at, w, how[of])) && add_columns(r, at, w, status);
 }
 
 /* Are formulas of the phase meant, where nothing is said? Where the scene says something about a phase. */
@@ -179,22 +163,18 @@ static bool is_at_hand(const struct reading *r, const struct scallop_formula *f)
 
 static bool usual_series(const struct reading *r, struct series_names *names)
 {
-  static const char *const of_steady[] = { "v_start", "v_mid", "displacement", "mean_velocity", NULL };
-  static const char *const of_phase[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
+  enum quantity_of of = is_about_phase(r) ? OF_PHASE : OF_STEADY;
   if (names->source == PUBLISHED) {
     for (const struct scallop_formula *f = scallop_published; f->name && names->count < SCENE_COLUMNS; f++)
       if (is_at_hand(r, f))
         names->name[names->count++] = f->name;
     return true;
   }
-  for (const char *const *value = is_about_phase(r) ? of_phase : of_steady; *value; value++) {
-    char head[40];
-    int length = snprintf(head, sizeof head, names->source == DERIVED ? "derived_%ld." : "limit.", names->order);
-    const char *name = keep_text(r, head, length, *value);
-    if (!name)
+  char head[40];
+  int length = snprintf(head, sizeof head, names->source == DERIVED ? "derived_%ld." : "limit.", names->order);
+  for (int q = quantity_first(of); q < (int)quantity_end(of); q++)
+    if (quantity_rows[q].has_series && !(names->name[names->count++] = keep_text(r, head, length, quantity_rows[q].name)))
       return false;
-    names->name[names->count++] = name;
-  }
   return true;
 }
 

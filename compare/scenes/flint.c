@@ -8,8 +8,7 @@
 #include "asymptotics/derived.h"
 #include "numerics/certified.h"
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/rational.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/point_flint.h"
 #include "compare/answers/gaits.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those used last. */

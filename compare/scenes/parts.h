@@ -93,8 +93,7 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
 bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
 bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of);
 /* The series of a want: those of `of`, or, filled in by find_series, the usual ones of its source and order. */
 struct series_names {
   int count;
