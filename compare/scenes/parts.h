@@ -62,8 +62,6 @@ int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
-/* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
-bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;
@@ -109,6 +107,8 @@ bool series_columns(const struct reading *r, const config_setting_t *at, struct 
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
 /* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
 const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
+/* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
 
