@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/evaluate.h"
 #include "asymptotics/derived.h"
 #include "numerics/certified.h"
 #include "compare/answers/answer_flint.h"
@@ -232,31 +231,14 @@ static const char *scene_flint_certified(struct scene_asked *asked, const struct
 static bool formula_value(arb_t value, struct scene_asked *a, struct scene_flint *f, const struct scallop_formula *formula,
                           slong precision)
 {
-  const struct ring ring = { 1, precision };
   enum quantity_of of = formula->setting == SCALLOP_STEADY ? OF_STEADY : OF_PHASE;
-  enum scallop_phase_kind phase = of == OF_STEADY ? SCALLOP_EXTENSION : a->scene->phase;
-  struct scallop_symbols symbols;
-  struct series sum;
   count_add(COUNT_FORMULAS, 1);
   const struct ball_answer *given = formula_takes_given(formula) ? certified(a, f, OF_PHASE) : NULL;
   if (formula_takes_given(formula) && (!given || !given->phase.switches))
     return false;
-  scallop_symbols_init(&symbols);
-  series_init(&sum);
-  scallop_symbols_set(&symbols, &f->crawler, phase, of == OF_STEADY ? NULL : f->v0, NULL, &ring);
-  series_set_rational(&symbols.value[SYMBOL_T], f->T[of]);
-  if (given) {
-    series_set_ball(&symbols.value[SYMBOL_t1], given->phase.t1);
-    series_set_ball(&symbols.value[SYMBOL_dT], given->phase.dT);
-    series_set_ball(&symbols.value[SYMBOL_x_switch], given->phase.at_last);
-  }
-  bool found = scallop_formula_expand(&sum, formula, &symbols, phase, &ring);
+  bool found = published_in_balls(value, formula, &f->crawler, a->scene->phase, f->v0, f->T[of], given, precision);
   if (!gait_has_ends(a->at->crawler.gait) && (!found || strstr(formula->text, "L_kin")))
-    found = fail(a, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
-  if (found)
-    series_coefficient(value, &sum, 0, precision);
-  series_clear(&sum);
-  scallop_symbols_clear(&symbols);
+    return fail(a, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
   return found;
 }
 
