@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/point.h"
 #include "compare/claims/decide.h"
 
 enum { SHORT = 6 };
@@ -18,12 +19,9 @@ static const struct family *survey(struct question *q)
                                        "F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %",
                                        "T alone, 1/Froude from 1e-3 to 91 by 2 %" };
   static struct family last;
-  const struct scallop_crawler *c = &q->crawler, *of = &last.crawler;
   enum varied varied = varied_by(q);
-  bool same = last.count > 0 && last.varied == varied && of->gait == c->gait && of->m1 == c->m1 && of->m2 == c->m2
-              && of->F1 == c->F1 && of->F2 == c->F2 && of->L == c->L && of->T == c->T && of->alpha == c->alpha;
-  if (!same) {
-    family_scan(&last, c, varied, false);
+  if (last.count == 0 || last.varied != varied || !same_crawler(&last.crawler, &q->crawler)) {
+    family_scan(&last, &q->crawler, varied, false);
     family_prove_maxima(&last);
     family_prove_boundary(&last);
   }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "compare/answers/answer.h"
 #include "compare/claims/decide.h"
 
 /* One extension from rest against its duration. x: the duration */
@@ -17,15 +18,12 @@ static struct scallop_phase_result lasting(const struct scallop_crawler *crawler
 }
 
 static double v_end_of(const void *crawler, double x) { return lasting(crawler, x).v_end; }
-static double slides(const void *crawler, double x) { return lasting(crawler, x).regime == SCALLOP_SLIDING ? 1 : -1; }
 
 /* The longest extension without sticking */
-static double onset_of_sticking(const struct scallop_crawler *c)
+static double longest_sliding(struct scallop_crawler c)
 {
-  double x = 1e-3 * natural_time(c);
-  while (slides(c, 2 * x) > 0)
-    x *= 2;
-  return last_positive(slides, c, x, 2 * x);
+  c.alpha = 0.5;
+  return 0.5 * sticking_onset(&c);
 }
 
 enum { STEPS = 400 };
@@ -33,7 +31,7 @@ enum { STEPS = 400 };
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
-  double onset = onset_of_sticking(c), x = onset / (10 * STEPS), before = lasting(c, x).dxC, least = INFINITY;
+  double onset = longest_sliding(*c), x = onset / (10 * STEPS), before = lasting(c, x).dxC, least = INFINITY;
   double growth = (c->F1 - c->F2) / (2 * (c->m1 + c->m2));
   for (int j = 1; j <= STEPS; j++) {
     double longer = onset * j / STEPS, moved = lasting(c, longer).dxC;
@@ -47,7 +45,7 @@ static double least_growth(const struct scallop_crawler *c)
 /* The duration with the highest v_end, over that at which sticking begins */
 static double peak_of_velocity(const struct scallop_crawler *c)
 {
-  double onset = onset_of_sticking(c), highest = 0, at = 0;
+  double onset = longest_sliding(*c), highest = 0, at = 0;
   for (int j = 1; j <= STEPS; j++)
     if (lasting(c, onset * j / STEPS).v_end > highest) {
       highest = lasting(c, onset * j / STEPS).v_end;

@@ -6,7 +6,6 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
-#include "compare/text/halfway.h"
 
 void state_init(struct scene_state *s, const struct scene *scene)
 {
@@ -118,36 +117,16 @@ static void find_turnings(struct scene_state *s)
   count_add(COUNT_PHASES, 1);
 }
 
-static bool slides(struct scene_state *s, double T)
-{
-  struct scallop_crawler c = s->at.crawler;
-  struct scallop_phase_result r;
-  c.T = T;
-  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
-}
-
-static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
-{
-  return a->m1 == b->m1 && a->m2 == b->m2 && a->F1 == b->F1 && a->F2 == b->F2 && a->L == b->L && a->alpha == b->alpha
-         && a->gait == b->gait;
-}
-
-/* The longest period at which an extension from rest does not stick; no body need ever stick. */
 static double onset_of_sticking(struct scene_state *s)
 {
-  enum { MOST_DOUBLINGS = 400 };
-  if (s->has_onset && same_but_T(&s->onset_of, &s->at.crawler))
-    return s->onset;
-  double sliding = 0, sticking = 1;
-  int doublings = 0;
-  while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
-    sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
-    *(slides(s, mid) ? &sliding : &sticking) = mid;
-  s->has_onset = true;
-  s->onset_of = s->at.crawler;
-  s->onset = doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
-  count_add(COUNT_ONSETS, 1);
+  struct scallop_crawler c = s->at.crawler;
+  c.T = 1; /* the onset is the same for each T */
+  if (!s->has_onset || !same_crawler(&s->onset_of, &c)) {
+    s->has_onset = true;
+    s->onset_of = c;
+    s->onset = sticking_onset(&c);
+    count_add(COUNT_ONSETS, 1);
+  }
   return s->onset;
 }
 
