@@ -220,9 +220,10 @@ size:
 	@/usr/bin/python3 scripts/rooms.py $(B) --size
 
 sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(folders),$(wildcard $(r)/*.c)))
-## lint:       clang-tidy, cppcheck and clang-format
+## lint:       rooms, clang-format, cppcheck and clang-tidy
 lint:
 	@scripts/setup.sh build tests lint
+	@$(MAKE) --no-print-directory rooms
 	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,$(folders),$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy

@@ -83,11 +83,22 @@ void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, str
     *modes = motion->modes;
 }
 
+static struct walk_input walk_input_of(const struct motion_input *in)
+{
+  const struct scallop_scaled *s = in->scaled;
+  return (struct walk_input){ in->shape, s->mu1, s->mu2, s->f1, s->f2, s->delta, in->eps, in->base };
+}
+
+double motion_level(const struct motion_input *in, double c, double near)
+{
+  const struct walk_input input = walk_input_of(in);
+  return walk_level(&input, c, near);
+}
+
 static void solve(const struct motion_input *in, double c0, struct audience *audience, struct motion *motion,
                   struct motion_ways *ways)
 {
-  const struct scallop_scaled *s = in->scaled;
-  const struct walk_input input = { in->shape, s->mu1, s->mu2, s->f1, s->f2, s->delta, in->eps };
+  const struct walk_input input = walk_input_of(in);
   struct walk_result r;
   walk_phase(&input, c0, audience, &motion->modes, &r);
   motion->c_end = r.c_end + 0.0; /* no -0 */

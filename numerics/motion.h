@@ -19,12 +19,13 @@ static inline void piece_rates(const struct scallop_piece *p, double u, double *
 struct motion_input {
   const struct scallop_scaled *scaled;
   const struct scallop_shape *shape;
-  double eps; /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
+  double eps;  /* tau^2 (F1 + F2)/(M L), tau the duration of this phase */
+  double base; /* velocities at the start and at the end are counted from this: 0, or as in walk.h */
 };
 
 static inline struct motion_input motion_input_of(const struct scallop_scaled *s, enum scallop_phase_kind kind)
 {
-  return (struct motion_input){ s, &s->gait->phase[kind], s->eps * (s->fraction[kind] * s->fraction[kind]) };
+  return (struct motion_input){ s, &s->gait->phase[kind], s->eps * (s->fraction[kind] * s->fraction[kind]), 0 };
 }
 
 struct motion {
@@ -53,6 +54,9 @@ struct motion_ways {
 };
 
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);
+
+/* The level of a curve over a plateau of l' that c is no further from than `near`; 0: there is none. */
+double motion_level(const struct motion_input *input, double c, double near);
 
 /* c0: velocity of the centre of mass at the start, in L/tau. visit may be NULL. */
 void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context);

@@ -12,7 +12,8 @@
 /* By a short cut where there is one. */
 static void solve_phase(const struct motion_input *input, double c0, struct motion *motion)
 {
-  bool solved = input->shape->ramps     ? ramps_solve(input, c0, motion)
+  bool solved = input->base != 0        ? false
+                : input->shape->ramps   ? ramps_solve(input, c0, motion)
                 : input->shape->concave ? concave_solve(input, c0, motion)
                                         : false;
   if (!solved)
@@ -23,6 +24,7 @@ void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, 
                   scallop_visitor *visit, void *context)
 {
   struct motion_input input = motion_input_of(s, kind);
+  input.base = period->base[kind];
   bool extension = kind == SCALLOP_EXTENSION;
   double fraction = s->fraction[kind], entry = extension ? period->c_start : period->c_mid;
   struct motion *motion = &period->phase[kind];
@@ -42,6 +44,7 @@ static void look_at_bodies(const struct scallop_scaled *s, struct period *period
   for (int kind = 0; kind < 2; kind++) {
     struct motion_input input = motion_input_of(s, (enum scallop_phase_kind)kind);
     struct motion again;
+    input.base = period->base[kind];
     motion_solve_ways(&input, c[kind] * s->fraction[kind], &again, &ways[kind]);
   }
   for (int i = 1; i < 3; i++)
@@ -116,6 +119,7 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   if (status != SCALLOP_OK)
     return status;
   struct period period;
+  period.base[0] = period.base[1] = 0;
   period_solve(&scaled, c_start, NAN, &period);
   period_sum_up(&scaled, &period);
   struct scallop_period_result answer;

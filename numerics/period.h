@@ -24,7 +24,8 @@ SCALLOP_INLINE int period_cancels(double travel, double size, int ramps)
 SCALLOP_INLINE int period_undoes(double driven) { return (driven < 0 ? -driven : driven) < 0x1p-10; }
 
 struct period {
-  double c_start, c_mid, c_end; /* in L/T                                                            */
+  double base[2];               /* of the phases, in L/tau: what velocities are counted from (walk.h)  */
+  double c_start, c_mid, c_end; /* in L/T, from base                                                 */
   double travel;                /* displacement, in L                                                */
   double size;                  /* sum of the magnitudes of the parts that it was summed from          */
   double balance;               /* (c_end - c_start)/eps, formed without that subtraction            */

@@ -34,6 +34,7 @@ static struct bracket surely(const struct scallop_scaled *s)
 static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
+  p.base[0] = p.base[1] = 0;
   period_solve(s, c, NAN, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
@@ -122,13 +123,13 @@ static void improve(const struct scallop_scaled *s, struct period *p)
   p->c_start = p->c_end;
 }
 
-/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. The bracket is wanted when
- * Newton's method is in doubt, which is seldom. solved as in period_solve. */
-static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved, struct period *p,
-                                     struct scallop_work *work)
+/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. within: the bracket, or NULL: it is
+ * surely(), which is wanted when Newton's method is in doubt, which is seldom. solved as in period_solve. */
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved,
+                                     const struct bracket *within, struct period *p, struct scallop_work *work)
 {
   double c = isfinite(guess) ? guess + 0.0 : 0; /* no -0 */
-  struct bracket b = { -INFINITY, INFINITY };
+  struct bracket b = within ? *within : (struct bracket){ -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {
     period_solve(s, c, solved, p);
@@ -144,7 +145,7 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
     before = last;
     last = fabs(balance);
     if (slow || !(next > b.lo && next < b.hi)) {
-      struct bracket all = surely(s);
+      struct bracket all = within ? b : surely(s);
       b.lo = fmax(b.lo, all.lo);
       b.hi = fmin(b.hi, all.hi);
       next = b.lo + (b.hi - b.lo) / 2;
@@ -155,6 +156,37 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
       return SCALLOP_OK;
   }
   return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before STEPS */
+}
+
+/* If the root is near the level of a curve over a plateau of l', finds the root once more, counted from that level. Friction may change c by
+ * less than rounding of c there; the rest tells where on the plateau c meets the curve, and so the modes and the multiplier. */
+static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
+{
+  const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
+  if (!(s->eps < 0x1p-20 * fabs(c)) || has_jump(s))
+    return;
+  for (int kind = 0; kind < 2; kind++) {
+    const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
+    const struct motion_input other = motion_input_of(s, (enum scallop_phase_kind)(1 - kind));
+    double level = motion_level(&in, c * s->fraction[kind], (reach + 8 * rounding * fabs(c)) * s->fraction[kind]);
+    if (level == 0)
+      continue;
+    double base = level / s->fraction[kind], there = base * s->fraction[1 - kind];
+    double same = motion_level(&other, there, rounding * fabs(there)); /* if both phases have a plateau there */
+    struct bracket within = { -reach, reach };
+    struct period q;
+    q.base[kind] = level;
+    q.base[1 - kind] = same != 0 ? same : there;
+    if (find_root(s, 0, NAN, &within, &q, work) != SCALLOP_OK || !(fabs(q.c_start) < 0.75 * reach))
+      continue;
+    period_sum_up(s, &q);
+    q.base[0] = q.base[1] = 0;
+    q.c_start += base;
+    q.c_mid += base;
+    q.c_end += base;
+    *p = q;
+    return;
+  }
 }
 
 static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
@@ -182,12 +214,19 @@ static void held_result(const struct scallop_scaled *s, const struct held *h, do
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
 }
 
+/* A displacement is the sum of a part for each mode and straight piece. With more than three pieces in a phase the results of the four
+ * rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
+static bool has_many_straight(const struct scallop_shape *shape) { return shape->count > 3 && shape->pieces[0].linear; }
+
 /* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
 static void mend(const struct scallop_crawler *crawler, double travel, double size, bool delicate,
                  struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  bool ramps = crawler->gait->phase[0].ramps && crawler->gait->phase[1].ramps, cancels = period_cancels(travel, size, ramps);
+  const struct scallop_shape *phase = crawler->gait->phase;
+  bool cancels = period_cancels(travel, size, phase[0].ramps && phase[1].ramps);
+  if (has_many_straight(&phase[0]) || has_many_straight(&phase[1]))
+    cancels = fabs(travel) < 0x1p-1 * size;
   double left = cancels ? fabs(travel) / size : 1, driven = period_driven(crawler->gait, crawler->alpha);
   if (size > 0 && travel != 0 && period_undoes(driven)) {
     cancels = true;
@@ -235,15 +274,17 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
 {
   double solved = NAN;
   *work = (struct scallop_work){ 0 };
+  period->base[0] = period->base[1] = 0;
   if (hint == EXTENSION_HOLDS) {
     period->c_mid = solved = 0;
     period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
     c = period->c_end;
   }
-  enum scallop_status status = find_root(s, c, solved, period, work);
+  enum scallop_status status = find_root(s, c, solved, NULL, period, work);
   if (status != SCALLOP_OK)
     return status; /* GCOVR_EXCL_LINE: as above */
   period_sum_up(s, period);
+  find_from_level(s, period, work);
   *at = steady_states(s, period->c_start);
   if (!(at->lo < at->hi) && is_mirrored(s))
     period->travel = period->size = 0;

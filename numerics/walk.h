@@ -20,6 +20,7 @@
 struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                  */
   const struct scallop_shape *shape;
   real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
+  real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
 };
 
 struct walk_result { /* as in struct motion                                                                */
@@ -40,6 +41,24 @@ struct walk_sum {
 struct walk_sums {
   struct walk_sum way[3], extra_impulse;
 };
+
+static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
+
+/* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c in a phase by
+ * eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its digits, because the level
+ * minus the curve is exactly 0 on the plateau. */
+static real walk_level(const struct walk_input *in, real c, real near)
+{
+  for (int i = 0; i < in->shape->count; i++) {
+    const struct scallop_piece *p = &in->shape->pieces[i];
+    if (!is_plateau(p) || p->direction == 0)
+      continue;
+    real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1, level = (c > 0 ? q : -q) * (p->direction * walk_velocity(p));
+    if (c - level <= near && level - c <= near)
+      return level;
+  }
+  return 0;
+}
 
 /* The sum of few parts is as good as they are; of more it keeps what rounding drops. */
 enum { WALK_FEW_PIECES = 16 };
@@ -69,7 +88,8 @@ struct walk {
   real pull[2];             /* of a linear l' on the body of curve j, beyond c: -curve[j] d|l'|/dt     */
   real extra[3];            /* what a region adds to extra_impulse per unit of time                    */
   real u, c;                /* where we are                                                            */
-  real line_u, line_c;      /* where c and its line were, when a piece began of those that it has followed since   */
+  real rest;                /* c minus in->base, which is known better than c unless base is 0          */
+  real line_u, line_rest;   /* where rest and its line were, when a piece began of those that it has followed since   */
   long line_events;         /* the events by then                                       */
   struct walk_sums carried; /* over from out, if there are many pieces                   */
   bool many;                /* pieces                                                                  */
@@ -136,11 +156,15 @@ static void note_mode(const struct walk *w, struct scallop_mode mode)
   modes->count++;
 }
 
-/* Goes on to u, with velocity c and l' as in there. The sums are the caller's. */
-static inline void advance(struct walk *w, real u, real c, const struct rates *there)
+/* c minus the velocity v of a curve */
+static inline real above(const struct walk *w, real rest, real v) { return (w->in->base - v) + rest; }
+
+/* Goes on to u, with that rest and l' as in there. The sums are the caller's. */
+static inline void advance(struct walk *w, real u, real rest, const struct rates *there)
 {
   w->u = u;
-  w->c = c;
+  w->rest = rest;
+  w->c = w->in->base + rest;
   w->here = *there;
 }
 
@@ -194,10 +218,11 @@ static void carry_over(struct walk *w)
 static void keep_to_line(struct walk *w, bool goes_on)
 {
   if (goes_on && w->stuck < 0 && w->out->work.events == w->line_events)
-    w->c = w->line_c + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u));
+    advance(w, w->u, w->line_rest + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u)),
+            &w->here);
   else {
     w->line_u = w->leg.given->begin;
-    w->line_c = w->c;
+    w->line_rest = w->rest;
     w->line_events = w->out->work.events;
   }
 }
@@ -234,9 +259,10 @@ static real v_of_released(struct walk *w, real u, real c, const struct rates *th
   return c - q * there->speed;
 }
 
-/* On along a straight line to u and velocity c, where the body of curve met, if any, comes to rest. */
-static inline void go_straight(struct walk *w, real u, real c, const struct rates *there, int met)
+/* On along a straight line to u and that rest, where the body of curve met, if any, comes to rest. */
+static inline void go_straight(struct walk *w, real u, real rest, const struct rates *there, int met)
 {
+  real c = w->in->base + rest;
   bool linear = w->piece->linear && !w->many; /* else each piece would add to the error of v */
   real duration = w->sense * (u - w->u), x = (w->c + c) / 2 * duration;
   real size = (magnitude(w->c) + magnitude(c)) / 2 * duration, covered = linear ? 0 : covers(w, u, there);
@@ -257,7 +283,7 @@ static inline void go_straight(struct walk *w, real u, real c, const struct rate
     body_comes(w, j, way, parts);
     w->v[j] = v;
   }
-  advance(w, u, c, there);
+  advance(w, u, rest, there);
 }
 
 /* On along the curve of the body that is stuck; the other one moves with |l'|. */
@@ -270,7 +296,7 @@ static inline void go_along(struct walk *w, real u, const struct rates *there)
   body_comes(w, 1 - j, forward * covered, covered);
   w->v[j] = 0;
   w->v[1 - j] = forward * there->speed;
-  advance(w, u, c, there);
+  advance(w, u, c - w->in->base, there);
 }
 
 /* ---- meeting a curve ---- */
@@ -284,12 +310,19 @@ static inline int beyond(const struct walk *w, int j)
   return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
 }
 
-/* A curve whose slope here is `along`, and `steepest` at the end of the phase, crossed by a line with these slopes on its sides. */
-static inline bool is_delicate(real along, real before, real after, real steepest)
+/* Of |l'|, about: at the start, or, where it begins level, on the way to its peak. */
+static inline real steepest(const struct scallop_shape *shape)
+{
+  real start = magnitude(shape->l0), rise = 3 * (real)shape->peak;
+  return start > rise ? start : rise;
+}
+
+/* A curve whose slope here is `along`, and `steep` where it is steepest, crossed by a line with these slopes on its sides. */
+static inline bool is_delicate(real along, real before, real after, real steep)
 {
   const int small = 32;
   real level = magnitude(along);
-  return small * level < magnitude(steepest) || small * magnitude(along - before) < level + magnitude(before)
+  return small * level < magnitude(steep) || small * magnitude(along - before) < level + magnitude(before)
          || small * magnitude(along - after) < level + magnitude(after);
 }
 
@@ -316,7 +349,7 @@ static inline void meet(struct walk *w, int j, bool moved)
   w->out->slope += x + w->in->eps * x * w->out->slope;
   w->out->stretch *= (w->slope[to] - along) / (w->slope[from] - along);
   if (!w->piece->linear)
-    w->out->delicate |= is_delicate(along, w->slope[from], w->slope[to], w->curve[j] * w->in->shape->l0);
+    w->out->delicate |= is_delicate(along, w->slope[from], w->slope[to], w->curve[j] * steepest(w->in->shape));
   w->region = to;
 }
 
@@ -327,11 +360,16 @@ static inline void meet(struct walk *w, int j, bool moved)
 
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
-  real side, curve, c_anchor, c_slope;
-  real now;    /* c above the curve here */
-  bool closed; /* here: c is on the curve */
-  bool since;  /* now is formed from where c left the curve */
+  real side, curve, anchor, c_slope; /* anchor: of the line of rest                              */
+  real now;                          /* c above the curve here */
+  bool closed;                       /* here: c is on the curve */
+  bool since;                        /* now is formed from where c left the curve */
 };
+
+static inline real gap_at(const struct gap *g, real u, real speed)
+{
+  return g->side * above(g->walk, g->anchor + g->c_slope * (g->walk->sense * u), g->curve * speed);
+}
 
 /* at u, and its derivative with respect to u */
 static real gap_value(const void *context, real u, real *slope)
@@ -340,7 +378,7 @@ static real gap_value(const void *context, real u, real *slope)
   struct rates r = rates_at(g->walk, u);
   g->walk->out->work.root_iterations++;
   *slope = g->side * g->walk->sense * (g->c_slope - g->curve * r.rate);
-  return g->side * (g->c_anchor + g->c_slope * (g->walk->sense * u) - g->curve * r.speed);
+  return gap_at(g, u, r.speed);
 }
 
 /* May the gap be closed at its narrowest, where it is left? */
@@ -354,11 +392,16 @@ static inline bool straight_contact(const struct gap *g, real *u)
   real along = g->curve * w->here.rate;
   if (g->side * (g->c_slope - along) >= 0)
     return false;
-  *u = w->sense * (g->c_anchor - g->curve * p->direction * walk_velocity(p)) / (along - g->c_slope);
+  *u = w->sense * above(w, g->anchor, g->curve * p->direction * walk_velocity(p)) / (along - g->c_slope);
   if (g->since)
     *u = w->u + w->sense * g->now / (along - g->c_slope);
   if (g->closed || w->sense * (*u - w->u) < 0)
     *u = w->u;
+  if (w->in->base != 0 && !g->closed) { /* friction may do less in a phase than rounding of u hides */
+    if (w->sense * (*u - p->end) > 0)
+      *u = p->end;
+    return closes(g, g->side * above(w, w->rest + g->c_slope * (w->sense * (p->end - w->u)), g->curve * w->end.speed));
+  }
   if (!w->node || g->closed)
     return closes(g, w->sense * (*u - p->end));
   /* both curves are at 0 at the end: they must agree which of them c has met by then */
@@ -413,7 +456,7 @@ static bool curved_contact(const struct gap *g, real *u)
   if (g->since)
     end.f = gap_since(g, end.u, &end.slope);
   else
-    end.f = g->side * (g->c_anchor + g->c_slope * (w->sense * end.u) - g->curve * w->end.speed);
+    end.f = gap_at(g, end.u, w->end.speed);
   bool falls_now = w->sense * now.slope < 0, falls_at_end = w->sense * end.slope < 0;
   if (!falls_now && (!falls_at_end || !closes(g, end.f)))
     return false;
@@ -440,10 +483,9 @@ static inline bool contact(const struct walk *w, int j, real *u)
 {
   real c_slope = w->slope[w->region];
   bool closed = w->v[j] == 0, since = j == w->left && is_near_left(w->v[j], w->c);
-  real now = closed ? 0 : since ? w->v[j] : w->c - w->curve[j] * w->here.speed;
-  struct gap g = {
-    w, w->region <= j ? 1 : -1, w->curve[j], w->c - c_slope * (w->sense * w->u), c_slope, now, closed, since
-  };
+  real now = closed ? 0 : since ? w->v[j] : above(w, w->rest, w->curve[j] * w->here.speed);
+  struct gap g = { w,    w->region <= j ? 1 : -1, w->curve[j], w->rest - c_slope * (w->sense * w->u), c_slope, now, closed,
+                   since };
   return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
 }
 
@@ -489,13 +531,14 @@ static void slide(struct walk *w)
     at_node = true;
     met = 0;
   }
-  real duration = w->sense * (u - w->u), c = w->c + w->slope[w->region] * duration;
+  real duration = w->sense * (u - w->u), rest = w->rest + w->slope[w->region] * duration;
   struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
-  bool on_line = met >= 0 && is_vague(w, u, &there) && line_tells_better(w, met, &there);
+  bool on_line = met >= 0
+                 && (w->in->base != 0 ? there.rate != 0 : is_vague(w, u, &there) && line_tells_better(w, met, &there));
   if (met >= 0 && !on_line)
-    c = w->curve[met] * there.speed; /* on the curve to the last digit: the body's velocity is 0 */
+    rest = w->curve[met] * there.speed - w->in->base; /* on the curve to the last digit: the body's velocity is 0 */
   w->out->extra_impulse += w->extra[w->region] * duration;
-  go_straight(w, u, c, &there, on_line ? -1 : met);
+  go_straight(w, u, rest, &there, on_line ? -1 : met);
   if (met < 0)
     return;
   if (at_node)
@@ -600,14 +643,30 @@ static void look_along(struct walk *w, const struct scallop_piece *next)
     w->end.speed = 0;
 }
 
+/* At the begin of a piece, if c is counted from a level: where a ramp meets a plateau |l'| is that of the plateau to the last digit, and
+ * the velocities of the bodies are formed anew from the level. */
+static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
+                            const struct scallop_piece *next)
+{
+  if (before && is_plateau(before) && !w->leg.given->jump)
+    w->here.speed = speed_before;
+  if (next && is_plateau(next) && !next->jump && !w->leg.goes_on)
+    w->end.speed = next->direction * walk_velocity(next);
+  for (int j = 0; before && j < 2; j++)
+    w->v[j] = above(w, w->rest, w->curve[j] * w->here.speed);
+}
+
 /* next: the piece after it, NULL after the last */
 static void enter(struct walk *w, const struct scallop_piece *piece, const struct scallop_piece *next)
 {
   const struct scallop_piece *before = w->leg.given;
+  real speed_before = w->end.speed;
   bool from_node = w->node;
   leg_first(&w->leg, piece);
   w->passed = -1;
   look_along(w, next);
+  if (w->in->base != 0)
+    look_from_level(w, before, speed_before, next);
   bool anew = !before || from_node || piece->jump || piece->direction != before->direction || w->here.speed == 0;
   if (w->many) {
     carry_over(w);
@@ -635,7 +694,7 @@ static inline void go_to_end(struct walk *w)
   }
 }
 
-/* c0: velocity of the centre of mass at the start. modes: where they go. */
+/* c0: velocity of the centre of mass at the start, from base. modes: where they go. */
 static void walk_phase(const struct walk_input *input, real c0, void *audience, struct scallop_modes *modes,
                        struct walk_result *result)
 {
@@ -647,7 +706,9 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   w.in = input;
   w.leg.given = NULL;
   w.audience = audience;
-  w.c = c0;
+  w.rest = c0;
+  w.c = input->base + c0;
+  w.end.speed = 0;
   w.stuck = w.left = -1;
   w.out = result;
   w.node = false;
@@ -671,5 +732,5 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
       result->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
     result->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
   }
-  result->c_end = w.c;
+  result->c_end = w.rest;
 }

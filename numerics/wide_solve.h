@@ -222,7 +222,8 @@ static real near_root(root_function *f, const void *context, struct root_end a, 
     u = magnitude(a.f) < magnitude(b.f) ? (double)a.u : (double)b.u;
     for (int i = 0; i < 12 && u >= lo && u <= hi && !(fabs(step) <= 4 * DBL_EPSILON * u); i++) {
       piece_rates(p, u, &velocity, &acceleration);
-      double gap = (double)g->c_anchor + (double)g->c_slope * (sense * u) - (double)g->curve * p->direction * velocity;
+      double gap = (double)(g->walk->in->base + g->anchor) + (double)g->c_slope * (sense * u)
+                   - (double)g->curve * p->direction * velocity;
       double slope = sense * ((double)g->c_slope - (double)g->curve * p->direction * acceleration);
       step = -gap / slope;
       u += step;
@@ -424,11 +425,11 @@ static real surely(const struct wide_scaled *s)
   return 2 * (s->phase[0].shape->peak / s->fraction[0] + s->phase[1].shape->peak / s->fraction[1] + s->eps);
 }
 
-/* Newton's method on the balance, or, once a body has been stuck, the map itself, inside a bracket that is halved where they
- * are slow. False: neither ends. */
-static bool find_steady(const struct wide_scaled *s, real c, struct scallop_modes modes[2], struct wide_period *p)
+/* Newton's method on the balance, or, once a body has been stuck, the map itself, inside a bracket from -high to high that is halved where
+ * they are slow. False: neither ends. */
+static bool find_steady(const struct wide_scaled *s, real c, real high, struct scallop_modes modes[2], struct wide_period *p)
 {
-  real high = surely(s), low = -high, last = 4 * high, before = last;
+  real low = -high, last = 4 * high, before = last;
   bool found = false;
   for (int i = 0; i < 40000 && !found; i++) { /* the exponents of a wide type are halved no longer than that */
     run_period(s, c, modes, p);
@@ -448,12 +449,40 @@ static bool find_steady(const struct wide_scaled *s, real c, struct scallop_mode
   return found;
 }
 
+/* As in steady.c. */
+static void find_from_level(const struct wide_scaled *s, struct scallop_modes modes[2], struct wide_period *p)
+{
+  const real c = p->c_start, rounding = 8 * ROUNDING, reach = 2 * s->eps;
+  for (int kind = 0; kind < 2 && s->eps * (1 << 20) < magnitude(c); kind++) {
+    real a = s->fraction[kind], b = s->fraction[1 - kind];
+    real level = walk_level(&s->phase[kind], c * a, (reach + 8 * rounding * magnitude(c)) * a);
+    if (level == 0)
+      continue;
+    real base = level / a, same = walk_level(&s->phase[1 - kind], base * b, rounding * magnitude(base * b));
+    struct wide_scaled from_level = *s;
+    struct scallop_modes these[2];
+    struct wide_period q;
+    from_level.phase[kind].base = level;
+    from_level.phase[1 - kind].base = same != 0 ? same : base * b;
+    if (!find_steady(&from_level, 0, reach, these, &q) || !(4 * magnitude(q.c_start) < 3 * reach))
+      continue;
+    q.c_start += base;
+    q.c_mid += base;
+    q.c_end += base;
+    *p = q;
+    modes[0] = these[0];
+    modes[1] = these[1];
+    return;
+  }
+}
+
 bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
 {
   struct wide_scaled s;
   struct wide_period p;
   scale(c, &s);
-  bool found = find_steady(&s, guess / s.velocity, out->period.modes, &p);
+  bool found = find_steady(&s, guess / s.velocity, surely(&s), out->period.modes, &p);
+  find_from_level(&s, out->period.modes, &p);
   out->froude = split(1 / s.eps);
   period_out(c, &s, &p, &out->period);
   real size;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 #include "compare/text/shipped.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
@@ -30,10 +30,10 @@ static void change(char *text)
 
 static enum exit_code check(const char *ledger, char *table, size_t size, struct said *said)
 {
-  struct options options;
-  options_initial(&options, &command_claims);
-  options.check = options.point.has_gait = true;
-  options.output = file;
+  struct claims_options options = { .request = { .style = { .command = "claims", .output = file },
+                                                 .point = point_initial(command_claims.defaults) },
+                                    .check = true };
+  options.request.point.has_gait = true;
   said_begin(said);
   enum exit_code code = claims_check(&options, ledger);
   said_end(said);
@@ -77,9 +77,9 @@ static void differences_are_found(void **state)
 static void a_text_that_is_no_ledger(void **state)
 {
   (void)state;
-  struct options options;
+  const struct claims_options options = { .request = { .style = { .command = "claims" },
+                                                       .point = point_initial(command_claims.defaults) } };
   struct said said;
-  options_initial(&options, &command_claims);
   said_begin(&said);
   enum exit_code code = claims_check(&options, "h\terr\n1\t2\n");
   assert_string_equal(said_end(&said),

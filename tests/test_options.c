@@ -1,30 +1,39 @@
 /* compare/options: operands, one or many, and where they are kept. */
 #include "check.h"
-#include "compare/command/compare.h"
-#include "compare/command/option_table.h"
+#include "compare/command/commands.h"
 
-static const char *const accepts[] = { "T", "map", "quiet", NULL };
-static const struct command one = { .name = "one", .operand = "FILE", .accepts = accepts, .about = "" };
-static const struct command many = { .name = "many", .operand = "SCENE.cfg...", .accepts = accepts, .about = "" };
-static const struct command none = { .name = "none", .accepts = accepts, .about = "" };
+struct some_options {
+  struct request request;
+  const char *map[2];
+};
+static const struct option options[] = {
+  OPTION_T(NULL),
+  { "map", "X Y", "a map", NULL, &pair_option, offsetof(struct some_options, map), 0, 0, NULL, "a name" },
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct command
+    one = { .name = "one", .operand = "FILE", .options = options, .size = sizeof(struct some_options) },
+    many = { .name = "many", .operand = "SCENE.cfg...", .options = options, .size = sizeof(struct some_options) },
+    none = { .name = "none", .options = options, .size = sizeof(struct some_options) };
 
 enum { MOST = 12 };
 
 /* Reads the words of text, which are separated by single blanks. What is refused says so on standard error. */
-static bool read_words(struct options *o, const struct command *command, char *text, int *code)
+static bool read_words(struct arguments *a, const struct command *command, char *text, enum exit_code *code)
 {
   char *arguments[MOST + 1] = { "scallop", "command" };
   int count = 2;
   for (char *word = strtok(text, " "); word && count < MOST; word = strtok(NULL, " "))
     arguments[count++] = word;
-  return options_read(o, command, count, arguments, code);
+  return options_read(a, command, commands, count, arguments, code) == READ_RUN;
 }
 
 static void all_operands_are_kept_in_order(void **state)
 {
   (void)state;
-  struct options o;
-  int code = -1;
+  struct arguments o;
+  enum exit_code code = EXIT_DONE;
   char text[] = "b.cfg --T 2.5 a.cfg --map F1/F2 alpha - --quiet c.cfg";
   assert_true(read_words(&o, &many, text, &code));
   assert_int_equal(o.operand_count, 4);
@@ -32,9 +41,9 @@ static void all_operands_are_kept_in_order(void **state)
   assert_string_equal(o.operands[1], "a.cfg");
   assert_string_equal(o.operands[2], "-");
   assert_string_equal(o.operands[3], "c.cfg");
-  assert_ptr_equal(o.operand, o.operands[0]);
-  assert_string_equal(o.map[1], "alpha");
-  CHECK_EQUAL(o.point.crawler.T, 2.5);
+  const struct some_options *read = (const void *)&o.options;
+  assert_string_equal(read->map[1], "alpha");
+  CHECK_EQUAL(read->request.point.crawler.T, 2.5);
   options_free(&o);
   assert_int_equal(o.operand_count, 0);
 }
@@ -42,12 +51,12 @@ static void all_operands_are_kept_in_order(void **state)
 static void one_operand_is_one(void **state)
 {
   (void)state;
-  struct options o;
-  int code = -1;
+  struct arguments o;
+  enum exit_code code = EXIT_DONE;
   char text[] = "--quiet a.txt", two[] = "a.txt b.txt";
   assert_true(read_words(&o, &one, text, &code));
   assert_int_equal(o.operand_count, 1);
-  assert_string_equal(o.operand, "a.txt");
+  assert_string_equal(o.operands[0], "a.txt");
   options_free(&o);
   assert_false(read_words(&o, &one, two, &code));
   assert_int_equal(code, EXIT_USAGE);
@@ -57,19 +66,19 @@ static void one_operand_is_one(void **state)
 static void an_operand_is_wanted_or_refused(void **state)
 {
   (void)state;
-  struct options o;
+  struct arguments o;
   const struct command *const wanting[] = { &one, &many };
   for (int i = 0; i < 2; i++) {
-    int code = -1;
+    enum exit_code code = EXIT_DONE;
     char nothing[] = "--quiet";
     assert_false(read_words(&o, wanting[i], nothing, &code));
     assert_int_equal(code, EXIT_USAGE);
     options_free(&o);
   }
-  int code = -1;
+  enum exit_code code = EXIT_DONE;
   char nothing[] = "--quiet", something[] = "a.txt";
   assert_true(read_words(&o, &none, nothing, &code));
-  assert_null(o.operand);
+  assert_int_equal(o.operand_count, 0);
   options_free(&o);
   assert_false(read_words(&o, &none, something, &code));
   assert_int_equal(code, EXIT_USAGE);
@@ -79,17 +88,31 @@ static void an_operand_is_wanted_or_refused(void **state)
 static void dots_at_the_end_mean_many(void **state)
 {
   (void)state;
-  assert_true(many_operands(&many));
-  assert_false(many_operands(&one));
-  assert_false(many_operands(&none));
+  assert_true(takes_operands(&many));
+  assert_false(takes_operands(&one));
+  assert_false(takes_operands(&none));
 }
 
 static void values_are_counted(void **state)
 {
   (void)state;
-  assert_int_equal(option_value_count(describe_option("map", &many)), 2);
-  assert_int_equal(option_value_count(describe_option("T", &many)), 1);
-  assert_int_equal(option_value_count(describe_option("quiet", &many)), 0);
+  assert_int_equal(option_values(option_of(&many, "map")), 2);
+  assert_int_equal(option_values(option_of(&many, "T")), 1);
+  assert_int_equal(option_values(option_of(&many, "quiet")), 0);
+}
+
+/* Each command's struct has room where it is read, begins with the request, and each of its options a name of its own. */
+static void structs_have_room(void **state)
+{
+  (void)state;
+  const struct arguments *a = NULL;
+  for (const struct command *const *c = commands; *c; c++) {
+    assert_true((*c)->size >= sizeof(struct request) && (*c)->size <= sizeof a->options);
+    for (const struct option *o = (*c)->options; o->name; o++) {
+      assert_true(o->field < (*c)->size);
+      assert_ptr_equal(option_of(*c, o->name), o);
+    }
+  }
 }
 
 int main(void)
@@ -100,6 +123,7 @@ int main(void)
     cmocka_unit_test(an_operand_is_wanted_or_refused),
     cmocka_unit_test(dots_at_the_end_mean_many),
     cmocka_unit_test(values_are_counted),
+    cmocka_unit_test(structs_have_room),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,8 +13,9 @@ static void judge(const struct stress_case *stressed)
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     if (stress_broken(&j, q)) {
       stress_arguments(stressed, text);
-      print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n", stress_quantity_name(stressed->kind, q),
-                  j.got[q], j.exact[q], j.error[q] / j.unit[q], j.unit[q] / j.ulp[q], text);
+      print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n",
+                  stress_quantity_name(stressed->kind, q), j.got[q], j.exact[q], j.error[q] / j.unit[q],
+                  j.unit[q] / j.ulp[q], text);
       fail();
     }
 }

@@ -3,6 +3,7 @@
 
 #include "compare/stress/stress.h"
 #include "tests/check.h"
+#include "tests/random_crawler.h"
 
 #define QUADRATIC &scallop_gait_quadratic
 #define SINUSOIDAL &scallop_gait_sinusoidal
@@ -135,7 +136,7 @@ static const struct stress_case past[] = {
 static const struct {
   const char *gait;
   struct stress_case stressed;
-} past_of_polynomials[] = {
+} past_of_texts[] = {
   /* a body released just before l'' is steepest, and caught again soon after: 3e3, 1.4e4 and 1.9e4 units */
   { "minimum-jerk", { .kind = STRESS_PHASE, .crawler = { 1, 1, 4, 1, 10, 6.796176979, 0.5, NULL } } },
   { "minimum-jerk",
@@ -170,6 +171,39 @@ static const struct {
     { .kind = STRESS_PHASE,
       .crawler = { 0.2796751659140918, 0.4276855676947472, 0.2111825647632437, 0.1500468544162752, 0.3328990436695564,
                    4.494756589609767, 0.930630007609725, NULL } } },
+  /* near the peak of an l' that begins level: a multiplier off by 9.8 units */
+  { "minimum-jerk",
+    { .crawler = { 122.30902282832216, 0.3908810071319938, 0.33535644707960144, 1.2633472626982118, 0.5426268871333776,
+                   0.041958233201500085, 0.6585379809141159, NULL } } },
+  /* displacements that were the sum of many parts: 34, 33, 37 and 32.2 units over the rounding modes */
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 4.2897213917733685, 0.33806363175756327, 0.03381712873874502, 49.1425168193602, 0.725468536704967,
+                   4.290749101059595, 0.09786531761288643, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 0.2669158716769277, 0.4790332291416791, 67443.70472243283, 7.28376344028617e-06, 0.13646857116940045,
+                   0.025205494005986807, 0.057084067612886424, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 0.35136553894421135, 0.9798433642799811, 0.00046407471079640126, 6191.547254502185, 0.11152857676237504,
+                   0.11324356450661112, 0.03470125511288643, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 0.5136256064499766, 0.13015864570088923, 1.6068564878702802e-06, 201107.95233913255, 3.289933061773951,
+                   11.802600654725403, 0.0004246258378585346, NULL } } },
+  /* a body turns on the plateau of l', or beside it, as the last digit of v_start would have it: multipliers off by up to 1e16 units */
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 1.0876132763364066, 0.13878850210338436, 0.20962871120956791, 1.028428347880501, 0.12311408808946879,
+                   5.610482151080798e-25, 0.685939000621438, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 0.15307772538227646, 1.4130775237124829, 7.252926297928954, 0.7306956790233666, 0.16124834007204358,
+                   4.051438546307467e-13, 0.5771890006214381, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 3.989584108552207, 0.16244743696467295, 0.34846076787948876, 9.787903166518282, 0.11823052759640278,
+                   3.2269228611818707e-57, 0.478751500621438, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 9.264266863572564, 0.20477245590437596, 4.805339499068493, 8.02834330740338, 0.29759796335198935,
+                   8.812892807786332e-84, 0.7935306211560964, NULL } } },
+  { "trapezoidal:0.2,0.3",
+    { .crawler = { 5.573242390328029, 0.5241730207049273, 0.35873268753011817, 8.285101064872345, 0.92847578089032,
+                   1.214522851181419e-47, 0.8994681211560964, NULL } } },
 };
 
 static void check_promises(const struct stress_case *c)
@@ -192,11 +226,42 @@ static void past_failures(void **state)
   (void)state;
   for (long i = 0; i < check_cases(sizeof past / sizeof *past); i++)
     check_promises(&past[i]);
-  for (size_t i = 0; i < sizeof past_of_polynomials / sizeof *past_of_polynomials; i++) {
-    struct stress_case c = past_of_polynomials[i].stressed;
-    c.crawler.gait = gait_of_text(past_of_polynomials[i].gait).gait;
+  for (size_t i = 0; i < sizeof past_of_texts / sizeof *past_of_texts; i++) {
+    struct stress_case c = past_of_texts[i].stressed;
+    c.crawler.gait = gait_of_text(past_of_texts[i].gait).gait;
     check_promises(&c);
   }
+}
+
+/* The velocity is that of a plateau, or of both where alpha is m2/M, and friction does next to nothing in a period: it slides or is held there. */
+static void on_a_plateau(void **state)
+{
+  (void)state;
+  static const char *const gaits[] = { "trapezoidal:0.0625,0.03125", "trapezoidal:0.1,0.1", "trapezoidal:0.03125,0.125",
+                                       "trapezoidal:0.2,0.3" };
+  struct random r = { 20261122 };
+  int held = 0, turned = 0;
+  for (int i = 0; i < 60; i++) {
+    struct stress_case s = { .crawler = { .m1 = random_decades(&r, 0.03, 30),
+                                          .m2 = 1,
+                                          .F1 = random_decades(&r, 0.1, 10),
+                                          .F2 = 1,
+                                          .L = random_decades(&r, 0.1, 10),
+                                          .alpha = random_between(&r, 0.05, 0.95),
+                                          .gait = gait_of_text(gaits[i % 4]).gait } };
+    struct scallop_steady_result result;
+    if (i % 3 == 0) {
+      s.crawler.m1 = 1 + random_below(&r, 15);
+      s.crawler.m2 = 16 - s.crawler.m1;
+      s.crawler.alpha = s.crawler.m2 / 16;
+    }
+    s.crawler.T = random_decades(&r, 1e-90, 1e-4);
+    check_promises(&s);
+    assert_int_equal(scallop_steady(&s.crawler, &result), SCALLOP_OK);
+    held += result.period.regime == SCALLOP_STICK_SLIP;
+    turned += result.period.multiplier > 0 && result.period.multiplier < 0.99;
+  }
+  assert_true(held >= 10 && turned >= 2);
 }
 
 /* Below 1e-289 of L/tau of the shorter phase, the extension here, digits of v_mid may be lost; above they may not. */
@@ -375,10 +440,15 @@ static void trajectories(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(past_failures),     cmocka_unit_test(refusals),
-    cmocka_unit_test(condition_numbers), cmocka_unit_test(sees_what_is_wrong),
-    cmocka_unit_test(families),          cmocka_unit_test(boundaries_are_near),
-    cmocka_unit_test(trajectories),      cmocka_unit_test(units_far_below_the_natural_one),
+    cmocka_unit_test(on_a_plateau),
+    cmocka_unit_test(past_failures),
+    cmocka_unit_test(refusals),
+    cmocka_unit_test(condition_numbers),
+    cmocka_unit_test(sees_what_is_wrong),
+    cmocka_unit_test(families),
+    cmocka_unit_test(boundaries_are_near),
+    cmocka_unit_test(trajectories),
+    cmocka_unit_test(units_far_below_the_natural_one),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

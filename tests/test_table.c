@@ -1,11 +1,10 @@
 /* Tables: what a cell looks like, and what is left of a table that fails. What a whole command writes has its tests in tests/cli_*.sh. */
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
 #include "tests/said.h"
 #include "tests/scratch_folder.h"
 
-static const struct command command = { .name = "test" };
-static const struct options tsv = { .command = &command, .output = "elsewhere" },
-                            json = { .command = &command, .output = "elsewhere", .format = FORMAT_JSON };
+static const struct style tsv = { .command = "test", .output = "elsewhere" },
+                          json = { .command = "test", .output = "elsewhere", .format = FORMAT_JSON };
 
 static const char *const columns[] = { "T", "status", NULL };
 
@@ -23,7 +22,7 @@ static void cells_follow_the_format(void **state)
     "{\"T\": 0.667, \"status\": \"a \\\"quoted\\\" text\"}\n{\"T\": null, \"status\": \"ok\"}\n",
   };
   for (int i = 0; i < 2; i++) {
-    struct options o = i == 0 ? tsv : json;
+    struct style o = i == 0 ? tsv : json;
     struct table t;
     o.digits = 3;
     assert_true(table_open_at(&t, &o, "table"));
@@ -74,14 +73,13 @@ static void parameters_that_do_not_hold_are_not_said(void **state)
 {
   (void)state;
   static const char *const some[] = { "m1", "F1", "T", NULL };
-  struct options o = tsv;
+  struct point p = point_initial(NULL);
   struct table t;
-  o.point.crawler = scallop_crawler_default();
-  o.point.written[0] = "1e0";
-  o.point.written[6] = "0.750";
+  p.written[0] = "1e0";
+  p.written[6] = "0.750";
   for (int i = 0; i < 3; i++) {
-    assert_true(table_open_at(&t, &o, "table"));
-    table_parameters(&t, &o, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
+    assert_true(table_open_at(&t, &tsv, "table"));
+    note_parameters(&t, &p, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
     assert_true(table_close(&t));
     assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
                           : i == 1 ? "# parameters: m1=1e0 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.750 gait=quadratic\n"

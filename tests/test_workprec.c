@@ -3,7 +3,7 @@
 #include <time.h>
 
 #include "check.h"
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 #include "compare/workprec/workprec.h"
 #include "tests/scratch_folder.h"
 
@@ -215,11 +215,10 @@ static void who_is_cheapest(void **state)
     { "1e-100", "certified\tas is\t2.00e-500\t-\t-\tnan\tcertified\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
   };
   const char *const file = "summary.tsv";
-  struct options options;
+  const struct style style = { .command = "workprec" };
   struct table table;
   char line[400], wanted[400];
-  options_initial(&options, &command_workprec);
-  assert_true(table_open_at(&table, &options, file));
+  assert_true(table_open_at(&table, &style, file));
   table_columns(&table, summary_columns);
   table_begin_rows(&table);
   summary_write(&table, &b->ways);

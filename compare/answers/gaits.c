@@ -9,7 +9,8 @@
 #include "compare/text/memory.h"
 #include "compare/answers/counts.h"
 #include "compare/answers/gait_file.h"
-#include "compare/command/options.h"
+#include "compare/text/message.h"
+#include "compare/text/values.h"
 #include "model/gaits.h"
 
 const char gaits_help[] =

@@ -7,7 +7,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "compare/answers/gaits.h"
 #include "compare/text/tsv.h"
+#include "compare/text/values.h"
 
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
 
@@ -17,7 +19,7 @@ struct reader {
   const char *parameter[TSV_CELLS]; /* of each column; NULL: a column to ignore */
   int place[TSV_CELLS];             /* of it among the crawler's numbers        */
   int unused;
-  bool quiet;
+  bool quiet, v0_may_be_nan;
   long rows, unsolved;
 };
 
@@ -28,11 +30,6 @@ void point_crawler(struct table *table, const struct scallop_crawler *crawler, c
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     table_number(table, refused ? NAN : numbers[i]);
   table_text(table, refused ? "-" : crawler->gait->name);
-}
-
-void point_parameters(struct table *table, const struct options *point, const char *refused)
-{
-  point_crawler(table, &point->point.crawler, refused);
 }
 
 void point_blank(struct table *table, int count)
@@ -159,24 +156,20 @@ static enum exit_code read_header(struct reader *r, const char *const *extra)
   return found && !wrong ? EXIT_DONE : r->tsv.lines.error ? EXIT_FILE : EXIT_USAGE;
 }
 
-/* nan is what `series` writes as v0 where none was given. */
-static bool is_unset(const struct options *point, const char *parameter, const char *cell)
-{
-  return point->command == &command_series && strcmp(parameter, "v0") == 0 && strcmp(cell, "nan") == 0;
-}
-
 /* Returns NULL, or what is wrong with the cell. */
-static const char *set_cell(const struct reader *r, struct options *point, int column, const char *cell)
+static const char *set_cell(const struct reader *r, struct point *point, int column, const char *cell)
 {
-  if (column >= r->tsv.columns || !r->parameter[column] || is_unset(point, r->parameter[column], cell))
+  const char *name = column < r->tsv.columns ? r->parameter[column] : NULL;
+  bool unset = name && r->v0_may_be_nan && strcmp(name, "v0") == 0 && strcmp(cell, "nan") == 0;
+  if (!name || unset)
     return NULL;
   if (r->place[column] < CRAWLER_NUMBERS)
-    return point_set_number(&point->point, r->place[column], cell);
-  return point_set(&point->point, r->parameter[column], cell);
+    return point_set_number(point, r->place[column], cell);
+  return point_set(point, name, cell);
 }
 
 /* Reads the current row into point. Returns NULL, or in status what is wrong with it. */
-static const char *read_row(struct reader *r, struct options *point, char *status)
+static const char *read_row(struct reader *r, struct point *point, char *status)
 {
   const struct tsv *t = &r->tsv;
   const char *wrong = t->fault;
@@ -184,7 +177,7 @@ static const char *read_row(struct reader *r, struct options *point, char *statu
   for (; i < t->count && !wrong; i++)
     wrong = set_cell(r, point, i, t->cell[i]);
   if (!wrong)
-    point_complete(&point->point);
+    point_complete(point);
   if (!wrong && t->count == t->columns)
     return NULL;
   int used = snprintf(status, POINT_STATUS, "line %ld: ", t->lines.number);
@@ -196,93 +189,139 @@ static const char *read_row(struct reader *r, struct options *point, char *statu
   return status;
 }
 
-static void solve_rows(struct reader *r, struct table *table, const struct options *options, point_row *row)
+static void solve_rows(struct reader *r, struct table *table, const struct request *request, const struct point_table *of)
 {
   char status[POINT_STATUS];
   while (!table_failed(table) && tsv_next(&r->tsv)) {
-    struct options point = *options;
+    struct point point = request->point;
     const char *wrong = read_row(r, &point, status);
     r->rows++;
-    if (row(table, &point, wrong))
+    if (of->row(table, &point, of->context, wrong))
       r->unsolved++;
   }
 }
 
-static enum exit_code finish(struct reader *r, struct table *table, const struct options *options)
+bool close_beside_gaits(struct table *t)
+{
+  bool lost = t->out.target && gait_is_from(t->output);
+  if (!lost)
+    return table_close(t);
+  complain(t->style->command, "%s is the file of a gait and is not replaced: name another file", t->output);
+  table_abandon(t);
+  return false;
+}
+
+static enum exit_code finish(struct reader *r, struct table *table)
 {
   if (tsv_error(&r->tsv)) {
     complain(r->command, "%s", tsv_error(&r->tsv));
     table_abandon(table);
     return EXIT_FILE;
   }
-  if (!table_close(table))
+  if (!close_beside_gaits(table))
     return EXIT_FILE;
   if (r->unsolved > 0)
-    complain(options->command->name, "%ld of %ld points could not be solved: the column 'status' says why", r->unsolved,
-             r->rows);
+    complain(r->command, "%ld of %ld points could not be solved: the column 'status' says why", r->unsolved, r->rows);
   return r->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-static bool begin(struct table *table, const struct options *options, const char *const *extra, const char *const *columns)
+static bool begin(struct table *table, const struct style *style, const struct point_table *of)
 {
-  if (!table_open(table, options))
+  if (!table_open(table, style))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
-  table_note(table, "command: %s", options->command->name);
+  table_note(table, "command: %s", style->command);
   table_columns(table, crawler_parameters);
-  table_columns(table, extra);
-  table_columns(table, columns);
+  table_columns(table, of->extra);
+  table_columns(table, of->columns);
   table_begin_rows(table);
   return true;
 }
 
-static enum exit_code one_point(const struct options *options, const char *const *extra, const char *const *columns,
-                                point_row *row)
+static enum exit_code one_point(const struct request *request, const struct point_table *of)
 {
   struct table table;
-  if (!begin(&table, options, extra, columns))
+  if (!begin(&table, &request->style, of))
     return EXIT_FILE;
-  const char *why = row(&table, options, NULL);
+  const char *why = of->row(&table, &request->point, of->context, NULL);
   if (!table_close(&table))
     return EXIT_FILE;
   if (why)
-    complain(options->command->name, "this point could not be solved: %s", why);
+    complain(request->style.command, "this point could not be solved: %s", why);
   return why ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
 /* Is the file that is read the one that standard output is added to? Then it would never end. */
-static bool feeds_itself(const struct reader *r, const struct options *options)
+static bool feeds_itself(const struct reader *r, const struct style *style)
 {
   struct stat in, out;
-  bool same = !options->output && fstat(fileno(r->tsv.lines.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
+  bool same = !style->output && fstat(fileno(r->tsv.lines.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
               && S_ISREG(in.st_mode) && in.st_dev == out.st_dev && in.st_ino == out.st_ino;
   if (same)
     complain(r->command, "standard output goes to %s, which is read at the same time: use -o for another file", r->tsv.name);
   return same;
 }
 
-static enum exit_code points_of_file(const struct options *options, const char *const *extra, const char *const *columns,
-                                     point_row *row)
+static enum exit_code points_of_file(const struct request *request, const struct point_table *of)
 {
-  struct reader r = { .command = options->command->name, .quiet = options->quiet };
+  const struct style *style = &request->style;
+  struct reader r = { .command = style->command, .quiet = style->quiet, .v0_may_be_nan = of->v0_may_be_nan };
   struct table table;
   enum exit_code code = EXIT_FILE;
-  if (!tsv_open(&r.tsv, options->points, TSV_TABS))
+  if (!tsv_open(&r.tsv, request->points, TSV_TABS))
     complain(r.command, "%s", tsv_error(&r.tsv));
   else
-    code = feeds_itself(&r, options) ? EXIT_USAGE : read_header(&r, extra);
-  if (code == EXIT_DONE && !begin(&table, options, extra, columns))
+    code = feeds_itself(&r, style) ? EXIT_USAGE : read_header(&r, of->extra);
+  if (code == EXIT_DONE && !begin(&table, style, of))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
-    solve_rows(&r, &table, options, row);
-    code = finish(&r, &table, options);
+    solve_rows(&r, &table, request, of);
+    code = finish(&r, &table);
   }
   tsv_close(&r.tsv);
   return code;
 }
 
-enum exit_code for_each_point(const struct options *options, const char *const *extra, const char *const *columns,
-                              point_row *row)
+enum exit_code for_each_point(const struct request *request, const struct point_table *of)
 {
-  return (options->points ? points_of_file : one_point)(options, extra, columns, row);
+  return (request->points ? points_of_file : one_point)(request, of);
+}
+
+static bool is_among(const char *name, const char *const *names)
+{
+  while (names && *names && strcmp(*names, name) != 0)
+    names++;
+  return names && *names;
+}
+
+void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
+{
+  char line[CRAWLER_NUMBERS * (NUMBER_LENGTH + COLUMN_NAME) + GAIT_TEXT] = "";
+  size_t used = 0;
+  for (int i = 0; crawler_parameters[i]; i++) {
+    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? p->written[i] : NULL;
+    char number[NUMBER_TEXT];
+    if (is_among(name, not_held))
+      continue;
+    if (i < CRAWLER_NUMBERS)
+      number_text(number, crawler_parameter(&p->crawler, name), 0);
+    used += (size_t)snprintf(line + used, sizeof line - used, " %s=%s", name,
+                             written               ? written
+                             : i < CRAWLER_NUMBERS ? number
+                                                   : p->crawler.gait->name);
+  }
+  if (used > 0)
+    table_note(t, "parameters:%s", line);
+}
+
+void point_tell_noise(const struct point *p, const struct style *style)
+{
+  const struct scallop_gait *gait = p->crawler.gait;
+  int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
+  if (reversals > 0 && !style->quiet)
+    fprintf(
+        stderr,
+        "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the table: "
+        "the spline goes through every point\n",
+        style->command, gait->name + 9, reversals);
 }

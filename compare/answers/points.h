@@ -1,26 +1,49 @@
-/* Points: rows of parameters from a TSV file, one at a time. */
+/* Points: the one of the command line, or rows of parameters from a TSV file, one at a time; and what of a point stands in tables. */
 #ifndef SCALLOP_POINTS_H
 #define SCALLOP_POINTS_H
 
-#include "compare/command/compare.h"
+#include "compare/answers/point.h"
+#include "compare/text/message.h"
+#include "compare/text/table.h"
+
+/* What every command is asked: of which point, or of the points in which file, and how its table is written. The options of a command
+ * are a struct that begins with it. */
+struct request {
+  struct style style;
+  struct point point;
+  const char *points; /* file name, "-" for standard input, or NULL */
+};
 
 /* What a command does with one point: adds one row to the table. refused is NULL, or why the point could
  * not even be read; the row then has no numbers and that status. Returns NULL, or why it was not solved. */
-typedef const char *point_row(struct table *table, const struct options *point, const char *refused);
+typedef const char *point_row(struct table *table, const struct point *point, const void *context, const char *refused);
 
-/* Runs row over the points of options->points, or over the one point of the options themselves.
- * extra: parameters beyond the crawler's that the points may name (NULL-terminated).
- * Opens and closes the table; columns are written first: the crawler's parameters, extra, and columns. */
-enum exit_code for_each_point(const struct options *options, const char *const *extra, const char *const *columns,
-                              point_row *row);
+struct point_table {
+  const char *const *extra;   /* parameters beyond the crawler's that the points may name, NULL-terminated */
+  const char *const *columns; /* written after the crawler's parameters and extra */
+  bool v0_may_be_nan;         /* where none was given */
+  point_row *row;
+  const void *context;
+};
+/* Runs row over the points of request->points, or over the one point of the request itself. Opens and closes the table. */
+enum exit_code for_each_point(const struct request *request, const struct point_table *of);
 
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 /* The leading cells: the crawler's parameters; of a point that was refused, nan and -. */
-void point_parameters(struct table *table, const struct options *point, const char *refused);
 void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused);
 
 /* Cells for numbers[count] that are all nan, for rows without an answer. */
 void point_blank(struct table *table, int count);
+
+/* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those in not_held (NULL-terminated, or NULL: none), which
+ * vary or are not used. as_written: numbers with all the digits that were given; else doubles. No line where nothing holds. */
+void note_parameters(struct table *table, const struct point *point, const char *const *not_held, bool as_written);
+
+/* Prints a note where the gait is a noisy measurement: its spline goes through every point. */
+void point_tell_noise(const struct point *point, const struct style *style);
+
+/* table_close, but for the file of a gait, which is not replaced: a measurement must not be lost. */
+bool close_beside_gaits(struct table *table);
 
 #endif

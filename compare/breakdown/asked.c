@@ -3,8 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/command/options.h"
-
 enum { DOUBLE_DIGITS = 17 };
 /* Errors are known to some 1e-32. */
 static const double LEAST_TOLERANCE = 1e-20;
@@ -41,34 +39,34 @@ bool breakdown_quantity_read(enum quantity_id *quantity, const char *name, enum 
   return is_one_of("quantity", name, names);
 }
 
-bool breakdown_is_sound(const struct options *o, enum quantity_of of)
+bool breakdown_is_sound(const struct breakdown_options *o, enum quantity_of of)
 {
   static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
   enum quantity_id quantity;
   if (!is_one_of("only", o->only, kinds) || (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, of)))
     return false;
-  bool not_derived = o->has_source && strcmp(o->source, "derived") != 0;
-  if (o->has_order && not_derived) {
+  bool not_derived = o->source.given && strcmp(o->source.value, "derived") != 0;
+  if (o->order.given && not_derived) {
     complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");
     return false;
   }
   bool reaches = !o->only || strcmp(o->only, "reach") == 0, events = !reaches && strcmp(o->only, "event") == 0;
-  const char *idle = reaches                                    ? NULL
-                     : o->has_tolerance                         ? "tol"
-                     : o->quantity && events                    ? "quantity"
-                     : not_derived || (o->has_source && events) ? "source"
-                     : o->has_order                             ? "order"
-                                                                : NULL;
+  const char *idle = reaches                                      ? NULL
+                     : o->tolerance.given                         ? "tol"
+                     : o->quantity && events                      ? "quantity"
+                     : not_derived || (o->source.given && events) ? "source"
+                     : o->order.given                             ? "order"
+                                                                  : NULL;
   if (idle) {
     complain("breakdown", "--%s has nothing to do with --only %s", idle, o->only);
     return false;
   }
-  if (o->digits > DOUBLE_DIGITS) {
-    complain("breakdown", "--digits: %ld is more than a double has: 1 to 17", o->digits);
+  if (o->request.style.digits > DOUBLE_DIGITS) {
+    complain("breakdown", "--digits: %ld is more than a double has: 1 to 17", o->request.style.digits);
     return false;
   }
-  if (o->has_tolerance && o->tolerance < LEAST_TOLERANCE) {
-    complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance);
+  if (o->tolerance.given && o->tolerance.value < LEAST_TOLERANCE) {
+    complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance.value);
     return false;
   }
   return true;

@@ -8,6 +8,6 @@ const char *breakdown_source_text(enum breakdown_source source);
 /* The quantity of that name that has series, of the steady state or of one phase. False: there is none, and the message is on stderr. */
 bool breakdown_quantity_read(enum quantity_id *quantity, const char *name, enum quantity_of of);
 /* Do the options go together? False: the message is on stderr. */
-bool breakdown_is_sound(const struct options *options, enum quantity_of of);
+bool breakdown_is_sound(const struct breakdown_options *options, enum quantity_of of);
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef SCALLOP_BREAKDOWN_H
 #define SCALLOP_BREAKDOWN_H
 
+#include "compare/answers/points.h"
+#include "compare/text/values.h"
 #include "compare/answers/quantities.h"
 #include "compare/text/message.h"
 #include "model/model.h"
@@ -23,7 +25,15 @@ double breakdown_error(const struct scallop_crawler *crawler, const struct break
 double breakdown_reach(const struct scallop_crawler *crawler, const struct breakdown_series *series, double tolerance);
 
 /* The table of one crawler */
-struct options;
-enum exit_code breakdown_table(const struct options *options);
+struct breakdown_options {
+  struct request request;
+  struct given_word source;
+  struct given_count order;
+  const char *quantity, *only;   /* the only one, or NULL */
+  const char *map[2], *range[2]; /* what varies along x and y; FROM:TO:COUNT, or NULL */
+  struct given_number tolerance;
+  bool boundaries;
+};
+enum exit_code breakdown_table(const struct breakdown_options *options);
 
 #endif

@@ -88,11 +88,11 @@ static bool signature_at(struct signature *out, const struct finder *f, double T
   *out = (struct signature){ .part = { 0 } };
   if (!answer_in_double(a, &m))
     return false;
-  const double v[2] = { m.of == OF_STEADY ? a->value[Q_V_START].high : m.v0, a->value[Q_V_MID].high };
   for (int phase = 0; phase < phases_of(&m); phase++) {
     struct collector collector = { f, out, phase };
+    double v = m.of == OF_PHASE ? m.v0 : a->value[phase == 0 ? Q_V_START : Q_V_MID].high;
     a->modes[phase].count = 0;
-    if (scallop_phase_intervals(&m.crawler, kind_of(&m, phase), v[phase], collect, &collector) < 0)
+    if (scallop_phase_intervals(&m.crawler, kind_of(&m, phase), v, collect, &collector) < 0)
       return false;
   }
   return true;

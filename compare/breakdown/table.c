@@ -24,7 +24,7 @@ struct sought {
 };
 
 struct report {
-  const struct options *options;
+  const struct breakdown_options *options;
   struct motion motion;
   struct expansions expansions, many;
   struct events events;
@@ -48,7 +48,7 @@ static bool is_wanted_quantity(const struct report *r, enum quantity_id quantity
 
 static bool is_wanted_source(const struct report *r, enum breakdown_source source)
 {
-  return !r->options->has_source || strcmp(r->options->source, breakdown_source_text(source)) == 0;
+  return !r->options->source.given || strcmp(r->options->source.value, breakdown_source_text(source)) == 0;
 }
 
 struct row {
@@ -204,11 +204,11 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
   static const double tolerances[] = { BREAKDOWN_TOLERANCES };
   enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
   struct comparison c = { &r->motion, &r->expansions, { .name = NULL }, r->cache };
-  while (series_item_next(&c.item, &r->expansions, quantity, r->options->order)) {
+  while (series_item_next(&c.item, &r->expansions, quantity, r->options->order.value)) {
     if (!is_wanted_source(r, c.item.which.source))
       continue;
-    for (int i = 0; i < (r->options->has_tolerance ? 1 : TOLERANCES); i++)
-      write_reach(r, &c, r->options->has_tolerance ? r->options->tolerance : tolerances[i]);
+    for (int i = 0; i < (r->options->tolerance.given ? 1 : TOLERANCES); i++)
+      write_reach(r, &c, r->options->tolerance.given ? r->options->tolerance.value : tolerances[i]);
   }
 }
 
@@ -361,12 +361,12 @@ static bool begin(struct report *r)
 {
   struct table *t = &r->table;
   bool steady = r->motion.of == OF_STEADY;
-  if (!table_open(t, r->options))
+  if (!table_open(t, &r->options->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: breakdown");
   /* T is what is looked for; a phase is one of duration T */
-  table_parameters(t, r->options, (const char *const[]){ "T", steady ? NULL : "alpha", NULL }, false);
+  note_parameters(t, &r->options->request.point, (const char *const[]){ "T", steady ? NULL : "alpha", NULL }, false);
   if (!steady) {
     char v0[NUMBER_TEXT];
     number_text(v0, r->motion.v0, 0);
@@ -408,21 +408,23 @@ static enum exit_code report(struct report *r)
   return code;
 }
 
-enum exit_code breakdown_table(const struct options *o)
+enum exit_code breakdown_table(const struct breakdown_options *o)
 {
   static struct report r;
   struct scallop_scaled scaled;
-  enum quantity_of of = o->point.has_phase || o->point.has_v0 ? OF_PHASE : OF_STEADY;
+  enum quantity_of of = o->request.point.has_phase || o->request.point.has_v0 ? OF_PHASE : OF_STEADY;
   if (!breakdown_is_sound(o, of))
     return EXIT_USAGE;
-  enum scallop_status status = scallop_scale(&o->point.crawler, &scaled);
+  enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
   if (status != SCALLOP_OK) {
     complain("breakdown", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  r = (struct report){ .options = o, .motion = motion_of(&o->point, of), .progress = progress_begin(o->quiet) };
+  r = (struct report){ .options = o,
+                       .motion = motion_of(&o->request.point, of),
+                       .progress = progress_begin(o->request.style.quiet) };
   r.cache = exact_cache_new(&r.motion);
-  expansions_init(&r.expansions, &r.motion, o->order, BREAKDOWN_BITS);
+  expansions_init(&r.expansions, &r.motion, o->order.value, BREAKDOWN_BITS);
   for (int i = 0; i < 2; i++)
     scallop_singularity_init(&r.sought[i].singularity);
   enum exit_code code = EXIT_UNSOLVED;

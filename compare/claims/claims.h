@@ -17,14 +17,14 @@
 #ifndef SCALLOP_CLAIMS_H
 #define SCALLOP_CLAIMS_H
 
+#include "compare/answers/points.h"
+#include "compare/text/values.h"
 #include <stdbool.h>
 
 #include "compare/order/order.h"
 #include "compare/text/message.h"
 #include "model/ball.h"
 #include "model/model.h"
-
-struct options;
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
@@ -73,8 +73,13 @@ void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawl
 bool claim_is_listed(const char *list, const char *name);
 
 /* `scallop claims` */
-enum exit_code claims_table(const struct options *options);
+struct claims_options {
+  struct request request;
+  const char *errors; /* the names whose errors are wanted, or NULL */
+  bool check;
+};
+enum exit_code claims_table(const struct claims_options *options);
 /* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
-enum exit_code claims_check(const struct options *options, const char *ledger);
+enum exit_code claims_check(const struct claims_options *options, const char *ledger);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "compare/answers/point_flint.h"
 #include "compare/claims/claims.h"
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
 #include "compare/text/memory.h"
 #include "compare/text/shipped.h"
 #include "compare/text/tsv.h"
@@ -87,9 +87,9 @@ static void summarise(const struct ledger *ledger)
 }
 
 /* All rows, or those about the requested errors */
-static void fill(struct ledger *ledger, const struct options *o)
+static void fill(struct ledger *ledger, const struct claims_options *o)
 {
-  const struct point *p = &o->point;
+  const struct point *p = &o->request.point;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   rational_point(&exact, NULL, p);
@@ -99,17 +99,17 @@ static void fill(struct ledger *ledger, const struct options *o)
     ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
 }
 
-static bool begin(struct table *table, const struct options *o, const char *const *names)
+static bool begin(struct table *table, const struct claims_options *o, const char *const *names)
 {
   static const char *const varied[] = { "T", "gait", NULL };
-  if (!table_open(table, o))
+  if (!table_open(table, &o->request.style))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
   table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->check ? " --check" : "");
-  table_parameters(table, o, varied, false);
-  if (o->point.has_gait)
-    table_note(table, "gait: %s", o->point.crawler.gait->name);
+  note_parameters(table, &o->request.point, varied, false);
+  if (o->request.point.has_gait)
+    table_note(table, "gait: %s", o->request.point.crawler.gait->name);
   table_columns(table, names);
   table_begin_rows(table);
   return true;
@@ -124,7 +124,7 @@ static enum exit_code end(struct table *table, const struct ledger *ledger)
   return *ledger->contradiction ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-static enum exit_code write_ledger(const struct options *o)
+static enum exit_code write_ledger(const struct claims_options *o)
 {
   struct table table;
   struct ledger ledger = { .rows = NULL };
@@ -139,7 +139,7 @@ static enum exit_code write_ledger(const struct options *o)
       (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
     code = end(&table, &ledger);
   }
-  if (code == EXIT_DONE && !o->quiet && !o->errors)
+  if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)
     summarise(&ledger);
   ledger_free(&ledger);
   return code;
@@ -220,7 +220,7 @@ static void check_row(struct check *check, const struct claim_row *row)
   write_difference(check, keys, now, none);
 }
 
-enum exit_code claims_check(const struct options *o, const char *committed)
+enum exit_code claims_check(const struct claims_options *o, const char *committed)
 {
   struct check check = { .count = 0 };
   struct ledger ledger = { .rows = NULL };
@@ -235,11 +235,11 @@ enum exit_code claims_check(const struct options *o, const char *committed)
     for (int i = 0; i < ledger.count; i++)
       check_row(&check, &ledger.rows[i]);
     for (const struct committed *c = check.rows; c < check.rows + check.count; c++)
-      if (!c->met && (!o->point.has_gait || strcmp(c->cell[3], o->point.crawler.gait->name) == 0))
+      if (!c->met && (!o->request.point.has_gait || strcmp(c->cell[3], o->request.point.crawler.gait->name) == 0))
         write_difference(&check, c->cell, none, &c->cell[VERDICT]);
     code = end(&check.table, &ledger);
   }
-  if (code == EXIT_DONE && !o->quiet)
+  if (code == EXIT_DONE && !o->request.style.quiet)
     fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger.count, check.differ, check.tsv.name);
   free(check.rows);
   tsv_close(&check.tsv);
@@ -247,7 +247,7 @@ enum exit_code claims_check(const struct options *o, const char *committed)
   return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
 }
 
-enum exit_code claims_table(const struct options *options)
+enum exit_code claims_table(const struct claims_options *options)
 {
   return options->check ? claims_check(options, shipped_text(shipped_ledger, "claims")) : write_ledger(options);
 }

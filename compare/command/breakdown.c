@@ -3,52 +3,72 @@
 #include "compare/breakdown/breakdown.h"
 #include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1", "m2",     "F1",         "F2",       "L",      "alpha",  "gait",  "phase",
-                                       "v0", "source", "order",      "quantity", "tol",    "only",   "map",   "x",
-                                       "y",  "T",      "boundaries", "format",   "digits", "output", "quiet", NULL };
+#define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
+static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const struct option options_of_breakdown[] = {
+  OPTIONS_TO_L(NULL),
+  OPTIONS_ALPHA_GAIT(NULL, NULL),
+  OPTION_PHASE("with --v0 %s, else the steady state"),
+  OPTION_V0("with --phase %s"),
+  { "source", "SOURCE", "this series only: published, derived or limit", "all", &word_option,
+    offsetof(struct breakdown_options, source), 0, 0, sources, "published, derived or limit" },
+  OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
+  OPTION_TEXT("quantity", "NAME", "this quantity only", "all; with --map displacement", breakdown_options, quantity,
+              "a name"),
+  OPTION_NUMBER("tol", "D", "for this relative error only",
+                TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), &positive_option,
+                breakdown_options, tolerance),
+  OPTION_TEXT("only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", breakdown_options, only,
+              "a name"),
+  { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, &pair_option,
+    offsetof(struct breakdown_options, map), 0, 0, NULL, "the name of what varies" },
+  OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES, breakdown_options,
+              range[0], "FROM:TO:COUNT"),
+  OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
+  OPTION_T("with --map %s"),
+  OPTION_FLAG("boundaries", "with --map: the curves between its regions instead", breakdown_options, boundaries),
+  OPTION_FORMAT(NULL),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct breakdown_options initial = { .source = { "published", false },
+                                                  .order = { 8, false },
+                                                  .tolerance = { 0.1, false } };
 
 /* An option that has no use where a map is drawn, or where none is; NULL if there is none. */
-static const char *useless(const struct options *o)
+static const char *useless(const struct breakdown_options *o)
 {
   if (o->map[0])
-    return o->only ? "only" : o->point.has_phase ? "phase" : o->point.has_v0 ? "v0" : NULL;
-  return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->point.written[5] ? "T" : NULL;
+    return o->only ? "only" : o->request.point.has_phase ? "phase" : o->request.point.has_v0 ? "v0" : NULL;
+  return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->request.point.written[5] ? "T" : NULL;
 }
 
-static enum exit_code run(const struct options *options)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  const char *idle = useless(options);
+  const struct breakdown_options *o = options;
+  const char *idle = useless(o);
   if (idle) {
-    complain("breakdown", "--%s has nothing to do %s --map", idle, options->map[0] ? "with" : "without");
+    complain("breakdown", "--%s has nothing to do %s --map", idle, o->map[0] ? "with" : "without");
     return EXIT_USAGE;
   }
-  if (!has_flint(options, "this command"))
+  if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return !options->map[0]      ? with_flint.breakdown(options)
-         : options->boundaries ? with_flint.boundaries(options)
-                               : with_flint.map(options);
+  return !o->map[0] ? with_flint.breakdown(o) : o->boundaries ? with_flint.boundaries(o) : with_flint.map(o);
 }
-
-static const struct unless_given unless_given[] = {
-  { "T", "with --map %s" },
-  { "phase", "with --v0 %s, else the steady state" },
-  { "v0", "with --phase %s" },
-  { "source only", "all" },
-  { "quantity", "all; with --map displacement" },
-  { "tol", TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES) },
-  { "x y", AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE },
-  { NULL, NULL },
-};
 
 const struct command command_breakdown = {
   .name = "breakdown",
   .summary = "where the expansion stops being valid: how far each series holds, what ends it, and maps",
   .example = "scallop breakdown --F1 10 --only event",
-  .accepts = accepts,
+  .options = options_of_breakdown,
+  .size = sizeof(struct breakdown_options),
+  .initial = &initial,
   .about =
       "Of the steady state, T being the period; with --phase or --v0 of one phase from that velocity, T its duration.\n"
       "Four kinds of rows (column what):\n"
@@ -76,6 +96,5 @@ const struct command command_breakdown = {
       "what\n"
       "changes, and at a junction which third region meets. Columns: curve, point along it, the two axes, region_1 (on the\n"
       "left), region_2, what, end (of the first and last point: open, closed, junction), meets, status.",
-  .unless_given = unless_given,
   .run = run,
 };

@@ -1,26 +1,41 @@
 #include <stddef.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
+#include "compare/claims/claims.h"
 #include "compare/answers/gaits.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",     "m2",    "F1",     "F2",     "L",      "alpha", "gait",
-                                       "errors", "check", "format", "digits", "output", "quiet", NULL };
+static const struct option options_of_claims[] = {
+  OPTIONS_TO_L(NULL),
+  OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
+  OPTION_TEXT("errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", NULL,
+              claims_options, errors, "names of claims, separated by commas, or all"),
+  OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
+              claims_options, check),
+  OPTION_FORMAT(NULL),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  OPTION_DROPPED("against",
+                 "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
+  NO_MORE_OPTIONS,
+};
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
-static bool can_be_scaled(const struct options *o)
+static bool can_be_scaled(const struct claims_options *o)
 {
   struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(&o->point.crawler, &scaled);
+  enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
   if (status != SCALLOP_OK)
     complain("claims", "%s", scallop_status_text(status));
   return status == SCALLOP_OK;
 }
 
-static enum exit_code run(const struct options *options)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  const struct scallop_crawler *c = &options->point.crawler;
+  const struct claims_options *o = options;
+  const struct scallop_crawler *c = &o->request.point.crawler;
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
@@ -28,7 +43,7 @@ static enum exit_code run(const struct options *options)
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
   }
-  if (options->errors && options->check) {
+  if (o->errors && o->check) {
     complain("claims", "--errors and --check exclude each other");
     return EXIT_USAGE;
   }
@@ -37,21 +52,17 @@ static enum exit_code run(const struct options *options)
              "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
     return EXIT_UNSOLVED;
   }
-  if (!can_be_scaled(options))
+  if (!can_be_scaled(o))
     return EXIT_UNSOLVED;
-  return has_flint(options, "the ledger") ? with_flint.claims(options) : EXIT_UNSOLVED;
+  return has_flint(arguments, "the ledger") ? with_flint.claims(o) : EXIT_UNSOLVED;
 }
-
-static const struct unless_given unless_given[] = {
-  { "gait", "both of the paper: quadratic and sinusoidal" },
-  { NULL, NULL },
-};
 
 const struct command command_claims = {
   .name = "claims",
   .summary = "the ledger: every asymptotic and qualitative claim of the paper, decided",
   .example = "scallop claims --format json",
-  .accepts = accepts,
+  .options = options_of_claims,
+  .size = sizeof(struct claims_options),
   .about =
       "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"
       "first power of T that the formula leaves out of the derived expansion, coefficient what stands there (exact, or\n"
@@ -70,6 +81,5 @@ const struct command command_claims = {
       "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
       "`scallop order` reads such a table.",
   .defaults = &generic,
-  .unless_given = unless_given,
   .run = run,
 };

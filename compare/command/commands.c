@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/compare.h"
+#include "compare/text/message.h"
 
 const struct command *const commands[] = { &command_phase,  &command_steady,    &command_trajectory, &command_series,
                                            &command_claims, &command_order,     &command_figure,     &command_workprec,

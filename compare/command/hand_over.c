@@ -6,6 +6,7 @@
 #include <sys/auxv.h>
 #include <unistd.h>
 
+#include "compare/command/options.h"
 #include "compare/command/with_flint.h"
 
 /* Has this process been handed over already? Its number stays when another program takes it over. Children have another. */
@@ -18,11 +19,11 @@ static bool is_handed_over(void)
   return (earlier && strcmp(earlier, number) == 0) || setenv(name, number, 1) != 0;
 }
 
-bool has_flint(const struct options *options, const char *what)
+bool has_flint(const struct arguments *arguments, const char *what)
 {
   static const char other[] = "scallop-flint";
   char path[PATH_MAX + sizeof other];
-  const char *command = options->command->name;
+  const char *command = arguments->command->name;
   if (&with_flint)
     return true;
   /* through any link, and without /proc, which need not be there */
@@ -36,7 +37,7 @@ bool has_flint(const struct options *options, const char *what)
     complain(command, "%s needs FLINT: %s is there, but it is a scallop without FLINT", what, path);
     return false;
   }
-  execv(path, options->arguments);
+  execv(path, arguments->all);
   if (errno == ENOENT)
     complain(command, "%s needs FLINT: there is no %s, which `make` builds and `make WITH_FLINT=0` leaves out", what, path);
   else

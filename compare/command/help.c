@@ -2,8 +2,7 @@
 
 #include <string.h>
 
-#include "compare/command/compare.h"
-#include "compare/command/option_table.h"
+#include "compare/command/options.h"
 
 static const char program_text[] =
     "\nscallop COMMAND --help prints what a command takes and what it returns. In place of a command:\n"
@@ -27,7 +26,7 @@ static void option_line(FILE *to, const char *name, const char *placeholder, con
   fprintf(to, "  %-18s  %s\n", left, help);
 }
 
-void help_program(FILE *to)
+void help_program(FILE *to, const struct command *const *commands)
 {
   fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
         "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
@@ -39,42 +38,18 @@ void help_program(FILE *to)
   fputs(program_text, to);
 }
 
-/* Is name one of names, which blanks separate? */
-static bool is_among(const char *names, const char *name)
-{
-  size_t length = strlen(name);
-  for (const char *at = names; (at = strstr(at, name)); at += length)
-    if ((at == names || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
-      return true;
-  return false;
-}
-
-/* What the command does where the option is not given, in which %s stands for the value that it begins with. NULL: nothing. */
-static const char *unless_given(const struct command *command, const char *name, bool has_value)
-{
-  for (const struct unless_given *u = command->unless_given; u && u->options; u++)
-    if (is_among(u->options, name))
-      return u->text;
-  return has_value ? "%s" : NULL;
-}
-
-/* What one of its options is for and, in brackets, what holds where it is not given. */
+/* What an option is for and, in brackets, what holds where it is not given. */
 enum { HELP_OPTION = 320 };
-static void describe(const struct command *command, const char *name, char text[HELP_OPTION])
+static void describe(const struct arguments *initial, const struct option *o, char text[HELP_OPTION])
 {
-  const struct option_description *option = describe_option(name, command);
-  const char *otherwise = unless_given(command, name, option->kind->show != NULL), *place;
-  char value[OPTION_VALUE] = "", more[OPTION_RANGE] = "";
-  struct options initial;
-  options_initial(&initial, command);
-  if (option->kind->show)
-    option->kind->show(&initial, name, value);
-  if (option->kind->add)
-    option->kind->add(more, command);
-  int used = snprintf(text, HELP_OPTION, "%s%s", option->help, more);
+  const char *otherwise = o->otherwise ? o->otherwise : o->kind->show ? "%s" : NULL;
+  char value[OPTION_VALUE] = "";
+  if (o->kind->show)
+    o->kind->show(&initial->options, o, value);
+  int used = snprintf(text, HELP_OPTION, "%s", o->help);
   if (!otherwise)
     return;
-  place = strstr(otherwise, "%s");
+  const char *place = strstr(otherwise, "%s");
   int before = place ? (int)(place - otherwise) : (int)strlen(otherwise);
   snprintf(text + used, HELP_OPTION - (size_t)used, " (%.*s%s%s)", before, otherwise, place ? value : "",
            place ? place + 2 : "");
@@ -85,10 +60,14 @@ void help_command(FILE *to, const struct command *command)
   fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n", command->example,
           command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
           command->about);
-  for (const char *const *name = command->accepts; *name; name++) {
+  struct arguments initial;
+  options_initial(&initial, command);
+  for (const struct option *o = command->options; o->name; o++) {
     char text[HELP_OPTION];
-    describe(command, *name, text);
-    option_line(to, *name, describe_option(*name, command)->placeholder, text);
+    if (o->kind == &dropped_option)
+      continue;
+    describe(&initial, o, text);
+    option_line(to, o->name, o->argument, text);
   }
   option_line(to, "help", NULL, "this text");
 }

@@ -7,7 +7,7 @@
 
 struct command;
 
-void help_program(FILE *to);
+void help_program(FILE *to, const struct command *const *commands);
 void help_command(FILE *to, const struct command *command);
 
 #endif

@@ -9,7 +9,6 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/compare.h"
 #include "compare/command/help.h"
 #include "compare/text/shipped.h"
 
@@ -20,7 +19,7 @@ static int unknown_command(const char *name)
 }
 
 /* Help and version are output too: a full device is an error. */
-static int flushed(void)
+static enum exit_code flushed(void)
 {
   if (fflush(stdout) == 0 && !ferror(stdout))
     return EXIT_DONE;
@@ -56,7 +55,7 @@ static int give_help(const char *name)
   if (command)
     help_command(stdout, command);
   else
-    help_program(stdout);
+    help_program(stdout, commands);
   return flushed();
 }
 
@@ -113,18 +112,22 @@ int main(int count, char **arguments)
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   if (count < 2) {
-    help_program(stderr);
+    help_program(stderr, commands);
     return EXIT_USAGE;
   }
   const struct command *command = command_named(arguments[1]);
   if (!command)
     return answer(arguments[1], arguments[2]);
-  struct options options;
-  int code;
-  if (options_read(&options, command, count, arguments, &code))
-    code = (int)command->run(&options);
-  else if (code == EXIT_DONE)
+  struct arguments read;
+  enum exit_code code;
+  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
+  if (reading == READ_HELP) {
+    help_command(stdout, command);
     code = flushed();
-  options_free(&options);
-  return code;
+  } else if (reading == READ_RUN) {
+    point_tell_noise(&read.options.request.point, &read.options.request.style);
+    code = command->run(&read, &read.options);
+  }
+  options_free(&read);
+  return (int)code;
 }

@@ -6,15 +6,30 @@
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
 #include "compare/answers/defaults.h"
+#include "compare/command/commands.h"
 #include "compare/command/with_flint.h"
 
-static const char *const steady_accepts[] = { "m1",        "m2",    "F1",     "F2",     "L",      "T",      "alpha", "gait",
-                                              "certified", "error", "points", "format", "digits", "output", "quiet", NULL };
-static const char *const phase_accepts[] = { "m1",     "m2",     "F1",     "F2",     "L",         "T",
-                                             "alpha",  "gait",   "phase",  "v0",     "certified", "error",
-                                             "points", "format", "digits", "output", "quiet",     NULL };
+struct motion_options {
+  struct request request;
+  bool certified, error;
+};
 
-static enum quantity_of what(const struct options *o) { return o->command == &command_phase ? OF_PHASE : OF_STEADY; }
+#define DIGITS DIGITS_PROVEN("with --certified")
+#define OPTIONS_OF_ROWS \
+  OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
+      OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
+      OPTION_FORMAT(NULL), OPTION_DIGITS(DIGITS, "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
+      OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+
+static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
+static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
+                                               OPTIONS_OF_ROWS };
+
+/* What a row is made with. */
+struct asked {
+  enum quantity_of of;
+  const struct motion_options *options;
+};
 
 /* A row of any arithmetic: the cells of the numbers, and why there are none. */
 struct cells {
@@ -25,12 +40,13 @@ struct cells {
   char reason[POINT_STATUS];
 };
 
-static void solve(struct cells *c, const struct options *o)
+static void solve(struct cells *c, const struct asked *asked, const struct point *p)
 {
-  const struct motion motion = motion_of(&o->point, what(o));
+  const struct motion_options *o = asked->options;
+  const struct motion motion = motion_of(p, asked->of);
   const char *more = NULL;
-  long digits = o->digits > 0 ? o->digits : CERTIFIED_DIGITS;
-  bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, &o->point, motion.of, digits, &more)
+  long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
+  bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, p, motion.of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
   c->why = done ? NULL : c->reason;
@@ -52,45 +68,47 @@ static bool is_plain(const char *text)
 }
 
 /* With --certified as it was written: a double would not hold all digits. */
-static void write_parameter(struct table *t, const struct options *o, const char *written, double value)
+static void write_parameter(struct table *t, bool certified, const char *written, double value)
 {
   char text[NUMBER_TEXT];
-  if (!o->certified) {
+  if (!certified) {
     table_number(t, value);
     return;
   }
   number_text(text, value, 0);
-  if (written && !is_plain(written) && t->options->format == FORMAT_JSON)
+  if (written && !is_plain(written) && t->style->format == FORMAT_JSON)
     table_text(t, written);
   else
     table_digits(t, written ? written : text);
 }
 
 /* refused: as in points.h */
-static void write_point(struct table *t, const struct options *o, const char *refused)
+static void write_point(struct table *t, const struct asked *asked, const struct point *p, const char *refused)
 {
   double numbers[CRAWLER_NUMBERS];
-  crawler_numbers(&o->point.crawler, numbers);
+  bool certified = asked->options->certified;
+  crawler_numbers(&p->crawler, numbers);
   if (refused)
-    point_parameters(t, o, refused);
+    point_crawler(t, &p->crawler, refused);
   else {
     for (int i = 0; i < CRAWLER_NUMBERS; i++)
-      write_parameter(t, o, o->point.written[i], numbers[i]);
-    table_text(t, o->point.crawler.gait->name);
+      write_parameter(t, certified, p->written[i], numbers[i]);
+    table_text(t, p->crawler.gait->name);
   }
-  if (what(o) != OF_PHASE)
+  if (asked->of != OF_PHASE)
     return;
-  table_text(t, refused ? "-" : o->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  table_text(t, refused ? "-" : p->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
   if (refused)
     table_number(t, NAN);
   else
-    write_parameter(t, o, o->point.written_v0, o->point.v0);
+    write_parameter(t, certified, p->written_v0, p->v0);
 }
 
-static void write_numbers(struct table *t, const struct options *o, const struct cells *c)
+static void write_numbers(struct table *t, const struct asked *asked, const struct cells *c)
 {
+  const struct motion_options *o = asked->options;
   static const double rounded_up = 1.005; /* of an estimate, with three digits */
-  int first = (int)quantity_first(what(o)), end = (int)quantity_end(what(o));
+  int first = (int)quantity_first(asked->of), end = (int)quantity_end(asked->of);
   for (int q = first; q < end; q++)
     if (c->decimals[q])
       table_digits(t, c->decimals[q]);
@@ -103,36 +121,35 @@ static void write_numbers(struct table *t, const struct options *o, const struct
       table_rounded(t, rounded_up * c->errors[q], "%.3g");
 }
 
-static const char *row(struct table *t, const struct options *o, const char *refused)
+static const char *row(struct table *t, const struct point *p, const void *context, const char *refused)
 {
   static struct cells c; /* its reason outlives the call */
+  const struct asked *asked = context;
+  bool certified = asked->options->certified;
   char modes[MOTION_MODES_TEXT], status[ANSWER_STATUS];
   memset(c.decimals, 0, sizeof c.decimals);
   c.why = refused;
   if (!refused)
-    solve(&c, o);
-  write_point(t, o, refused);
-  write_numbers(t, o, &c);
+    solve(&c, asked, p);
+  write_point(t, asked, p, refused);
+  write_numbers(t, asked, &c);
   table_text(t, c.why ? "-" : scallop_regime_text(c.answer.regime));
-  table_text(t, c.why ? "-" : motion_modes_text(modes, what(o), c.answer.modes));
-  table_text(t, c.why ? c.why : o->certified ? "certified" : answer_status_text(status, &c.answer));
-  if (o->certified)
+  table_text(t, c.why ? "-" : motion_modes_text(modes, asked->of, c.answer.modes));
+  table_text(t, c.why ? c.why : certified ? "certified" : answer_status_text(status, &c.answer));
+  if (certified)
     with_flint.decimals_free(c.decimals);
   return c.why;
 }
 
-static enum exit_code run(const struct options *o)
+static enum exit_code run(const struct arguments *arguments, const struct motion_options *o, enum quantity_of of)
 {
   enum { MOST = 2 * QUANTITIES + 4, NAME = 32 };
   static const char *const none[] = { NULL }, *const of_phase[] = { "phase", "v0", NULL };
   const char *columns[MOST];
   char errors[QUANTITIES][NAME];
-  int n = 0, first = (int)quantity_first(what(o)), end = (int)quantity_end(what(o));
-  if (o->certified && o->error) {
-    complain(o->command->name, "--error has nothing to do with --certified: every digit is proven");
-    return EXIT_USAGE;
-  }
-  if (o->certified && !has_flint(o, "--certified"))
+  const struct asked asked = { of, o };
+  int n = 0, first = (int)quantity_first(of), end = (int)quantity_end(of);
+  if (o->certified && !has_flint(arguments, "--certified"))
     return EXIT_UNSOLVED;
   for (int q = first; q < end; q++)
     columns[n++] = quantity_rows[q].name;
@@ -144,13 +161,31 @@ static enum exit_code run(const struct options *o)
   columns[n++] = "modes";
   columns[n++] = "status";
   columns[n] = NULL;
-  return for_each_point(o, what(o) == OF_PHASE ? of_phase : none, columns, row);
+  const struct point_table table = {
+    .extra = of == OF_PHASE ? of_phase : none, .columns = columns, .row = row, .context = &asked
+  };
+  return for_each_point(&o->request, &table);
 }
 
-static const struct unless_given unless_given[] = {
-  { "digits", "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS) },
-  { NULL, NULL },
-};
+static enum exit_code run_steady(const struct arguments *arguments, const void *options)
+{
+  return run(arguments, options, OF_STEADY);
+}
+
+static enum exit_code run_phase(const struct arguments *arguments, const void *options)
+{
+  return run(arguments, options, OF_PHASE);
+}
+
+static bool is_sound(const void *options)
+{
+  const struct motion_options *o = options;
+  const struct style *style = &o->request.style;
+  if (!o->certified || !o->error)
+    return digits_hold(style, o->certified, DIGITS);
+  complain(style->command, "--error has nothing to do with --certified: every digit is proven");
+  return false;
+}
 
 #define ABOUT_ARITHMETICS \
   "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
@@ -165,30 +200,30 @@ const struct command command_steady = {
   .name = "steady",
   .summary = "the periodic steady state, exactly",
   .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
-  .accepts = steady_accepts,
+  .options = steady_options,
+  .size = sizeof(struct motion_options),
+  .is_sound = is_sound,
   .about = "Columns: the parameters; froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity of both bodies\n"
            "at the start of the extension and of the contraction; displacement of the geometric centre over a period,\n"
            "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
            "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
            "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
            "answer.\n" ABOUT_ARITHMETICS,
-  .unless_given = unless_given,
-  .proven = "with --certified",
-  .run = run,
+  .run = run_steady,
 };
 
 const struct command command_phase = {
   .name = "phase",
   .summary = "one extension or contraction phase from a start velocity, exactly",
   .example = "scallop phase --phase extension --v0 2.5",
-  .accepts = phase_accepts,
+  .options = phase_options,
+  .size = sizeof(struct motion_options),
+  .is_sound = is_sound,
   .about =
       "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
       "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
       "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
       "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
       "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
-  .unless_given = unless_given,
-  .proven = "with --certified",
-  .run = run,
+  .run = run_phase,
 };

@@ -1,191 +1,342 @@
 #include "compare/command/options.h"
 
 #include <limits.h>
-#include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/compare.h"
 #include "compare/answers/gaits.h"
-#include "compare/command/help.h"
-#include "compare/command/option_table.h"
-#include "compare/text/values.h"
-#include "compare/text/message.h"
+#include "compare/text/plot.h"
 
-static bool refuse(int *code)
+static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
+
+static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
-  *code = EXIT_USAGE;
+  struct request *r = options;
+  return point_set(&r->point, o->name, text);
+}
+
+static void show_parameter(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  const struct request *r = options;
+  if (strcmp(o->name, "gait") == 0)
+    snprintf(text, OPTION_VALUE, "%s", r->point.crawler.gait->name);
+  else if (strcmp(o->name, "phase") == 0)
+    snprintf(text, OPTION_VALUE, "%s", r->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+  else
+    snprintf(text, OPTION_VALUE, "%.15g",
+             strcmp(o->name, "v0") == 0 ? r->point.v0 : crawler_parameter(&r->point.crawler, o->name));
+}
+
+static const char *read_flag(void *options, const struct option *o, const char *text)
+{
+  (void)text;
+  *(bool *)field_of(options, o) = true;
+  return NULL;
+}
+
+static const char *read_any(struct given_number *number, const char *text, bool positive)
+{
+  double value;
+  if (!read_number(text, &value) || (positive && !(value > 0)))
+    return no_number(text, positive ? "a finite number > 0" : "a finite number");
+  *number = (struct given_number){ value, true };
+  return NULL;
+}
+
+static const char *read_finite(void *options, const struct option *o, const char *text)
+{
+  return read_any(field_of(options, o), text, false);
+}
+
+static const char *read_positive(void *options, const struct option *o, const char *text)
+{
+  return read_any(field_of(options, o), text, true);
+}
+
+static void show_number(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  const struct given_number *number = (const void *)((const char *)options + o->field);
+  snprintf(text, OPTION_VALUE, "%.15g", number->value);
+}
+
+static const char *read_whole(void *options, const struct option *o, const char *text)
+{
+  struct given_count *count = field_of(options, o);
+  char allowed[80];
+  snprintf(allowed, sizeof allowed, "a whole number from %ld to %ld", o->least, o->most);
+  count->given = read_count(text, o->least, o->most, &count->value);
+  return count->given ? NULL : not_allowed(text, allowed);
+}
+
+static void show_count(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  const struct given_count *count = (const void *)((const char *)options + o->field);
+  snprintf(text, OPTION_VALUE, "%ld", count->value);
+}
+
+static const char *read_word(void *options, const struct option *o, const char *text)
+{
+  struct given_word *word = field_of(options, o);
+  for (const char *const *w = o->words; *w; w++)
+    if (strcmp(text, *w) == 0) {
+      *word = (struct given_word){ *w, true };
+      return NULL;
+    }
+  return not_allowed(text, o->allowed);
+}
+
+static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  const struct given_word *word = (const void *)((const char *)options + o->field);
+  snprintf(text, OPTION_VALUE, "%s", word->value);
+}
+
+static const char *read_text(void *options, const struct option *o, const char *text)
+{
+  *(const char **)field_of(options, o) = text;
+  return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
+}
+
+static const char *read_pair(void *options, const struct option *o, const char *text)
+{
+  const char **pair = field_of(options, o);
+  pair[pair[0] ? 1 : 0] = text;
+  return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
+}
+
+static const char *read_format(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  (void)o;
+  if (strcmp(text, "tsv") != 0 && strcmp(text, "json") != 0)
+    return not_allowed(text, "tsv or json");
+  r->style.format = *text == 't' ? FORMAT_TSV : FORMAT_JSON;
+  r->style.has_format = true;
+  return NULL;
+}
+
+static void show_format(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  const struct request *r = options;
+  (void)o;
+  snprintf(text, OPTION_VALUE, "%s", r->style.format == FORMAT_TSV ? "tsv" : "json");
+}
+
+static const char *no_digits(const char *text, const char *range)
+{
+  char allowed[120];
+  snprintf(allowed, sizeof allowed, "a whole number %s", range);
+  return not_allowed(text, allowed);
+}
+
+static const char *read_digits(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  return read_count(text, 1, o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
+}
+
+static void show_digits(const void *options, const struct option *o, char text[OPTION_VALUE])
+{
+  (void)options, (void)o;
+  snprintf(text, OPTION_VALUE, "as many as read back exactly");
+}
+
+bool digits_hold(const struct style *style, bool proven, const char *range)
+{
+  char number[24];
+  if (proven || style->digits <= DOUBLE_DIGITS)
+    return true;
+  snprintf(number, sizeof number, "%ld", style->digits);
+  complain(style->command, "--digits: %s", no_digits(number, range));
   return false;
 }
 
-static const struct {
-  const char *command, *option, *instead;
-} dropped[] = {
-  { "workprec", "from",
-    "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
-    "share/scallop/" },
-  { "claims", "against", "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff" },
+static const char *read_output(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  (void)o;
+  if (*text == '\0')
+    return not_allowed(text, "a file name");
+  if (plot_kind(text))
+    return not_allowed(
+        text, "the name of a table, not of a picture; `scallop run` draws: `scallop run figure4` writes figure4.svg");
+  r->style.output = strcmp(text, "-") == 0 ? NULL : text;
+  r->style.has_output = true;
+  return NULL;
+}
+
+const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
+                         number_option = { read_finite, show_number }, positive_option = { read_positive, show_number },
+                         count_option = { read_whole, show_count }, word_option = { read_word, show_word },
+                         text_option = { read_text, NULL }, pair_option = { read_pair, NULL },
+                         format_option = { read_format, show_format }, digits_option = { read_digits, show_digits },
+                         output_option = { read_output, NULL };
+
+const struct option_kind dropped_option = { NULL, NULL };
+
+const struct option *option_of(const struct command *command, const char *name)
+{
+  const struct option *o = command->options;
+  while (o->name && strcmp(o->name, name) != 0)
+    o++;
+  return o->name ? o : NULL;
+}
+
+int option_values(const struct option *option)
+{
+  int count = option->argument ? 1 : 0;
+  for (const char *p = option->argument; p && *p; p++)
+    count += *p == ' ';
+  return count;
+}
+
+bool takes_operands(const struct command *command)
+{
+  size_t length = command->operand ? strlen(command->operand) : 0;
+  return length > 3 && strcmp(command->operand + length - 3, "...") == 0;
+}
+
+/* An option that the command does not take: another one's, a mistyped one, or none. */
+static void complain_of_option(const struct command *command, const struct command *const *commands, const char *name,
+                               const char *argument)
+{
+  const char *names[40] = { NULL };
+  bool elsewhere = false;
+  for (const struct command *const *c = commands; *c && !elsewhere; c++)
+    elsewhere = option_of(*c, name) != NULL;
+  for (int i = 0; command->options[i].name && i < 39; i++)
+    names[i] = command->options[i].kind == &dropped_option ? "" : command->options[i].name;
+  const char *near = elsewhere ? NULL : nearest(name + strspn(name, "-"), names);
+  complain(command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
+           elsewhere ? "this command does not take the" : "unknown", argument, near ? ": did you mean '--" : "",
+           near ? near : "", near ? "'?" : "", command->name);
+}
+
+/* The arguments not yet read: place is that of the current one. */
+struct reading_state {
+  struct arguments *to;
+  const struct command *const *commands;
+  char **all;
+  int count, place;
 };
 
-static bool refuse_option(const struct options *o, const char *argument, const char *name, int *code)
+/* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
+static bool read_values(struct reading_state *s, const struct option *o, const char *text)
 {
-  const char *command = o->command->name, *near = nearest(name + strspn(name, "-"), o->command->accepts);
-  char option[80];
-  snprintf(option, sizeof option, "--%.70s", near ? near : "");
-  for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++)
-    if (strcmp(command, dropped[i].command) == 0 && strcmp(name, dropped[i].option) == 0) {
-      complain(command, "the option '%s' is no longer there: %s", argument, dropped[i].instead);
-      return refuse(code);
-    }
-  if (describe_option(name, o->command))
-    complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
-  else
-    complain(command, "unknown option '%s'%s (see scallop %s --help)", argument, did_you_mean(near ? option : NULL),
-             command);
-  return refuse(code);
-}
-
-/* The option called name, whose value is text, or the next argument. argument: as it was written. */
-static bool take_option(struct options *o, int count, char **arguments, int *i, int *code, char *name, const char *text)
-{
-  const char *argument = arguments[*i];
-  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
-  const struct option_description *d = option_accepted(o->command, name) ? describe_option(name, o->command) : NULL;
-  if (!d || (!two_dashes && strcmp(argument, "-o") != 0))
-    return refuse_option(o, argument, name, code);
-  if (d->placeholder && !text) {
-    if (*i + 1 == count) {
-      complain(o->command->name, "--%s needs a value: --%s %s", name, name, d->placeholder);
-      return refuse(code);
-    }
-    text = arguments[++*i];
-  }
-  if (!d->placeholder && text) {
-    complain(o->command->name, "--%s takes no value", name);
-    return refuse(code);
-  }
-  const char *wrong = d->kind->set(o, name, text);
-  if (!wrong && option_value_count(d) == 2) {
-    if (*i + 1 == count) {
-      complain(o->command->name, "--%s needs two values: --%s %s", name, name, d->placeholder);
-      return refuse(code);
-    }
-    wrong = d->kind->set(o, name, arguments[++*i]);
-  }
-  if (wrong)
-    complain(o->command->name, "--%s: %s", name, wrong);
-  if (wrong && o->point.unreadable) {
-    *code = EXIT_FILE;
+  const char *command = s->to->command->name;
+  int values = option_values(o);
+  if (values == 0 && text) {
+    complain(command, "--%s takes no value", o->name);
     return false;
   }
-  return wrong ? refuse(code) : true;
+  for (int i = 0; i < (values == 0 ? 1 : values); i++) {
+    if (values > 0 && !(i == 0 && text) && s->place + 1 == s->count) {
+      complain(command, "--%s needs %s: --%s %s", o->name, values == 1 || i == 0 ? "a value" : "two values", o->name,
+               o->argument);
+      return false;
+    }
+    const char *value = values == 0 || (i == 0 && text) ? text : s->all[++s->place];
+    const char *wrong = o->kind->read(&s->to->options, o, value);
+    if (wrong) {
+      complain(command, "--%s: %s", o->name, wrong);
+      return false;
+    }
+  }
+  return true;
 }
 
-static bool read_option(struct options *o, int count, char **arguments, int *i, int *code)
+static bool read_option(struct reading_state *s)
 {
-  char *argument = arguments[*i];
-  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-';
-  char *name = strcmp(argument, "-o") == 0 ? "output" : argument + (two_dashes ? 2 : 0);
+  char *argument = s->all[s->place];
+  const struct command *command = s->to->command;
+  bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
+  char *name = is_o ? "output" : argument + (two_dashes ? 2 : 0);
   char *equals = two_dashes ? strchr(name, '=') : NULL;
   if (equals)
     *equals = '\0';
-  bool taken = take_option(o, count, arguments, i, code, name, equals ? equals + 1 : NULL);
+  const struct option *o = two_dashes || is_o ? option_of(command, name) : NULL;
+  bool dropped = o && o->kind == &dropped_option, good = o && !dropped;
+  if (dropped)
+    complain(command->name, "the option '%s' is no longer there: %s", argument, o->help);
+  else if (!o)
+    complain_of_option(command, s->commands, name, argument);
+  else
+    good = read_values(s, o, equals ? equals + 1 : NULL);
   if (equals) /* the arguments may be handed on: with_flint.h */
     *equals = '=';
-  return taken;
+  return good;
 }
 
-/* Is there room for one more? */
-static bool take_operand(struct options *o, const char *text)
+static bool take_operand(struct arguments *a, const char *text)
 {
-  if (o->operand_count == (many_operands(o->command) ? INT_MAX : o->command->operand ? 1 : 0))
+  if (a->operand_count == (takes_operands(a->command) ? INT_MAX : a->command->operand ? 1 : 0)) {
+    complain(a->command->name, "unexpected argument '%s' (see scallop %s --help)", text, a->command->name);
     return false;
-  o->operands[o->operand_count++] = text;
-  o->operand = o->operands[0];
+  }
+  a->operands[a->operand_count++] = text;
   return true;
 }
 
-/* False: *code is the exit code. */
-static bool read_arguments(struct options *o, int count, char **arguments, int *code)
+static enum reading read_all(struct reading_state *s)
 {
-  const struct command *command = o->command;
-  for (int i = 2; i < count; i++) {
-    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
-      help_command(stdout, command);
-      *code = EXIT_DONE;
-      return false;
-    }
-    if (arguments[i][0] == '-' && arguments[i][1] != '\0') {
-      if (!read_option(o, count, arguments, &i, code))
-        return false;
-    } else if (!take_operand(o, arguments[i])) {
-      complain(command->name, "unexpected argument '%s' (see scallop %s --help)", arguments[i], command->name);
-      return refuse(code);
-    }
+  const struct command *command = s->to->command;
+  for (s->place = 2; s->place < s->count; s->place++) {
+    char *argument = s->all[s->place];
+    if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0)
+      return READ_HELP;
+    bool is_option = argument[0] == '-' && argument[1] != '\0';
+    if (!(is_option ? read_option(s) : take_operand(s->to, argument)))
+      return READ_REFUSED;
   }
-  if (command->operand && !o->operand) {
-    complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
-    return refuse(code);
-  }
-  return true;
-}
-
-/* Of a scene that is known when it has been read. */
-static bool digits_are_sound(const struct options *o)
-{
-  bool is_told = option_accepted(o->command, "certified") || option_accepted(o->command, "source");
-  bool proven = o->certified || o->bound || strcmp(o->source, "published") != 0;
-  char number[24];
-  if (o->digits <= DOUBLE_DIGITS || proven || !is_told)
-    return true;
-  snprintf(number, sizeof number, "%ld", o->digits);
-  complain(o->command->name, "--digits: %s", digits_refused(o->command, number));
-  return false;
+  if (!command->operand || s->to->operand_count > 0)
+    return READ_RUN;
+  complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
+  return READ_REFUSED;
 }
 
 /* A measurement must not be lost to a slip of the keyboard. */
-static bool output_is_sound(const struct options *o)
+static bool output_is_sound(const struct style *style)
 {
-  bool lost = o->output && gait_is_from(o->output);
+  bool lost = style->output && gait_is_from(style->output);
   if (lost)
-    complain(o->command->name, "--output: %s is the file of the gait and is not replaced: name another file", o->output);
+    complain(style->command, "--output: %s is the file of the gait and is not replaced: name another file", style->output);
   return !lost;
 }
 
-void options_initial(struct options *o, const struct command *command)
+void options_initial(struct arguments *a, const struct command *command)
 {
-  *o = (struct options){ .command = command,
-                         .start = "rest",
-                         .point = point_initial(command->defaults),
-                         .periods = 10,
-                         .samples = 40,
-                         .source = "published",
-                         .order = 8,
-                         .seed = 1,
-                         .tolerance = 0.1 };
+  memset(a, 0, sizeof *a);
+  a->command = command;
+  if (command->initial)
+    memcpy(&a->options, command->initial, command->size);
+  a->options.request = (struct request){ .style = { .command = command->name }, .point = point_initial(command->defaults) };
 }
 
-bool options_read(struct options *o, const struct command *command, int count, char **arguments, int *code)
+enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
+                          int count, char **all, enum exit_code *code)
 {
-  options_initial(o, command);
-  o->arguments = arguments;
-  o->operands = calloc((size_t)count, sizeof *o->operands);
-  if (!o->operands) {
+  struct reading_state s = { a, commands, all, count, 0 };
+  options_initial(a, command);
+  a->all = all;
+  a->operands = calloc((size_t)count, sizeof *a->operands);
+  *code = EXIT_UNSOLVED;
+  if (!a->operands) {
     complain(command->name, "out of memory");
-    *code = EXIT_UNSOLVED;
-    return false;
+    return READ_REFUSED;
   }
-  if (!read_arguments(o, count, arguments, code))
-    return false;
-  point_complete(&o->point);
-  return (digits_are_sound(o) && output_is_sound(o)) || refuse(code);
+  enum reading reading = read_all(&s);
+  struct request *r = &a->options.request;
+  *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
+  if (reading != READ_RUN)
+    return reading;
+  point_complete(&r->point);
+  return output_is_sound(&r->style) && (!command->is_sound || command->is_sound(&a->options)) ? READ_RUN : READ_REFUSED;
 }
 
-void options_free(struct options *o)
+void options_free(struct arguments *a)
 {
-  free(o->operands);
-  o->operands = NULL;
-  o->operand_count = 0;
+  free(a->operands);
+  a->operands = NULL;
+  a->operand_count = 0;
 }

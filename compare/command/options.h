@@ -1,58 +1,171 @@
-/* The arguments of the command line, as read. What the options are: compare/command/option_table.h. */
+/* The arguments of the command line. A command's options are a struct of its own that begins with struct request (answers/points.h),
+ * and a row for each: its name, what it takes, what --help says of it, what holds where it is not given, how it is read, and which
+ * field it sets. A new option is a field and a row. */
 #ifndef SCALLOP_OPTIONS_H
 #define SCALLOP_OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
+#include "compare/answers/points.h"
 #include "compare/text/values.h"
-#include "compare/answers/point.h"
-#include "compare/text/message.h"
 
-struct command;
+/* The text of what a macro stands for, so that --help tells the numbers that are used */
+#define TEXT_OF(...) TEXT_OF_WRITTEN(__VA_ARGS__)
+#define TEXT_OF_WRITTEN(...) #__VA_ARGS__
 
-enum format { FORMAT_TSV, FORMAT_JSON };
+/* --digits: of doubles, and where they are proven. */
+enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000, OPTION_VALUE = 48 };
 
-struct options {
-  const struct command *command;
-  char **arguments; /* of the program, all of them, NULL-terminated                     */
-  struct point point;
-  const char *start;     /* trajectory: "rest", "steady" or a number                        */
-  double start_velocity; /* that number                                                     */
-  const char *points;    /* file name, "-" for standard input, or NULL                      */
-  const char *errors;    /* claims: the names whose errors are wanted, or NULL               */
-  bool check;            /* claims: compare the verdicts with those of the tool's ledger; stress       */
-  const char *source;    /* series: "published", "derived" or "limit"                        */
-  long order;            /* series: terms below T^order                                      */
-  bool bound, certified;
-  const char *operand;   /* the first of them, or NULL                                         */
-  const char **operands; /* all, in the order they were given                                 */
-  int operand_count;
-  const char *output; /* NULL: standard output                                           */
-  const char *folder; /* run: where files without a folder go, or NULL                      */
-  enum format format;
-  long digits; /* significant digits; 0: as many as read back exactly             */
-  long periods, samples;
-  double expect, tolerance;
-  const char *family;                        /* stress: the only family, or NULL                                    */
-  long cases, seed;                          /* stress: of each family, 0: as many as is usual; of their parameters   */
-  bool full, stiff, error;                   /* stress; steady and phase                                          */
-  const char *quantity;                      /* breakdown: the only one, or NULL                                     */
-  const char *only;                          /* breakdown: the only kind of rows, or NULL                            */
-  const char *map[2];                        /* breakdown: what varies along x and along y, or NULL                  */
-  const char *range[2];                      /* breakdown: FROM:TO:COUNT of x and of y, or NULL                      */
-  bool boundaries;                           /* breakdown: the curves between the regions of a map                    */
-  double limit;                              /* workprec: seconds for each setting; 0: not given                   */
-  bool quick, summary;                       /* workprec                                                       */
-  bool check_only, explain, stats, no_plots; /* run                                                      */
-  bool has_expect, has_seed, has_source, has_order, has_tolerance, has_output, has_format, quiet;
+struct option;
+
+/* How options of one kind are read. */
+struct option_kind {
+  /* Called for each of the values, with the text of it. Returns NULL, or what is wrong; the message lives until the next call. */
+  const char *(*read)(void *options, const struct option *option, const char *text);
+  /* The value that the options hold; NULL: one of this kind has none unless it is given. */
+  void (*show)(const void *options, const struct option *option, char text[OPTION_VALUE]);
+};
+extern const struct option_kind
+    parameter_option,                            /* of the point, by its name                                              */
+    flag_option,                                 /* bool                                                                   */
+    number_option, positive_option,              /* struct given_number                                                    */
+    count_option,                                /* struct given_count, from least to most                                 */
+    word_option,                                 /* struct given_word, one of words                                        */
+    text_option,                                 /* const char *, not empty: allowed says what it is                       */
+    pair_option,                                 /* const char *[2]                                                        */
+    format_option, digits_option, output_option; /* of the style; digits from 1 to most                                    */
+
+extern const struct option_kind dropped_option; /* one that is no longer there: help says what to use instead */
+
+struct option {
+  const char *name;     /* without the dashes                                                                       */
+  const char *argument; /* one word for each value it takes, separated by blanks; NULL: a flag                      */
+  const char *help;
+  const char *otherwise; /* what holds where it is not given, in which %s stands for the value; NULL: that value     */
+  const struct option_kind *kind;
+  size_t field; /* in the struct of the command                                                             */
+  long least, most;
+  const char *const *words; /* NULL-terminated */
+  const char *allowed;
 };
 
-/* What holds where no option is given. options_free has nothing to do for it. */
-void options_initial(struct options *options, const struct command *command);
+/* Rows that many commands have. */
+#define OPTION_POINT(name, argument, help, otherwise) \
+  { \
+    name, argument, help, otherwise, &parameter_option, 0, 0, 0, NULL, NULL \
+  }
+#define OPTIONS_TO_L(numbers) \
+  OPTION_POINT("m1", "M", "mass of body 1", numbers), OPTION_POINT("m2", "M", "mass of body 2", numbers), \
+      OPTION_POINT("F1", "F", "Coulomb friction force of body 1", numbers), \
+      OPTION_POINT("F2", "F", "Coulomb friction force of body 2", numbers), \
+      OPTION_POINT("L", "L", "amplitude of the separation x2 - x1", numbers)
+#define OPTION_T(otherwise) OPTION_POINT("T", "T", "period", otherwise)
+#define OPTIONS_ALPHA_GAIT(numbers, gait) \
+  OPTION_POINT("alpha", "A", "fraction of the period that the extension takes", numbers), \
+      OPTION_POINT("gait", "GAIT", gaits_help, gait)
+#define OPTIONS_CRAWLER(numbers, gait) OPTIONS_TO_L(numbers), OPTION_T(numbers), OPTIONS_ALPHA_GAIT(numbers, gait)
+#define OPTION_PHASE(otherwise) OPTION_POINT("phase", "PHASE", "extension or contraction", otherwise)
+#define OPTION_V0(otherwise) OPTION_POINT("v0", "V", "velocity of both bodies at the start of the phase", otherwise)
+#define OPTION_FLAG(name, help, type, member) \
+  { \
+    name, NULL, help, NULL, &flag_option, offsetof(struct type, member), 0, 0, NULL, NULL \
+  }
+#define OPTION_TEXT(name, argument, help, otherwise, type, member, allowed) \
+  { \
+    name, argument, help, otherwise, &text_option, offsetof(struct type, member), 0, 0, NULL, allowed \
+  }
+#define OPTION_COUNT(name, argument, help, otherwise, type, member, least, most) \
+  { \
+    name, argument, help, otherwise, &count_option, offsetof(struct type, member), least, most, NULL, NULL \
+  }
+#define OPTION_NUMBER(name, argument, help, otherwise, kind, type, member) \
+  { \
+    name, argument, help, otherwise, kind, offsetof(struct type, member), 0, 0, NULL, NULL \
+  }
+#define OPTION_POINTS \
+  OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
+              request, points, "a file name")
+#define OPTION_FORMAT(otherwise) \
+  { \
+    "format", "F", "tsv or json, one object a line", otherwise, &format_option, 0, 0, 0, NULL, NULL \
+  }
+#define OPTION_DIGITS(range, otherwise, most) \
+  { \
+    "digits", "N", "significant digits " range, otherwise, &digits_option, 0, 0, most, NULL, range \
+  }
+#define DIGITS_OF_DOUBLES "from 1 to 17"
+#define DIGITS_PROVEN(where) DIGITS_OF_DOUBLES "; " where " to 10000"
+#define OPTION_OUTPUT(otherwise) \
+  { \
+    "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
+        &output_option, 0, 0, 0, NULL, NULL \
+  }
+#define OPTION_QUIET \
+  { \
+    "quiet", NULL, "no notes on standard error, only errors", NULL, &flag_option, offsetof(struct request, style.quiet), 0, \
+        0, NULL, NULL \
+  }
+#define OPTION_DROPPED(name, instead) \
+  { \
+    name, NULL, instead, NULL, &dropped_option, 0, 0, 0, NULL, NULL \
+  }
+#define NO_MORE_OPTIONS \
+  { \
+    NULL, NULL, NULL, NULL, NULL, 0, 0, 0, NULL, NULL \
+  }
 
-/* Reads arguments[2], ... : those after the command's name. True: run it. False: *code is the exit code (help was
- * asked for, or the message is on stderr). Whichever it is, options_free ends it. */
-bool options_read(struct options *options, const struct command *command, int count, char **arguments, int *code);
-void options_free(struct options *options);
+extern const char gaits_help[];
+
+/* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
+bool digits_hold(const struct style *style, bool proven, const char *range);
+
+struct arguments;
+
+/* One command: `scallop NAME`. */
+struct command {
+  const char *name;
+  const char *summary;                    /* one line                                                                  */
+  const char *example;                    /* what `--help` shows first                                                 */
+  const char *operand;                    /* "FILE", or NULL if there is none; "FILE..." where it takes more than one  */
+  const struct option *options;           /* the last without a name                                                   */
+  size_t size;                            /* of its struct                                                             */
+  const void *initial;                    /* what that holds before anything is read, but for the request; NULL: zeros */
+  const char *about;                      /* what the columns mean                                                     */
+  const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                                           */
+  /* What the options have to do with each other: false, the message being on stderr. NULL: nothing. */
+  bool (*is_sound)(const void *options);
+  enum exit_code (*run)(const struct arguments *arguments, const void *options);
+};
+
+struct arguments {
+  const struct command *command;
+  char **all; /* of the program, NULL-terminated */
+  const char **operands;
+  int operand_count;
+  union { /* the struct of the command; its first member is the request */
+    struct request request;
+    char room[1024];
+    void *aligned;
+    double aligned_too;
+  } options;
+};
+
+/* NULL: the command does not take it. */
+const struct option *option_of(const struct command *command, const char *name);
+/* How many values it takes. */
+int option_values(const struct option *option);
+/* Does the command take more than one operand? */
+bool takes_operands(const struct command *command);
+
+/* What holds where no option is given. */
+void options_initial(struct arguments *arguments, const struct command *command);
+
+enum reading { READ_RUN, READ_HELP, READ_REFUSED };
+/* Reads all[2], ... : the arguments behind the command's name. commands: all of them, to tell options of others from those of none.
+ * READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is, options_free ends it. */
+enum reading options_read(struct arguments *arguments, const struct command *command, const struct command *const *commands,
+                          int count, char **all, enum exit_code *code);
+void options_free(struct arguments *arguments);
 
 #endif

@@ -2,12 +2,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 #include "compare/text/memory.h"
 #include "compare/text/tsv.h"
 #include "compare/order/order.h"
 
-static const char *const accepts[] = { "expect", "tol", "format", "digits", "output", "quiet", NULL };
+struct order_options {
+  struct request request;
+  struct given_number expect, tolerance;
+};
+
+static const struct option options_of_order[] = {
+  OPTION_NUMBER("expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met",
+                "none, and no verdict", &number_option, order_options, expect),
+  OPTION_NUMBER("tol", "D", "how far the order may be from --expect", NULL, &positive_option, order_options, tolerance),
+  OPTION_FORMAT(NULL),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct order_options initial = { .tolerance = { 0.1, false } };
 static const char *const series_column[] = { "series", NULL };
 static const char *const columns[] = { "h", "err", "pairwise", "use", NULL };
 static const char *const summary_columns[] = { "order",    "lo",        "hi",      "points", "state",
@@ -167,12 +182,12 @@ static bool join_single_points(struct list *list)
   return joined;
 }
 
-static enum exit_code read_file(const struct options *options, struct list *list, bool *values)
+static enum exit_code read_file(const char *file, struct list *list, bool *values)
 {
   struct tsv t;
   struct layout layout = { .columns = 0 };
   const char *wrong = NULL;
-  if (tsv_open(&t, options->operand, TSV_WORDS))
+  if (tsv_open(&t, file, TSV_WORDS))
     while (!wrong && tsv_next(&t)) {
       bool first = layout.columns == 0;
       wrong = t.fault ? t.fault : first ? read_layout(&t, &layout) : NULL;
@@ -209,18 +224,18 @@ static void write_points(struct table *table, const struct list *list)
 }
 
 /* In TSV: the series and its order in notes */
-static void note_summary(struct table *table, const struct series *s, const struct options *o, bool named)
+static void note_summary(struct table *table, const struct series *s, const struct order_options *o, bool named)
 {
   const struct order_fit *fit = &s->fit;
   if (named)
     table_note(table, "series: %s", s->name);
   table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
              order_state_text(fit->state));
-  if (o->has_expect)
-    table_note(table, "expected %g within %g: %s", o->expect, o->tolerance, order_verdict_text(s->verdict));
+  if (o->expect.given)
+    table_note(table, "expected %g within %g: %s", o->expect.value, o->tolerance.value, order_verdict_text(s->verdict));
 }
 
-static void write_summary_row(struct table *table, const struct series *s, const struct options *o, bool named)
+static void write_summary_row(struct table *table, const struct series *s, const struct order_options *o, bool named)
 {
   const struct order_fit *fit = &s->fit;
   if (named)
@@ -230,79 +245,78 @@ static void write_summary_row(struct table *table, const struct series *s, const
   table_number(table, fit->hi);
   table_rounded(table, fit->used, "%.0f");
   table_text(table, order_state_text(fit->state));
-  table_number(table, o->has_expect ? o->expect : NAN);
-  table_number(table, o->has_expect ? o->tolerance : NAN);
-  table_text(table, o->has_expect ? order_verdict_text(s->verdict) : "none asked for");
+  table_number(table, o->expect.given ? o->expect.value : NAN);
+  table_number(table, o->expect.given ? o->tolerance.value : NAN);
+  table_text(table, o->expect.given ? order_verdict_text(s->verdict) : "none asked for");
 }
 
-static void write_summary(struct table *table, const struct list *list, const struct options *o)
+static void write_summary(struct table *table, const struct list *list, const struct order_options *o)
 {
   bool named = list->count > 1;
-  if (o->format != FORMAT_TSV) {
+  if (o->request.style.format != FORMAT_TSV) {
     table->count = 0;
     if (named)
       table_columns(table, series_column);
     table_columns(table, summary_columns);
   }
   for (const struct series *s = list->series; s < list->series + list->count; s++)
-    (o->format == FORMAT_TSV ? note_summary : write_summary_row)(table, s, o, named);
+    (o->request.style.format == FORMAT_TSV ? note_summary : write_summary_row)(table, s, o, named);
 }
 
-static void estimate(struct list *list, const struct options *o, bool values)
+static void estimate(struct list *list, const struct order_options *o, bool values)
 {
   for (struct series *s = list->series; s < list->series + list->count; s++) {
     s->fit = values ? order_estimate_values(s->points, &s->count) : order_estimate(s->points, s->count);
-    s->verdict = order_judge(&s->fit, o->expect, o->tolerance);
+    s->verdict = order_judge(&s->fit, o->expect.value, o->tolerance.value);
   }
 }
 
-static enum exit_code conclude(const struct list *list, const struct options *o)
+static enum exit_code conclude(const struct list *list, const struct order_options *o)
 {
   bool passed = true, valid = true;
   for (const struct series *s = list->series; s < list->series + list->count; s++) {
     passed &= s->verdict == ORDER_PASS;
     valid &= s->fit.state != ORDER_INVALID;
   }
-  if (!valid && !o->has_expect) {
+  if (!valid && !o->expect.given) {
     complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
     return EXIT_UNSOLVED;
   }
-  return o->has_expect && !passed ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return o->expect.given && !passed ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
-static enum exit_code run(const struct options *options)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
+  const struct order_options *o = options;
+  const char *file = arguments->operands[0];
   struct list list = { 0 };
   struct table table;
   bool values = false;
-  enum exit_code code = read_file(options, &list, &values);
-  if (code == EXIT_DONE && !table_open(&table, options))
+  enum exit_code code = read_file(file, &list, &values);
+  if (code == EXIT_DONE && !table_open(&table, &o->request.style))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
-    estimate(&list, options, values);
+    estimate(&list, o, values);
     table_note(&table, "scallop " SCALLOP_VERSION);
     table_note(&table, "command: order");
     if (values)
       table_note(&table, "err: differences of successive values, v(h_i) - v(h_i+1), rescaled to C h^p");
     write_points(&table, &list);
-    write_summary(&table, &list, options);
-    code = table_close(&table) ? conclude(&list, options) : EXIT_FILE;
+    write_summary(&table, &list, o);
+    code = table_close(&table) ? conclude(&list, o) : EXIT_FILE;
   }
   list_clear(&list);
   return code;
 }
-
-static const struct unless_given unless_given[] = {
-  { "expect", "none, and no verdict" },
-  { NULL, NULL },
-};
 
 const struct command command_order = {
   .name = "order",
   .summary = "the observed order of a table of h and err, from any code",
   .example = "scallop order errors.txt --expect 2",
   .operand = "FILE",
-  .accepts = accepts,
+  .options = options_of_order,
+  .size = sizeof(struct order_options),
+  .initial = &initial,
   .about =
       "FILE ('-': standard input) has two columns, h and err, separated by blanks or tabs; or a header line that\n"
       "names 'h' and 'err', and perhaps 'noise' (the rounding error of err); or 'h' and 'value', and the order then\n"
@@ -314,6 +328,5 @@ const struct command command_order = {
       "coarse: not yet asymptotic, before-sign-change), then the fitted order with its 95 % interval. With\n"
       "--expect the verdict: pass, too-low, too-high, floor-limited, not-asymptotic, insufficient or invalid; errors\n"
       "that are all 0, or within their noise, pass (state exact). Of several series each has to pass.",
-  .unless_given = unless_given,
   .run = run,
 };

@@ -6,14 +6,29 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/command/option_table.h"
+#include "compare/command/commands.h"
 #include "compare/command/run.h"
 #include "compare/text/shipped.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2",     "F1",         "F2",      "L",     "T",
-                                       "alpha", "gait",   "check-only", "explain", "stats", "no-plots",
-                                       "into",  "output", "format",     "digits",  "quiet", NULL };
+#define OF_SCENE "that of the scene"
+#define DIGITS DIGITS_PROVEN("where a scene has certified values")
+
+static const struct option options_of_run[] = {
+  OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
+  OPTION_FLAG("check-only", "read and check the scenes, and do nothing", scene_options, check_only),
+  OPTION_FLAG("explain", "the plan, instead of the work", scene_options, explain),
+  OPTION_FLAG("stats", "afterwards, on standard error, what was done: the counters of the plan's stages", scene_options,
+              stats),
+  OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
+  OPTION_TEXT("into", "FOLDER", "the folder for files that a scene names by a path without / in front", "the current one",
+              scene_options, folder, "a file name"),
+  OPTION_OUTPUT("the files that the scenes name"),
+  OPTION_FORMAT(OF_SCENE),
+  OPTION_DIGITS(DIGITS, OF_SCENE, MOST_DIGITS),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
 
 enum { MOST_SCENES = 64 };
 
@@ -32,32 +47,32 @@ static int tables_of(const struct scenes *all)
 }
 
 /* Tables and plots all go to different places, and none in that of a file that is read. */
-static bool check_places(const struct scenes *all, const struct options *o)
+static bool check_places(const struct scenes *all, const struct scene_options *o)
 {
   struct scene_places *places = calloc(1, sizeof *places);
   bool good = places != NULL;
   if (!places)
-    complain(o->command->name, "out of memory");
+    complain(o->request.style.command, "out of memory");
   for (int i = 0; good && i < all->count; i++)
     places_reads(places, all->scene[i]);
   if (good && o->explain)
-    good = !o->has_output || places_writes(places, o->command->name, o->output);
+    good = !o->request.style.has_output || places_writes(places, o->request.style.command, o->request.style.output);
   for (int i = 0; good && !o->explain && i < all->count; i++)
     for (int w = 0; good && w < all->scene[i]->wants; w++) {
       const struct scene_want *want = &all->scene[i]->want[w];
-      good = places_writes(places, o->command->name, want->file)
-             && (!want->has_plot || places_writes(places, o->command->name, want->plot.file));
+      good = places_writes(places, o->request.style.command, want->file)
+             && (!want->has_plot || places_writes(places, o->request.style.command, want->plot.file));
     }
   free(places);
   return good;
 }
 
 /* What is done first, then what is not requested. */
-static enum exit_code explain(const struct scenes *all, const struct options *o)
+static enum exit_code explain(const struct scenes *all, const struct scene_options *o)
 {
   static const char *const columns[] = { "scene", "stage", "count", "known", "for", NULL };
   static struct table table;
-  if (!table_open(&table, o))
+  if (!table_open(&table, &o->request.style))
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: run --explain");
@@ -113,7 +128,7 @@ static int add_parameters(char **arguments, int count, const struct command *com
                                              : base->has_gait      ? base->crawler.gait->name
                                                                    : NULL;
     bool idle = command == &command_breakdown && !has_map && strcmp(name, "T") == 0; /* all T are looked at */
-    if (!text || idle || !option_accepted(command, name))
+    if (!text || idle || !option_of(command, name))
       continue;
     arguments[count++] = flags[i];
     arguments[count++] = (char *)text;
@@ -121,12 +136,13 @@ static int add_parameters(char **arguments, int count, const struct command *com
   return count;
 }
 
-static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct options *o,
+static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct scene_options *o,
                                   bool only_read)
 {
   char *arguments[MOST_ARGUMENTS] = { "scallop" }, digits[32];
-  struct options options;
-  int table = 0, count = 2, code = EXIT_DONE;
+  struct arguments read;
+  enum exit_code code = EXIT_DONE;
+  int table = 0, count = 2;
   while (strcmp(tables[table].what, w->what) != 0)
     table++;
   const struct command *command = tables[table].command;
@@ -136,27 +152,30 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   for (int i = 0; i < w->argument_count; i++)
     arguments[count++] = w->arguments[i];
   count = add_parameters(arguments, count, command, &scene->base);
-  if (o->quiet && option_accepted(command, "quiet"))
+  if (o->request.style.quiet && option_of(command, "quiet"))
     arguments[count++] = "--quiet";
-  snprintf(digits, sizeof digits, "--digits=%ld", o->digits);
-  if (o->digits > 0 && option_accepted(command, "digits"))
+  snprintf(digits, sizeof digits, "--digits=%ld", o->request.style.digits);
+  if (o->request.style.digits > 0 && option_of(command, "digits"))
     arguments[count++] = digits;
-  if (options_read(&options, command, count, arguments, &code) && !only_read) {
-    options.output = w->file;
-    options.format = w->format;
-    code = (int)command->run(&options);
+  if (options_read(&read, command, commands, count, arguments, &code) == READ_RUN) {
+    code = EXIT_DONE;
+    read.options.request.style.output = w->file;
+    read.options.request.style.format = w->format;
+    if (!only_read)
+      code = command->run(&read, &read.options);
   }
-  options_free(&options);
-  return (enum exit_code)code;
+  options_free(&read);
+  return code;
 }
 
-static enum exit_code read_all(struct scenes *all, const struct options *o, const struct scene_source *sources, int count)
+static enum exit_code read_all(struct scenes *all, const struct scene_options *o, const struct scene_source *sources,
+                               int count)
 {
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < count && code == EXIT_DONE; i++) {
     struct scene *scene = malloc(sizeof *scene);
     if (!scene)
-      complain(o->command->name, "out of memory");
+      complain(o->request.style.command, "out of memory");
     code = scene ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
     if (code == EXIT_DONE)
       all->scene[all->count++] = scene;
@@ -193,10 +212,10 @@ static bool put_back(const char *text)
   return kept;
 }
 
-static bool hand_over(const struct scenes *all, const struct options *o)
+static bool hand_over(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
 {
   if (all->input && !put_back(all->input)) {
-    complain(o->command->name, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
+    complain(o->request.style.command, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
     return false;
   }
   for (int i = 0; i < all->count; i++) {
@@ -204,17 +223,18 @@ static bool hand_over(const struct scenes *all, const struct options *o)
     const char *path = all->scene[i]->path;
     if (!path || stat(path, &there) != 0 || S_ISREG(there.st_mode))
       continue;
-    complain(o->command->name, "%s can be read only once, and scallop-flint is to read it again: give it as '-'", path);
+    complain(o->request.style.command, "%s can be read only once, and scallop-flint is to read it again: give it as '-'",
+             path);
     return false;
   }
-  return has_flint(o, "this scene");
+  return has_flint(arguments, "this scene");
 }
 
-static enum exit_code run_all(struct scenes *all, const struct options *o)
+static enum exit_code run_all(struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
 {
   enum exit_code code = EXIT_DONE;
-  if (o->has_output && !o->explain && tables_of(all) > 1) {
-    complain(o->command->name, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
+  if (o->request.style.has_output && !o->explain && tables_of(all) > 1) {
+    complain(o->request.style.command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
              tables_of(all));
     return EXIT_USAGE;
   }
@@ -223,12 +243,12 @@ static enum exit_code run_all(struct scenes *all, const struct options *o)
   if (o->explain)
     return explain(all, o);
   if (o->check_only) {
-    for (int i = 0; i < all->count && !o->quiet; i++)
-      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->command->name, all->scene[i]->name,
+    for (int i = 0; i < all->count && !o->request.style.quiet; i++)
+      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->request.style.command, all->scene[i]->name,
               sweep_points(&all->scene[i]->sweep), all->scene[i]->wants);
     return EXIT_DONE;
   }
-  if (needs_flint(all) && !hand_over(all, o))
+  if (needs_flint(all) && !hand_over(all, arguments, o))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
     enum exit_code one = scene_run(all->scene[i], o);
@@ -239,11 +259,12 @@ static enum exit_code run_all(struct scenes *all, const struct options *o)
   return code;
 }
 
-enum exit_code run_scenes(const struct options *o, const struct scene_source *sources, int count)
+enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *o,
+                          const struct scene_source *sources, int count)
 {
   struct scenes *all = calloc(1, sizeof *all);
   if (!all || count > MOST_SCENES) {
-    complain(o->command->name, all ? "%d scenes: %d at a time" : "out of memory", count, MOST_SCENES);
+    complain(o->request.style.command, all ? "%d scenes: %d at a time" : "out of memory", count, MOST_SCENES);
     free(all);
     return EXIT_USAGE;
   }
@@ -252,7 +273,7 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
       all->input = sources[i].text;
   enum exit_code code = read_all(all, o, sources, count);
   if (code == EXIT_DONE)
-    code = run_all(all, o);
+    code = run_all(all, arguments, o);
   free_all(all);
   free(all);
   return code;
@@ -260,46 +281,42 @@ enum exit_code run_scenes(const struct options *o, const struct scene_source *so
 
 static bool is_input(const char *operand) { return strcmp(operand, "-") == 0 || strcmp(operand, "/dev/stdin") == 0; }
 
-static enum exit_code run(const struct options *o)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
+  const struct scene_options *o = options;
   struct scene_source sources[MOST_SCENES];
-  int count = o->operand_count < MOST_SCENES ? o->operand_count : MOST_SCENES;
-  if (o->operand_count > MOST_SCENES) {
-    complain("run", "%d scenes: %d at a time", o->operand_count, MOST_SCENES);
+  int count = arguments->operand_count < MOST_SCENES ? arguments->operand_count : MOST_SCENES;
+  if (arguments->operand_count > MOST_SCENES) {
+    complain("run", "%d scenes: %d at a time", arguments->operand_count, MOST_SCENES);
     return EXIT_USAGE;
   }
-  if (o->folder && o->has_output) {
+  if (o->folder && o->request.style.has_output) {
     complain("run", "--into and -o exclude each other");
     return EXIT_USAGE;
   }
   char *input = NULL;
   for (int i = 0; i < count; i++) {
-    sources[i] = (struct scene_source){ .path = o->operands[i], .text = shipped_text(shipped_scenes, o->operands[i]) };
-    if (!is_input(o->operands[i]))
+    sources[i] = (struct scene_source){ .path = arguments->operands[i],
+                                        .text = shipped_text(shipped_scenes, arguments->operands[i]) };
+    if (!is_input(arguments->operands[i]))
       continue;
     enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);
     if (read != EXIT_DONE)
       return read;
     sources[i] = (struct scene_source){ .path = "-", .text = input };
   }
-  enum exit_code code = run_scenes(o, sources, count);
+  enum exit_code code = run_scenes(arguments, o, sources, count);
   free(input);
   return code;
 }
-
-static const struct unless_given unless_given[] = {
-  { "m1 m2 F1 F2 L T alpha gait format digits", "that of the scene" },
-  { "into", "the current one" },
-  { "output", "the files that the scenes name" },
-  { NULL, NULL },
-};
 
 const struct command command_run = {
   .name = "run",
   .summary = "what a scene asks for and nothing else",
   .example = "scallop run figure5 --explain",
   .operand = "SCENE.cfg...",
-  .accepts = accepts,
+  .options = options_of_run,
+  .size = sizeof(struct scene_options),
   .about =
       "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "
       "steady\n"
@@ -310,7 +327,5 @@ const struct command command_run = {
       "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
       "exactly, at most, or not requested; for: the quantity or table that first needs it.",
-  .unless_given = unless_given,
-  .proven = "where a scene has certified values",
   .run = run,
 };

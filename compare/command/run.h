@@ -5,6 +5,8 @@
 #include "compare/scenes/scene.h"
 
 /* Reads all scenes, and only then runs them. */
-enum exit_code run_scenes(const struct options *options, const struct scene_source *sources, int count);
+struct arguments;
+enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *options,
+                          const struct scene_source *sources, int count);
 
 #endif

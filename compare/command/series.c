@@ -6,10 +6,27 @@
 #include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
+#include "compare/command/commands.h"
+#include "compare/command/series.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",     "m2",    "F1",    "F2",     "L",      "T",      "alpha",  "gait",  "v0",
-                                       "source", "order", "bound", "points", "format", "digits", "output", "quiet", NULL };
+#define DIGITS DIGITS_PROVEN("with --source derived or limit")
+static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const struct option options_of_series[] = {
+  OPTIONS_CRAWLER(NULL, NULL),
+  OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
+  { "source", "SOURCE", "published, derived or limit", NULL, &word_option, offsetof(struct series_options, source), 0, 0,
+    sources, "published, derived or limit" },
+  OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
+  OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
+  OPTION_POINTS,
+  OPTION_FORMAT(NULL),
+  OPTION_DIGITS(DIGITS, "%s; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct series_options initial = { .source = { "published", false }, .order = { 8, false } };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 static const char *const extra[] = { "v0", NULL };
@@ -24,10 +41,10 @@ struct value {
 typedef void value_sink(void *context, const struct value *value);
 
 /* Where v0 is not given, the formulas with a start velocity take the exact steady one of their phase. */
-static enum scallop_status each_value(const struct options *o, value_sink *sink, void *context)
+static enum scallop_status each_value(const struct point *p, value_sink *sink, void *context)
 {
-  const struct scallop_crawler *c = &o->point.crawler;
-  const struct motion period = motion_of(&o->point, OF_STEADY);
+  const struct scallop_crawler *c = &p->crawler;
+  const struct motion period = motion_of(p, OF_STEADY);
   struct answer steady;
   if (!answer_in_double(&steady, &period))
     return steady.status;
@@ -43,10 +60,7 @@ static enum scallop_status each_value(const struct options *o, value_sink *sink,
     for (int k = first; k <= last; k++) {
       enum scallop_phase_kind kind = (enum scallop_phase_kind)k;
       double start = steady.value[k == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
-      const struct motion m = { OF_PHASE, *c, kind,
-                                f->setting == SCALLOP_AT_REST_START ? 0
-                                : o->point.has_v0                   ? o->point.v0
-                                                                    : start };
+      const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : p->has_v0 ? p->v0 : start };
       struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
       struct answer exact;
       if (!answer_in_double(&exact, &m) || !answer_turnings(&exact, &m))
@@ -87,21 +101,22 @@ static void skip_value(void *context, const struct value *v) { (void)context, (v
 static void write_published(void *context, const struct value *v) { table_number(context, finite(v->published)); }
 
 /* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
-static const char *row(struct table *table, const struct options *point, const char *refused)
+static const char *row(struct table *table, const struct point *point, const void *context, const char *refused)
 {
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
-  point_parameters(table, point, refused);
-  table_number(table, point->point.has_v0 && !refused ? point->point.v0 : NAN);
+  (void)context;
+  point_crawler(table, &point->crawler, refused);
+  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
   if (why)
     point_blank(table, table->count - table->at - 1);
   else
     each_value(point, write_published, table);
-  table_text(table, why ? why : gait_has_ends(point->point.crawler.gait) ? "ok" : no_ends);
+  table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
   return why;
 }
 
-static enum exit_code run_points(const struct options *options)
+static enum exit_code run_points(const struct request *request)
 {
   enum { MOST = TABLE_COLUMNS, LONGEST = 64 };
   static char names[MOST][LONGEST];
@@ -119,80 +134,84 @@ static enum exit_code run_points(const struct options *options)
   }
   list[n++] = "status";
   list[n] = NULL;
-  return for_each_point(options, extra, list, row);
+  return for_each_point(request,
+                        &(struct point_table){ .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row });
 }
 
 enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
 
 /* NULL, or which options do not go together */
-static const char *excluded(const struct options *o)
+static const char *excluded(const struct series_options *o)
 {
-  bool derived = strcmp(o->source, "derived") == 0, published = strcmp(o->source, "published") == 0;
-  if (o->bound && o->has_source && !derived)
+  bool derived = strcmp(o->source.value, "derived") == 0, published = strcmp(o->source.value, "published") == 0;
+  if (o->bound && o->source.given && !derived)
     return "--bound is for the derived series: leave --source out";
-  if (o->bound && o->order > MOST_ORDER_OF_BOUND)
+  if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
     return "--bound takes an --order from 1 to 60";
-  if (o->bound && o->digits > 0)
+  if (o->bound && o->request.style.digits > 0)
     return "--digits and --bound exclude each other: bounds are rounded to four digits, to the safe side";
-  if (o->has_order && !o->bound && !derived)
+  if (o->order.given && !o->bound && !derived)
     return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
                      : "--order and --source limit exclude each other: the limit is one term";
-  if (o->point.has_v0 && (o->bound || (!derived && !published)))
+  if (o->request.point.has_v0 && (o->bound || (!derived && !published)))
     return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
   return NULL;
 }
 
-static enum exit_code run(const struct options *options)
+static bool is_sound(const void *options)
 {
-  struct table table;
-  const char *wrong = excluded(options);
-  if (wrong) {
+  const struct series_options *o = options;
+  bool published = !o->bound && strcmp(o->source.value, "published") == 0;
+  const char *wrong = excluded(o);
+  if (wrong)
     complain("series", "%s", wrong);
-    return EXIT_USAGE;
+  return !wrong && digits_hold(&o->request.style, !published, DIGITS);
+}
+
+static enum exit_code run(const struct arguments *arguments, const void *options)
+{
+  const struct series_options *o = options;
+  struct table table;
+  if (o->bound || strcmp(o->source.value, "published") != 0) {
+    const char *what = o->bound ? "--bound" : "--source derived or limit";
+    return has_flint(arguments, what) ? with_flint.series(o) : EXIT_UNSOLVED;
   }
-  if (options->bound || strcmp(options->source, "published") != 0) {
-    const char *what = options->bound ? "--bound" : "--source derived or limit";
-    return has_flint(options, what) ? with_flint.series(options) : EXIT_UNSOLVED;
-  }
-  if (options->points)
-    return run_points(options);
-  enum scallop_status status = each_value(options, skip_value, NULL);
+  if (o->request.points)
+    return run_points(&o->request);
+  enum scallop_status status = each_value(&o->request.point, skip_value, NULL);
   if (status < 0) {
     complain("series", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  if (!table_open(&table, options))
+  if (!table_open(&table, &o->request.style))
     return EXIT_FILE;
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: series");
-  table_parameters(&table, options, NULL, false);
-  if (options->point.has_v0) {
+  note_parameters(&table, &o->request.point, NULL, false);
+  if (o->request.point.has_v0) {
     char v0[NUMBER_TEXT];
-    number_text(v0, options->point.v0, 0);
+    number_text(v0, o->request.point.v0, 0);
     table_note(&table, "v0: %s", v0);
   } else
     table_note(&table, "v0: the exact steady velocity at the start of each phase");
-  if (!gait_has_ends(options->point.crawler.gait))
+  if (!gait_has_ends(o->request.point.crawler.gait))
     table_note(&table, "%s", no_ends);
-  if (!gait_has_ends(options->point.crawler.gait) && !options->quiet)
+  if (!gait_has_ends(o->request.point.crawler.gait) && !o->request.style.quiet)
     complain("series", "%s", no_ends);
   table_columns(&table, columns);
   table_begin_rows(&table);
-  each_value(options, write_value, &table);
+  each_value(&o->request.point, write_value, &table);
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
-
-static const struct unless_given unless_given[] = {
-  { "v0", "the steady velocity of the phase; with --source derived only phases from rest" },
-  { "digits", "%s; with --source derived fractions, or 17 digits" },
-  { NULL, NULL },
-};
 
 const struct command command_series = {
   .name = "series",
   .summary = "the paper's formulas as published, and the series derived to any order, beside the exact values",
   .example = "scallop series --source derived --order 8 --T 0.1",
-  .accepts = accepts,
+  .options = options_of_series,
+  .size = sizeof(struct series_options),
+  .initial = &initial,
+  .is_sound = is_sound,
   .about =
       "--source published (the default): T is the period; the formulas of one phase are evaluated for its duration,\n"
       "alpha T or (1 - alpha) T. Formulas from rest start from rest; the others start with --v0, and without it with the\n"
@@ -213,7 +232,5 @@ const struct command command_series = {
       "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and displacement;\n"
       "bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the modes of T -> 0; ends: what\n"
       "happens there. T0 is 0.9 of T_end.",
-  .unless_given = unless_given,
-  .proven = "with --source derived or limit",
   .run = run,
 };

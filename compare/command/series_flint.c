@@ -5,6 +5,7 @@
 
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/point_flint.h"
+#include "compare/command/series.h"
 #include "compare/command/with_flint.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
@@ -14,7 +15,7 @@ static const char *const columns[] = {
 };
 static const char *const bound_columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
 
-static bool is_limit(const struct options *o) { return !o->bound && strcmp(o->source, "limit") == 0; }
+static bool is_limit(const struct series_options *o) { return !o->bound && strcmp(o->source.value, "limit") == 0; }
 
 struct motion_report { /* of one motion: its expansion and its certified values */
   const char *phase, *start;
@@ -27,7 +28,7 @@ struct motion_report { /* of one motion: its expansion and its certified values 
 };
 
 struct report {
-  const struct options *options;
+  const struct series_options *options;
   struct scallop_rational_crawler crawler;
   long digits;     /* of what is printed                                                         */
   const char *why; /* something could not be done: the reason                                    */
@@ -112,7 +113,7 @@ static void write_coefficient(struct table *t, const struct report *r, const str
   fmpq_init(q);
   arb_init(x);
   char *text;
-  if (r->options->digits == 0 && series_rational_coefficient(q, s, power))
+  if (r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power))
     text = decimal_fraction(q);
   else {
     series_coefficient(x, s, power, (slong)(3.33 * (double)r->digits) + 32);
@@ -243,7 +244,7 @@ static void write_failure(struct report *r, const struct motion_report *m)
 static bool report_motion(struct report *r, struct motion_report *m)
 {
   bool limit = is_limit(r->options);
-  long order = limit ? 1 : r->options->order;
+  long order = limit ? 1 : r->options->order.value;
   const char *why = NULL;
   slong precision = (slong)(3.33 * (double)r->digits) + 128 + order;
   enum scallop_status status = expand(m, r, order, precision, &why);
@@ -271,7 +272,7 @@ static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool fr
   if (!from_rest) {
     struct scallop_rational_crawler unused;
     scallop_rational_init(&unused);
-    rational_point(&unused, m.v0, &r->options->point);
+    rational_point(&unused, m.v0, &r->options->request.point);
     scallop_rational_clear(&unused);
   }
   bool reported = report_motion(r, &m);
@@ -292,10 +293,10 @@ static bool report_steady(struct report *r)
 static bool report_all(struct report *r)
 {
   bool done = true;
-  if (strcmp(r->options->source, "derived") == 0)
+  if (strcmp(r->options->source.value, "derived") == 0)
     for (int kind = 0; kind < 2; kind++) {
       done = report_phase(r, (enum scallop_phase_kind)kind, true) && done;
-      if (r->options->point.has_v0 && r->options->point.v0 != 0)
+      if (r->options->request.point.has_v0 && r->options->request.point.v0 != 0)
         done = report_phase(r, (enum scallop_phase_kind)kind, false) && done;
     }
   return report_steady(r) && done;
@@ -303,17 +304,17 @@ static bool report_all(struct report *r)
 
 static bool begin(struct report *r)
 {
-  const struct options *o = r->options;
-  if (!table_open(&r->table, o))
+  const struct series_options *o = r->options;
+  if (!table_open(&r->table, &o->request.style))
     return false;
   table_note(&r->table, "scallop " SCALLOP_VERSION);
   if (is_limit(o))
     table_note(&r->table, "command: series --source limit");
   else
-    table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order);
-  table_parameters(&r->table, o, NULL, true);
-  if (o->point.has_v0)
-    table_note(&r->table, "v0: %s", o->point.written_v0);
+    table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order.value);
+  note_parameters(&r->table, &o->request.point, NULL, true);
+  if (o->request.point.has_v0)
+    table_note(&r->table, "v0: %s", o->request.point.written_v0);
   if (o->bound)
     table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
   else
@@ -347,7 +348,7 @@ static void write_bound(struct table *t, const struct scallop_bound *b, const ch
   arb_init(T);
   arb_init(here);
   table_text(t, quantity);
-  snprintf(text, sizeof text, "%ld", r->options->order);
+  snprintf(text, sizeof text, "%ld", r->options->order.value);
   table_digits(t, text);
   write_rounded(t, b->C, 1);
   snprintf(text, sizeof text, "%d", b->power);
@@ -373,7 +374,7 @@ static enum exit_code report_bounds(struct report *r)
   enum exit_code code = EXIT_UNSOLVED;
   scallop_bound_init(&bounds[0]);
   scallop_bound_init(&bounds[1]);
-  enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order, BOUND_PRECISION, bounds, &why);
+  enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order.value, BOUND_PRECISION, bounds, &why);
   if (status != SCALLOP_OK)
     complain("series", "no bound: %s", why ? why : scallop_status_text(status));
   else if (!begin(r))
@@ -400,15 +401,16 @@ static enum exit_code report_series(struct report *r)
   return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
-enum exit_code series_derived(const struct options *options)
+enum exit_code series_derived(const struct series_options *options)
 {
-  struct report r = { .options = options, .digits = options->digits > 0 ? options->digits : DEFAULT_DIGITS };
-  if (options->points) {
+  struct report r = { .options = options,
+                      .digits = options->request.style.digits > 0 ? options->request.style.digits : DEFAULT_DIGITS };
+  if (options->request.points) {
     complain("series", "--points is for --source published: one point at a time here");
     return EXIT_USAGE;
   }
   scallop_rational_init(&r.crawler);
-  rational_point(&r.crawler, NULL, &options->point);
+  rational_point(&r.crawler, NULL, &options->request.point);
   enum exit_code code = options->bound ? report_bounds(&r) : report_series(&r);
   scallop_rational_clear(&r.crawler);
   return code;

@@ -1,74 +1,84 @@
 #include <stddef.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
+#include "compare/stress/stress.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2",      "F1",     "F2",     "L",     "T",     "alpha", "gait",
-                                       "phase", "v0",      "family", "cases",  "seed",  "check", "full",  "stiff",
-                                       "quick", "summary", "format", "output", "quiet", NULL };
+static const struct option options_of_stress[] = {
+  OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),
+  OPTION_PHASE("with --v0 %s, else the steady state"),
+  OPTION_V0("with --phase %s"),
+  OPTION_TEXT("family", "NAME", "this family only", "all", stress_options, family, "the name of a family"),
+  OPTION_COUNT("cases", "N", "cases of each family and gait",
+               TEXT_OF(STRESS_CASES) "; with --check " TEXT_OF(STRESS_CHECK_STEADY) ", of phases " TEXT_OF(
+                   STRESS_CHECK_PHASES) ", with --full " TEXT_OF(STRESS_FULL_CASES),
+               stress_options, cases, 1, 1000000),
+  OPTION_COUNT("seed", "N", "seed of the parameters of the cases", NULL, stress_options, seed, 0, 1000000000),
+  OPTION_FLAG("check", "few cases, for a gait of each kind but measured; exit code 1 if a promise is broken", stress_options,
+              check),
+  OPTION_FLAG("full", "many cases: takes minutes", stress_options, full),
+  OPTION_FLAG("stiff", "friction smoothed for stiff ODE solvers, instead", stress_options, stiff),
+  OPTION_FLAG("quick", "with --stiff: delta down to 1e-5 only", stress_options, quick),
+  OPTION_FLAG("summary", "with --stiff: the order in delta, and where each stepper gives up", stress_options, summary),
+  OPTION_FORMAT(NULL),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct stress_options initial = { .seed = { 1, false } };
 
-static bool is_point(const struct options *o)
+static bool is_point(const struct stress_options *o)
 {
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->point.written[i])
+    if (o->request.point.written[i])
       return true;
-  return o->point.has_phase || o->point.has_v0;
+  return o->request.point.has_phase || o->request.point.has_v0;
 }
 
 /* An option that the table asked for has no use for; NULL if there is none. */
-static const char *useless(const struct options *o, bool point)
+static const char *useless(const struct stress_options *o, bool point)
 {
   if (o->stiff)
-    return o->family            ? "family"
-           : o->cases > 0       ? "cases"
-           : o->has_seed        ? "seed"
-           : o->full            ? "full"
-           : o->check           ? "check"
-           : o->point.has_phase ? "phase"
-           : o->point.has_v0    ? "v0"
-                                : NULL;
+    return o->family                    ? "family"
+           : o->cases.value > 0         ? "cases"
+           : o->seed.given              ? "seed"
+           : o->full                    ? "full"
+           : o->check                   ? "check"
+           : o->request.point.has_phase ? "phase"
+           : o->request.point.has_v0    ? "v0"
+                                        : NULL;
   if (o->quick || o->summary)
     return o->quick ? "quick" : "summary";
   if (point)
-    return o->family ? "family" : o->cases > 0 ? "cases" : o->has_seed ? "seed" : o->full ? "full" : NULL;
+    return o->family ? "family" : o->cases.value > 0 ? "cases" : o->seed.given ? "seed" : o->full ? "full" : NULL;
   return NULL;
 }
 
-static enum exit_code run(const struct options *options)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  bool point = is_point(options);
-  const char *idle = useless(options, point);
+  const struct stress_options *o = options;
+  bool point = is_point(o);
+  const char *idle = useless(o, point);
   if (idle) {
     complain("stress", "--%s has nothing to do %s", idle,
-             options->stiff ? "with --stiff"
-             : point        ? "where one point is examined"
-                            : "without --stiff");
+             o->stiff ? "with --stiff"
+             : point  ? "where one point is examined"
+                      : "without --stiff");
     return EXIT_USAGE;
   }
-  if (!has_flint(options, "this command"))
+  if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return options->stiff ? with_flint.stress_stiff(options)
-         : point        ? with_flint.stress_point(options)
-                        : with_flint.stress(options);
+  return o->stiff ? with_flint.stress_stiff(o) : point ? with_flint.stress_point(o) : with_flint.stress(o);
 }
-
-static const struct unless_given unless_given[] = {
-  { "m1 m2 F1 F2 L T alpha", "%s where another parameter is given, else those of the cases" },
-  { "gait", "each in turn; of a single point %s" },
-  { "phase", "with --v0 %s, else the steady state" },
-  { "v0", "with --phase %s" },
-  { "family", "all" },
-  { "cases", TEXT_OF(STRESS_CASES) "; with --check " TEXT_OF(STRESS_CHECK_STEADY) ", of phases " TEXT_OF(
-                 STRESS_CHECK_PHASES) ", with --full " TEXT_OF(STRESS_FULL_CASES) },
-  { NULL, NULL },
-};
 
 const struct command command_stress = {
   .name = "stress",
   .summary = "how many digits survive, on stiff and extreme cases",
   .example = "scallop stress --family near-grazing --cases 50",
-  .accepts = accepts,
+  .options = options_of_stress,
+  .size = sizeof(struct stress_options),
+  .initial = &initial,
   .about =
       "One row for each family of cases and gait: quasi-random parameters where digits are in danger, solved in double and\n"
       "judged by certified values. Errors are counted in units: the ulp of the result or, if that is more, the sum of what\n"
@@ -99,6 +109,5 @@ const struct command command_stress = {
       "delta\n"
       "measured, where each stepper gives up, and how far a body that should stick creeps. With parameters: of that "
       "crawler.",
-  .unless_given = unless_given,
   .run = run,
 };

@@ -1,14 +1,53 @@
+#include <stdio.h>
 #include <string.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 #include "numerics/numerics.h"
 
-static const char *const accepts[] = { "m1",    "m2",      "F1",      "F2",     "L",      "T",      "alpha", "gait",
-                                       "start", "periods", "samples", "format", "digits", "output", "quiet", NULL };
+struct trajectory_options {
+  struct request request;
+  const char *start; /* "rest", "steady" or a number */
+  double velocity;   /* that number */
+  struct given_count periods, samples;
+};
+
+static const char *read_start(void *options, const struct option *option, const char *text)
+{
+  struct trajectory_options *o = options;
+  (void)option;
+  o->start = text;
+  if (strcmp(text, "rest") == 0 || strcmp(text, "steady") == 0 || read_number(text, &o->velocity))
+    return NULL;
+  return no_number(text, "rest, steady or a velocity");
+}
+
+static void show_start(const void *options, const struct option *option, char text[OPTION_VALUE])
+{
+  const struct trajectory_options *o = options;
+  (void)option;
+  snprintf(text, OPTION_VALUE, "%s", o->start);
+}
+
+static const struct option_kind start_option = { read_start, show_start };
+enum { MOST_PERIODS = 1000000000 };
+
+static const struct option options_of_trajectory[] = {
+  OPTIONS_CRAWLER(NULL, NULL),
+  { "start", "WHAT", "rest, steady, or a velocity", NULL, &start_option, 0, 0, 0, NULL, NULL },
+  OPTION_COUNT("periods", "N", "number of periods", NULL, trajectory_options, periods, 1, MOST_PERIODS),
+  OPTION_COUNT("samples", "N", "samples in a period", NULL, trajectory_options, samples, 1, MOST_PERIODS),
+  OPTION_FORMAT(NULL),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  NO_MORE_OPTIONS,
+};
+static const struct trajectory_options initial = { .start = "rest", .periods = { 10, false }, .samples = { 40, false } };
+
 static const char *const columns[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
 
 struct output {
-  const struct options *options;
+  const struct trajectory_options *options;
   double v0;
   struct table table;
   bool begun, failed;
@@ -17,16 +56,16 @@ struct output {
 /* The table is opened with its first row: nothing is written if there is none. */
 static bool begin(struct output *out)
 {
-  const struct options *o = out->options;
+  const struct trajectory_options *o = out->options;
   char v0[NUMBER_TEXT];
-  if (!table_open(&out->table, o))
+  if (!table_open(&out->table, &o->request.style))
     return false;
   table_note(&out->table, "scallop " SCALLOP_VERSION);
   table_note(&out->table, "command: trajectory");
-  table_parameters(&out->table, o, NULL, false);
+  note_parameters(&out->table, &o->request.point, NULL, false);
   number_text(v0, out->v0, 0);
-  table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0, o->periods,
-             o->samples);
+  table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0, o->periods.value,
+             o->samples.value);
   table_columns(&out->table, columns);
   table_begin_rows(&out->table);
   return true;
@@ -48,19 +87,22 @@ static bool write_sample(void *context, const struct scallop_sample *s)
   return !ferror(table->file);
 }
 
-static enum exit_code run(const struct options *options)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
+  const struct trajectory_options *o = options;
+  const struct scallop_crawler *crawler = &o->request.point.crawler;
   struct scallop_steady_result steady;
-  struct output out = { .options = options, .v0 = options->start_velocity };
+  struct output out = { .options = o, .v0 = o->velocity };
   enum scallop_status status = SCALLOP_OK;
-  if (strcmp(options->start, "rest") == 0)
+  (void)arguments;
+  if (strcmp(o->start, "rest") == 0)
     out.v0 = 0;
-  if (strcmp(options->start, "steady") == 0) {
-    status = scallop_steady(&options->point.crawler, &steady);
+  if (strcmp(o->start, "steady") == 0) {
+    status = scallop_steady(crawler, &steady);
     out.v0 = status < 0 ? 0 : steady.period.v_start;
   }
   if (status >= 0)
-    status = scallop_trajectory(&options->point.crawler, out.v0, options->periods, options->samples, write_sample, &out);
+    status = scallop_trajectory(crawler, out.v0, o->periods.value, o->samples.value, write_sample, &out);
   if (out.failed)
     return EXIT_FILE;
   if (status < 0) {
@@ -78,7 +120,9 @@ const struct command command_trajectory = {
   .name = "trajectory",
   .summary = "positions and velocities in time, from rest, from the steady state or from a velocity",
   .example = "scallop trajectory --start rest --periods 20 --samples 50",
-  .accepts = accepts,
+  .options = options_of_trajectory,
+  .size = sizeof(struct trajectory_options),
+  .initial = &initial,
   .about = "Columns: time t; positions x1, x2 of the bodies and xC = (x1 + x2)/2 of the geometric centre, all 0 at t = 0;\n"
            "velocities v1, v2; separation l = x2 - x1. A body that is stuck has velocity exactly 0. Each sample is exact:\n"
            "errors do not grow with the number of periods.",

@@ -1,29 +1,53 @@
 #include <stddef.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
+#include "compare/workprec/workprec.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
-static const char *const accepts[] = { "m1",    "m2",      "F1",    "F2",     "L",      "T",     "alpha", "gait",
-                                       "quick", "summary", "limit", "format", "output", "quiet", NULL };
-
-static enum exit_code run(const struct options *options)
+static const char *read_seconds(void *options, const struct option *option, const char *text)
 {
-  return has_flint(options, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
+  struct workprec_options *o = options;
+  double seconds;
+  (void)option;
+  if (!read_number(text, &seconds) || seconds < 1e-3 || seconds > 3600)
+    return no_number(text, "seconds, from 0.001 to 3600");
+  o->limit = (struct given_number){ seconds, true };
+  return NULL;
 }
 
-static const struct unless_given unless_given[] = {
-  { "gait", "both of the paper: quadratic and sinusoidal" },
-  { "T", TEXT_OF(WORKPREC_T) "; with --quick " TEXT_OF(WORKPREC_QUICK_T) },
-  { "limit", TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT) },
-  { NULL, NULL },
+static const struct option_kind seconds_option = { read_seconds, NULL };
+
+static const struct option options_of_workprec[] = {
+  OPTIONS_TO_L(NULL),
+  OPTION_T(TEXT_OF(WORKPREC_T) "; with --quick " TEXT_OF(WORKPREC_QUICK_T)),
+  OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
+  OPTION_FLAG("quick", "few settings, few T and a short limit: a look, in seconds", workprec_options, quick),
+  OPTION_FLAG("summary", "for each wanted error the cheapest method, and how many times as long the others take",
+              workprec_options, summary),
+  OPTION_NUMBER("limit", "SECONDS", "for each method and setting, from 0.001 to 3600",
+                TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT), &seconds_option, workprec_options,
+                limit),
+  OPTION_FORMAT(NULL),
+  OPTION_OUTPUT(NULL),
+  OPTION_QUIET,
+  OPTION_DROPPED("from",
+                 "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
+                 "share/scallop/"),
+  NO_MORE_OPTIONS,
 };
+
+static enum exit_code run(const struct arguments *arguments, const void *options)
+{
+  return has_flint(arguments, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
+}
 
 const struct command command_workprec = {
   .name = "workprec",
   .summary = "error against run time, of every way to get the steady state",
   .example = "scallop workprec --quick --gait quadratic --T 0.5",
-  .accepts = accepts,
+  .options = options_of_workprec,
+  .size = sizeof(struct workprec_options),
   .about =
       "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
       "displacement (of the geometric centre over a period). \n"
@@ -48,6 +72,5 @@ const struct command command_workprec = {
       "--summary: for each wanted error that somebody reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
       "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact).",
-  .unless_given = unless_given,
   .run = run,
 };

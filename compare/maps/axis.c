@@ -96,7 +96,7 @@ bool axes_read(struct axis axes[2], const char *const given[2], const char *cons
   return true;
 }
 
-void axes_head(struct table *t, const struct options *o, const struct axis axes[2], const char *about)
+void axes_head(struct table *t, const struct breakdown_options *o, const struct axis axes[2], const char *about)
 {
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
@@ -108,7 +108,8 @@ void axes_head(struct table *t, const struct options *o, const struct axis axes[
     table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], names[a->kind], from, to, a -> count,
                a -> log ? "log" : "linear");
   }
-  table_parameters(t, o, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL }, false);
+  note_parameters(t, &o->request.point, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL },
+                  false);
 }
 
 double axis_value(const struct axis *a, double u)

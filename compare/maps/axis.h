@@ -2,6 +2,8 @@
 #ifndef SCALLOP_AXIS_H
 #define SCALLOP_AXIS_H
 
+#include "compare/breakdown/breakdown.h"
+#include "compare/text/values.h"
 #include <stdbool.h>
 
 #include "compare/answers/point.h"
@@ -30,7 +32,7 @@ const char *axis_read(struct axis *axis, const char *name, const char *range);
 bool axes_read(struct axis axes[2], const char *const names[2], const char *const ranges[2], const struct point *point);
 
 /* The '#' lines: version, command, axes, parameters. about: what else the command line says, or "". */
-void axes_head(struct table *table, const struct options *options, const struct axis axes[2], const char *about);
+void axes_head(struct table *table, const struct breakdown_options *options, const struct axis axes[2], const char *about);
 
 /* The value at u in [0, 1]: from at 0, to at 1; their mean at 1/2, the geometric one where the axis is logarithmic. */
 double axis_value(const struct axis *axis, double u);

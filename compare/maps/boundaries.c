@@ -15,7 +15,7 @@
 static const double promise = 1e-12;
 
 struct boundaries {
-  const struct options *options;
+  const struct breakdown_options *options;
   struct axis axes[2];
   struct answer *regions; /* their modes, and how one may come there */
   int count;
@@ -24,7 +24,7 @@ struct boundaries {
 
 static struct motion motion_at(const struct boundaries *b, double u, double v)
 {
-  const struct scallop_crawler *base = &b->options->point.crawler;
+  const struct scallop_crawler *base = &b->options->request.point.crawler;
   return (struct motion){ .of = OF_STEADY,
                           .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v)) };
 }
@@ -242,7 +242,7 @@ static enum exit_code run(struct boundaries *b, struct table *t)
   struct map_curves curves = { .count = 0 };
   int columns = (int)b->axes[0].count - 1, rows = (int)b->axes[1].count - 1;
   double step = 1.0 / (columns > rows ? columns : rows);
-  const struct progress progress = progress_begin(b->options->quiet);
+  const struct progress progress = progress_begin(b->options->request.style.quiet);
   progress_show(&progress, "following the boundaries");
   bool done = map_follow(region_at, b, columns, rows, step, &curves) && !b->out_of_memory;
   begin_table(b, t);
@@ -262,17 +262,17 @@ static enum exit_code run(struct boundaries *b, struct table *t)
   return EXIT_UNSOLVED;
 }
 
-enum exit_code breakdown_boundaries(const struct options *o)
+enum exit_code breakdown_boundaries(const struct breakdown_options *o)
 {
   enum { LEAST = 2, MOST = 2001 };
   struct boundaries b = { .options = o };
   struct table t;
-  if (!axes_read(b.axes, o->map, o->range, &o->point))
+  if (!axes_read(b.axes, o->map, o->range, &o->request.point))
     return EXIT_USAGE;
   for (int i = 0; i < 2; i++)
     if (b.axes[i].count < LEAST || b.axes[i].count > MOST) {
       complain("breakdown", "--%c: %ld values; --boundaries takes 2 to 2001 along each axis", "xy"[i], b.axes[i].count);
       return EXIT_USAGE;
     }
-  return table_open(&t, o) ? run(&b, &t) : EXIT_FILE;
+  return table_open(&t, &o->request.style) ? run(&b, &t) : EXIT_FILE;
 }

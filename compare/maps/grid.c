@@ -26,7 +26,7 @@ struct measure {
 };
 
 struct grid {
-  const struct options *options;
+  const struct breakdown_options *options;
   struct axis axes[2];
   int width;
   struct measure measures[MOST_MEASURES];
@@ -55,27 +55,27 @@ static void add_measure(struct grid *g, struct breakdown_series series, double t
 static bool choose_measures(struct grid *g)
 {
   static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
-  const struct options *o = g->options;
+  const struct breakdown_options *o = g->options;
   struct breakdown_series all[BREAKDOWN_SOURCES];
   enum quantity_id quantity = Q_DISPLACEMENT;
   int count = 0;
   if (o->quantity && !breakdown_quantity_read(&quantity, o->quantity, OF_STEADY))
     return false;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
-    if (!o->has_source || strcmp(o->source, breakdown_source_text((enum breakdown_source)s)) == 0)
-      all[count++] = (struct breakdown_series){ (enum breakdown_source)s, o->order, quantity };
+    if (!o->source.given || strcmp(o->source.value, breakdown_source_text((enum breakdown_source)s)) == 0)
+      all[count++] = (struct breakdown_series){ (enum breakdown_source)s, o->order.value, quantity };
   for (int s = 0; s < count; s++)
     add_measure(g, all[s], 0);
   for (int s = 0; s < count; s++)
-    for (int t = 0; t < (o->has_tolerance ? 1 : MOST_TOLERANCES); t++)
-      add_measure(g, all[s], o->has_tolerance ? o->tolerance : usual[t]);
+    for (int t = 0; t < (o->tolerance.given ? 1 : MOST_TOLERANCES); t++)
+      add_measure(g, all[s], o->tolerance.given ? o->tolerance.value : usual[t]);
   return true;
 }
 
 static struct scallop_crawler crawler_of(const struct grid *g, long row)
 {
   long columns = g->axes[0].count;
-  return axes_crawler(g->axes, &g->options->point.crawler, axis_node(&g->axes[0], row % columns),
+  return axes_crawler(g->axes, &g->options->request.point.crawler, axis_node(&g->axes[0], row % columns),
                       axis_node(&g->axes[1], row / columns));
 }
 
@@ -159,7 +159,7 @@ static void compute_all(struct grid *g)
 /* All that the values depend on */
 static void make_title(const struct grid *g, char title[TITLE])
 {
-  const struct point *point = &g->options->point;
+  const struct point *point = &g->options->request.point;
   const struct scallop_gait *gait = point->crawler.gait;
   double numbers[CRAWLER_NUMBERS];
   crawler_numbers(&point->crawler, numbers);
@@ -181,8 +181,8 @@ static void make_title(const struct grid *g, char title[TITLE])
 static enum exit_code open_journal(struct grid *g)
 {
   char path[JOURNAL_PATH], title[TITLE] = "";
-  if ((size_t)snprintf(path, sizeof path, "%s.rows", g->options->output) >= sizeof path) {
-    complain("breakdown", "cannot write beside %s: the name is too long", g->options->output);
+  if ((size_t)snprintf(path, sizeof path, "%s.rows", g->options->request.style.output) >= sizeof path) {
+    complain("breakdown", "cannot write beside %s: the name is too long", g->options->request.style.output);
     return EXIT_FILE;
   }
   make_title(g, title);
@@ -196,7 +196,7 @@ static enum exit_code open_journal(struct grid *g)
   case JOURNAL_BUSY: complain("breakdown", "%s: another process is at work on this map", path); return EXIT_FILE;
   case JOURNAL_ERROR: complain("breakdown", "cannot write %s: %s", path, strerror(errno)); return EXIT_FILE;
   case JOURNAL_FOUND:
-    if (!g->options->quiet)
+    if (!g->options->request.style.quiet)
       complain("breakdown", "going on from %s: %ld of %ld are done", path, g->done_count, g->rows);
     break;
   case JOURNAL_NEW: break;
@@ -273,7 +273,7 @@ static enum exit_code write_table(struct grid *g, struct table *t)
 static enum exit_code run(struct grid *g)
 {
   struct table t;
-  if (!table_open(&t, g->options))
+  if (!table_open(&t, &g->options->request.style))
     return EXIT_FILE;
   enum exit_code code = t.out.target ? open_journal(g) : EXIT_DONE;
   if (code == EXIT_DONE)
@@ -291,10 +291,10 @@ static enum exit_code run(struct grid *g)
   return code;
 }
 
-enum exit_code breakdown_map(const struct options *o)
+enum exit_code breakdown_map(const struct breakdown_options *o)
 {
-  struct grid g = { .options = o, .progress = progress_begin(o->quiet) };
-  if (!axes_read(g.axes, o->map, o->range, &o->point) || !choose_measures(&g))
+  struct grid g = { .options = o, .progress = progress_begin(o->request.style.quiet) };
+  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !choose_measures(&g))
     return EXIT_USAGE;
   g.rows = g.axes[0].count * g.axes[1].count;
   if (g.rows > MOST_ROWS) {

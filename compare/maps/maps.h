@@ -2,10 +2,10 @@
 #ifndef SCALLOP_MAPS_H
 #define SCALLOP_MAPS_H
 
+#include "compare/breakdown/breakdown.h"
 #include "compare/text/message.h"
 
-struct options;
-enum exit_code breakdown_map(const struct options *options);
-enum exit_code breakdown_boundaries(const struct options *options);
+enum exit_code breakdown_map(const struct breakdown_options *options);
+enum exit_code breakdown_boundaries(const struct breakdown_options *options);
 
 #endif

@@ -39,11 +39,13 @@ static bool is_renamed(const struct scene *s, const struct scene_want *w, const 
 /* What was given on the command line in place of the scene's; false: nothing was. */
 static bool note_given(struct table *t, const struct running *r, const struct scene_want *w)
 {
-  const struct options *o = r->options;
+  const struct scene_options *o = r->options;
   char text[1024];
   size_t used = 0;
   for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
-    const char *given = i < CRAWLER_NUMBERS ? o->point.written[i] : o->point.has_gait ? o->point.crawler.gait->name : NULL;
+    const char *given = i < CRAWLER_NUMBERS         ? o->request.point.written[i]
+                        : o->request.point.has_gait ? o->request.point.crawler.gait->name
+                                                    : NULL;
     if (given)
       used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
                                is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
@@ -53,7 +55,7 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
-static void note_parameters(struct output *o, const struct scene *s)
+static void note_held(struct output *o, const struct scene *s)
 {
   const char *not_held[CRAWLER_NUMBERS + 2];
   int count = 0;
@@ -61,7 +63,7 @@ static void note_parameters(struct output *o, const struct scene *s)
     if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
   not_held[count] = NULL;
-  table_parameters(&o->table, &o->options, not_held, false);
+  note_parameters(&o->table, &s->base, not_held, false);
 }
 
 /* Does anything in this table depend on the phase and its start? */
@@ -100,6 +102,6 @@ void head_write(const struct running *r, struct output *o)
   bool given = note_given(t, r, o->want);
   for (int i = 0; i < s->notes && !given; i++) /* with other parameters they may be wrong */
     table_note(t, "%s", s->note[i]);
-  note_parameters(o, s);
+  note_held(o, s);
   note_start(t, s, o->want);
 }

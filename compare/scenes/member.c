@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/text/values.h"
 #include "compare/scenes/parts.h"
 
 bool refuse_at(const struct reading *r, const config_setting_t *at, const char *format, ...)
@@ -17,9 +18,9 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
   const char *file = at ? config_setting_source_file(at) : NULL;
   unsigned line = at ? (unsigned)config_setting_source_line(at) : 0;
   if (line > 0)
-    complain(r->options->command->name, "%s:%u: %s", file ? file : r->path, line, text);
+    complain(r->options->request.style.command, "%s:%u: %s", file ? file : r->path, line, text);
   else
-    complain(r->options->command->name, "%s: %s", r->path, text);
+    complain(r->options->request.style.command, "%s: %s", r->path, text);
   return false;
 }
 

@@ -12,8 +12,8 @@ enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 
 struct reading {
   struct scene *scene;
-  const struct options *options; /* of the command line */
-  const char *path;              /* of the scene, for messages */
+  const struct scene_options *options; /* of the command line */
+  const char *path;                    /* of the scene, for messages */
 };
 
 /* member.c: "scallop run: FILE:LINE: message" on stderr. Returns false. */
@@ -115,7 +115,7 @@ bool refuse_quantity(const struct reading *r, const config_setting_t *at, const 
 /* A table that is being made */
 struct output {
   const struct scene_want *want;
-  struct options options; /* of the table */
+  struct style style;
   struct table table;
   bool is_open;
   /* orders: the errors of each series at each T so far */
@@ -125,7 +125,7 @@ struct output {
 
 struct running {
   const struct scene *scene;
-  const struct options *options;
+  const struct scene_options *options;
   struct scene_state *state;
   struct output *output;
   long points, unsolved, failed_checks;

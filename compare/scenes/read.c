@@ -95,7 +95,7 @@ static char *name_of(const char *path)
 
 static enum exit_code parse(const struct reading *r, const struct scene_source *source, config_t *file)
 {
-  const char *command = r->options->command->name, *slash = strrchr(source->path, '/');
+  const char *command = r->options->request.style.command, *slash = strrchr(source->path, '/');
   char folder[4096], *text = NULL;
   if (slash && !source->text) {
     snprintf(folder, sizeof folder, "%.*s", (int)(slash - source->path), source->path);
@@ -135,13 +135,13 @@ void scene_free(struct scene *s)
   *s = (struct scene){ .name = NULL };
 }
 
-enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct options *options,
+enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct scene_options *options,
                           scene_command *run_command)
 {
   config_t *file = malloc(sizeof *file);
   *s = (struct scene){ .name = name_of(source->path),
                        .path = source->text ? NULL : source->path,
-                       .base = options->point,
+                       .base = options->request.point,
                        .run_command = run_command,
                        .file = file };
   const struct reading r = { s, options, source->path };

@@ -19,7 +19,7 @@ static void put_column(const struct running *r, struct output *o, const struct s
   }
   if (only_find && q->kind == QUANTITY_STATUS)
     return;
-  const char *text = state_text(r->state, c->quantity, o->options.digits > 0 ? o->options.digits : DIGITS_OF_DOUBLE);
+  const char *text = state_text(r->state, c->quantity, o->style.digits > 0 ? o->style.digits : DIGITS_OF_DOUBLE);
   if (only_find)
     return;
   if (q->kind != QUANTITY_CERTIFIED)
@@ -142,20 +142,19 @@ static bool open_tables(struct running *r)
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
     o->want = &r->scene->want[i];
-    o->options = *r->options;
-    o->options.point = r->scene->base;
-    o->options.format = o->want->format;
-    o->options.digits = o->want->digits;
+    o->style = r->options->request.style;
+    o->style.format = o->want->format;
+    o->style.digits = o->want->digits;
     if (o->want->kind == WANT_COMMAND) /* which opens its table itself */
       continue;
-    if (!table_open_at(&o->table, &o->options, o->want->file))
+    if (!table_open_at(&o->table, &o->style, o->want->file))
       return false;
     o->is_open = true;
     head_write(r, o);
     if (o->want->kind != WANT_ORDERS)
       begin_columns(o);
     else if (!orders_begin(r, o)) {
-      complain(r->options->command->name, "out of memory");
+      complain(r->options->request.style.command, "out of memory");
       return false;
     }
   }
@@ -196,10 +195,10 @@ static enum exit_code close_tables(struct running *r, bool keep)
     struct output *o = &r->output[i];
     if (o->is_open && !keep && !table_failed(&o->table))
       table_abandon(&o->table);
-    else if (o->is_open && !table_close(&o->table))
+    else if (o->is_open && !close_beside_gaits(&o->table))
       code = EXIT_FILE;
-    else if (keep && o->want->file && !r->options->quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, o->want->file);
+    else if (keep && o->want->file && !r->options->request.style.quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, o->want->file);
     free(o->errors);
   }
   return code;
@@ -215,20 +214,20 @@ static enum exit_code draw_plots(const struct running *r)
     plot.title = r->scene->title;
     if (!w->has_plot)
       continue;
-    if (!plot_draw(&plot, r->options->command->name)) {
+    if (!plot_draw(&plot, r->options->request.style.command)) {
       code = EXIT_FILE;
       continue;
     }
     count_add(COUNT_PLOTS, 1);
-    if (!r->options->quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->command->name, plot.file);
+    if (!r->options->request.style.quiet)
+      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, plot.file);
   }
   return code;
 }
 
 static void tell(const struct running *r)
 {
-  const char *command = r->options->command->name;
+  const char *command = r->options->request.style.command;
   if (r->unsolved > 0)
     complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene->name, r->unsolved, r->points,
              r->why);
@@ -257,14 +256,14 @@ static enum exit_code run_points(struct running *r)
   return r->failed_checks > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
 }
 
-enum exit_code scene_run(const struct scene *scene, const struct options *options)
+enum exit_code scene_run(const struct scene *scene, const struct scene_options *options)
 {
   struct running r = { .scene = scene, .options = options };
   enum exit_code code = EXIT_UNSOLVED;
   r.state = malloc(sizeof *r.state);
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
   if (!r.state || !r.output)
-    complain(options->command->name, "out of memory");
+    complain(options->request.style.command, "out of memory");
   else {
     state_init(r.state, scene);
     code = run_points(&r);

@@ -12,7 +12,7 @@
 #include "compare/answers/counts.h"
 #include "compare/answers/quantities.h"
 #include "compare/answers/sweep.h"
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
 #include "asymptotics/formula.h"
 #include "compare/text/plot.h"
 
@@ -76,11 +76,17 @@ struct plan {
 
 enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
+struct scene_options {
+  struct request request;
+  const char *folder; /* where files without a folder go, or NULL */
+  bool check_only, explain, stats, no_plots;
+};
+
 struct scene;
 /* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as scenes know no
  * command. */
-typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want, const struct options *options,
-                                     bool only_read);
+typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want,
+                                     const struct scene_options *options, bool only_read);
 
 struct scene {
   char *name;       /* of the file, without folder and .cfg */
@@ -115,7 +121,7 @@ enum exit_code scene_text_read(const char *command, const char *path, char **tex
 
 /* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
  * EXIT_DONE, or the exit code, the message being on stderr. */
-enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct options *options,
+enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct scene_options *options,
                           scene_command *run_command);
 void scene_free(struct scene *scene);
 
@@ -123,7 +129,7 @@ void scene_free(struct scene *scene);
 enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
 int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
-enum exit_code scene_run(const struct scene *scene, const struct options *options);
+enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
 /* The files that scenes read and write, by what they are and not by how a path is spelled */
 enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };

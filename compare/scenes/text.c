@@ -59,8 +59,8 @@ struct scan {
 
 static bool refuse(const struct scan *s, const char *text, size_t length, const char *what)
 {
-  complain(s->reading->options->command->name, "%s:%ld: '%.*s': %s", s->path, s->line, length < 200 ? (int)length : 200,
-           text, what);
+  complain(s->reading->options->request.style.command, "%s:%ld: '%.*s': %s", s->path, s->line,
+           length < 200 ? (int)length : 200, text, what);
   return false;
 }
 
@@ -94,7 +94,7 @@ static bool check_included(const struct scan *s, const char *at)
     return refuse(s, name, length, "there is no such file to include");
   if (s->depth == MOST_INCLUDED)
     return refuse(s, name, length, "files include each other more than 10 deep");
-  if (scene_text_read(r->options->command->name, path, &text) != EXIT_DONE)
+  if (scene_text_read(r->options->request.style.command, path, &text) != EXIT_DONE)
     return false;
   if (scene->included < SCENE_INCLUDED)
     scene->include[scene->included++] = path;

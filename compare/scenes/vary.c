@@ -10,7 +10,7 @@
 /* Given on the command line, which then holds throughout */
 static bool is_overridden(const struct reading *r, const struct sweep_variable *v)
 {
-  const struct point *given = &r->options->point;
+  const struct point *given = &r->options->request.point;
   int place = crawler_place(v->sets);
   return v->target != TARGET_LABEL
          && (place < CRAWLER_NUMBERS ? given->written[place] != NULL : v->target == TARGET_GAIT && given->has_gait);

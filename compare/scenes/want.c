@@ -170,7 +170,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return false;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r, at, "a plot needs a file that ends in .svg, .png or .pdf");
-  if (r->options->has_format && r->options->format != FORMAT_TSV) /* of what the command line asks for there is none */
+  if (r->options->request.style.has_format
+      && r->options->request.style.format != FORMAT_TSV) /* of what the command line asks for there is none */
     w->has_plot = false;
   else if (!w->file || w->format != FORMAT_TSV)
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
@@ -268,10 +269,11 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
                                     NO_MORE };
   if (!read_members(r, at, members, "a want") || !check_members(r, at, w) || !check_accuracy(r, at, w, wanted.reference))
     return false;
-  if (r->options->digits > most)
-    return refuse_at(r, at, "--digits %ld: in this table a whole number from 1 to %ld", r->options->digits, most);
-  if (r->options->digits > 0)
-    w->digits = r->options->digits;
+  if (r->options->request.style.digits > most)
+    return refuse_at(r, at, "--digits %ld: in this table a whole number from 1 to %ld", r->options->request.style.digits,
+                     most);
+  if (r->options->request.style.digits > 0)
+    w->digits = r->options->request.style.digits;
   return kinds[kind].read(r, at, w, &wanted);
 }
 
@@ -286,7 +288,9 @@ static bool read_output(const struct reading *r, const config_setting_t *at, str
     return false;
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
-  w->format = r->options->has_format ? r->options->format : format == 0 ? FORMAT_TSV : FORMAT_JSON;
+  w->format = r->options->request.style.has_format ? r->options->request.style.format
+              : format == 0                        ? FORMAT_TSV
+                                                   : FORMAT_JSON;
   return !w->file || !plot_kind(w->file)
          || refuse_at(r, config_setting_get_member(at, "file"),
                       "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
@@ -305,10 +309,10 @@ static bool put_into(const struct reading *r, const char *folder, const char **f
 /* Where the table and its plot go in the end: the command line may name the file, or a folder. */
 static bool place(const struct reading *r, struct scene_want *w)
 {
-  const struct options *o = r->options;
-  bool is_named = o->has_output && !o->explain; /* else -o names the plan's */
+  const struct scene_options *o = r->options;
+  bool is_named = o->request.style.has_output && !o->explain; /* else -o names the plan's */
   if (is_named)
-    w->file = o->output;
+    w->file = o->request.style.output;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
   return is_named || (put_into(r, o->folder, &w->file) && put_into(r, o->folder, &w->plot.file));
 }

@@ -37,7 +37,7 @@ static const double deltas[] = { 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8,
 enum { DELTAS = sizeof deltas / sizeof *deltas, QUICK_DELTAS = 5 };
 
 struct book {
-  const struct options *options;
+  const struct stress_options *options;
   struct stiff_scene scenes[MOST_SCENES];
   int scene_count;
   int deltas; /* the first so many            */
@@ -57,10 +57,10 @@ static const struct {
   { "stiff", 1.01, 100 }, /* eps = 1005                                                                  */
 };
 
-static bool has_parameters(const struct options *o)
+static bool has_parameters(const struct stress_options *o)
 {
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->point.written[i])
+    if (o->request.point.written[i])
       return true;
   return false;
 }
@@ -70,7 +70,7 @@ static bool add_scene(struct book *b, const char *name, const struct scallop_cra
   assert(b->scene_count < MOST_SCENES);
   const char *why = stiff_scene_init(&b->scenes[b->scene_count++], name, crawler);
   if (why)
-    complain(b->options->command->name, "no certified period to compare with for the %s gait, T = %.17g: %s",
+    complain(b->options->request.style.command, "no certified period to compare with for the %s gait, T = %.17g: %s",
              crawler->gait->name, crawler->T, why);
   return !why;
 }
@@ -78,13 +78,13 @@ static bool add_scene(struct book *b, const char *name, const struct scallop_cra
 /* All are solved before anything is written. */
 static bool make_scenes(struct book *b)
 {
-  const struct options *o = b->options;
+  const struct stress_options *o = b->options;
   bool given = has_parameters(o);
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
-    for (int g = 0; o->point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-      struct scallop_crawler c = given ? o->point.crawler : scallop_crawler_default();
-      c.gait = o->point.has_gait ? o->point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
+    for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      struct scallop_crawler c = given ? o->request.point.crawler : scallop_crawler_default();
+      c.gait = o->request.point.has_gait ? o->request.point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
       if (!given) {
         c.F1 = made[i].F1;
         c.T = made[i].T;
@@ -130,9 +130,9 @@ static void note_meaning(const struct book *b, struct table *t)
 
 static bool begin(struct book *b)
 {
-  const struct options *o = b->options;
+  const struct stress_options *o = b->options;
   struct table *t = &b->table;
-  if (!table_open(t, o))
+  if (!table_open(t, &o->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: stress --stiff%s%s", o->quick ? " --quick" : "", o->summary ? " --summary" : "");
@@ -238,12 +238,12 @@ static void solve_all(struct book *b)
     fprintf(stderr, "\r\033[K");
 }
 
-enum exit_code stress_stiff(const struct options *options)
+enum exit_code stress_stiff(const struct stress_options *options)
 {
   struct book b = { .options = options,
                     .deltas = options->quick ? QUICK_DELTAS : DELTAS,
                     .most = options->quick ? 10000 : 100000 };
-  b.shown = !options->quiet && isatty(STDERR_FILENO);
+  b.shown = !options->request.style.quiet && isatty(STDERR_FILENO);
   if (!make_scenes(&b))
     return EXIT_UNSOLVED;
   if (!begin(&b))

@@ -3,7 +3,9 @@
 #ifndef SCALLOP_STRESS_STIFF_H
 #define SCALLOP_STRESS_STIFF_H
 
-#include "compare/command/compare.h"
+#include "compare/stress/stress.h"
+#include "compare/text/values.h"
+#include "compare/answers/points.h"
 #include "compare/order/order.h"
 #include "numerics/smoothed.h"
 
@@ -75,6 +77,6 @@ enum { STIFF_MOST_RUNS = 16 };
 struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
 
 /* `scallop stress --stiff` */
-enum exit_code stress_stiff(const struct options *options);
+enum exit_code stress_stiff(const struct stress_options *options);
 
 #endif

@@ -12,7 +12,8 @@
 #ifndef SCALLOP_STRESS_H
 #define SCALLOP_STRESS_H
 
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
+#include "compare/text/values.h"
 #include "compare/answers/gaits.h"
 #include "numerics/wide.h"
 
@@ -93,7 +94,13 @@ enum {
 const char *stress_broken(const struct stress_judgement *judgement, int quantity);
 
 /* `scallop stress`; of one point */
-enum exit_code stress_table(const struct options *options);
-enum exit_code stress_point(const struct options *options);
+struct stress_options {
+  struct request request;
+  const char *family;             /* the only one, or NULL */
+  struct given_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
+  bool check, full, stiff, quick, summary;
+};
+enum exit_code stress_table(const struct stress_options *options);
+enum exit_code stress_point(const struct stress_options *options);
 
 #endif

@@ -40,12 +40,12 @@ static const char *const point_columns[] = { "quantity",         "value",       
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
 /* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady state. */
-static int cases_of(const struct options *o, enum stress_kind kind)
+static int cases_of(const struct stress_options *o, enum stress_kind kind)
 {
   static const int check[] = {
     [STRESS_STEADY] = STRESS_CHECK_STEADY, [STRESS_PHASE] = STRESS_CHECK_PHASES, [STRESS_TRAJECTORY] = 2
   };
-  int cases = o->cases > 0 ? (int)o->cases : o->full ? STRESS_FULL_CASES : o->check ? check[kind] : STRESS_CASES;
+  int cases = o->cases.value > 0 ? (int)o->cases.value : o->full ? STRESS_FULL_CASES : o->check ? check[kind] : STRESS_CASES;
   return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
 }
 
@@ -203,7 +203,7 @@ static void write_row(struct table *t, const struct row *r, const struct stress_
 /* ---- a family: the work ---- */
 
 struct run {
-  const struct options *options;
+  const struct stress_options *options;
   struct table table;
   struct stress_case *stressed;
   struct stress_judgement *judgements;
@@ -244,11 +244,11 @@ static void judge_all(struct run *run, int count)
 
 static void run_family(struct run *run, const struct stress_family *family, const struct scallop_gait *gait)
 {
-  const struct options *o = run->options;
+  const struct stress_options *o = run->options;
   struct row r = { .family = family, .gait = gait };
   if (run->shown)
     fprintf(stderr, "\r%s, %s gait\033[K", family->name, gait->name);
-  r.cases = stress_make(family, gait, (unsigned long)o->seed, cases_of(o, family->kind), run->stressed);
+  r.cases = stress_make(family, gait, (unsigned long)o->seed.value, cases_of(o, family->kind), run->stressed);
   for (int i = 0; i < r.cases; i++)
     run->stressed[i].periods = o->full ? FULL_PERIODS : o->check ? CHECK_PERIODS : PERIODS;
   judge_all(run, r.cases);
@@ -269,17 +269,17 @@ static const struct stress_family *family_named(const char *name)
 }
 
 /* The gait that is given; else those of the paper or, for a check, one of each kind. NULL after the last. */
-static const struct scallop_gait *gait_of_run(const struct options *o, int i)
+static const struct scallop_gait *gait_of_run(const struct stress_options *o, int i)
 {
-  if (o->point.has_gait)
-    return i == 0 ? o->point.crawler.gait : NULL;
+  if (o->request.point.has_gait)
+    return i == 0 ? o->request.point.crawler.gait : NULL;
   const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
   return name ? gait_of_text(name).gait : NULL;
 }
 
 static void run_families(struct run *run)
 {
-  const struct options *o = run->options;
+  const struct stress_options *o = run->options;
   const struct scallop_gait *gait;
   for (const struct stress_family *f = stress_families; f->name; f++)
     for (int g = 0; (gait = gait_of_run(o, g)) && !table_failed(&run->table); g++)
@@ -289,15 +289,16 @@ static void run_families(struct run *run)
 
 static void begin(struct run *run)
 {
-  const struct options *o = run->options;
+  const struct stress_options *o = run->options;
   struct table *t = &run->table;
   table_note(t, "scallop " SCALLOP_VERSION);
   char number[40] = "";
-  if (o->cases > 0)
-    snprintf(number, sizeof number, " --cases %ld", o->cases);
+  if (o->cases.value > 0)
+    snprintf(number, sizeof number, " --cases %ld", o->cases.value);
   table_note(t, "command: stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-             o->point.has_gait ? " --gait " : "", o->point.has_gait ? o->point.crawler.gait->name : "",
-             o->full ? " --full" : "", o->check ? " --check" : "", number, o->seed);
+             o->request.point.has_gait ? " --gait " : "",
+             o->request.point.has_gait ? o->request.point.crawler.gait->name : "", o->full ? " --full" : "",
+             o->check ? " --check" : "", number, o->seed.value);
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
@@ -308,9 +309,9 @@ static void begin(struct run *run)
   table_begin_rows(t);
 }
 
-enum exit_code stress_table(const struct options *o)
+enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o, .shown = !o->quiet && isatty(STDERR_FILENO) };
+  struct run run = { .options = o, .shown = !o->request.style.quiet && isatty(STDERR_FILENO) };
   enum exit_code code = EXIT_UNSOLVED;
   const size_t most = (size_t)cases_of(o, STRESS_PHASE);
   if (o->family && !family_named(o->family)) {
@@ -325,7 +326,7 @@ enum exit_code stress_table(const struct options *o)
   run.errors = calloc(most * STRESS_QUANTITIES, sizeof *run.errors);
   if (!run.stressed || !run.judgements || !run.errors)
     complain("stress", "out of memory");
-  else if (!table_open(&run.table, o))
+  else if (!table_open(&run.table, &o->request.style))
     code = EXIT_FILE;
   else {
     begin(&run);
@@ -366,19 +367,20 @@ static void write_number(struct table *t, const struct stress_case *s, const str
     write_verdict(t, broken, 0);
 }
 
-enum exit_code stress_point(const struct options *o)
+enum exit_code stress_point(const struct stress_options *o)
 {
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
-  const struct stress_case s = { .kind = o->point.has_phase || o->point.has_v0 ? STRESS_PHASE : STRESS_STEADY,
-                                 .crawler = o->point.crawler,
-                                 .phase = o->point.phase,
-                                 .v0 = o->point.v0 };
+  const struct stress_case s = { .kind = o->request.point.has_phase || o->request.point.has_v0 ? STRESS_PHASE
+                                                                                               : STRESS_STEADY,
+                                 .crawler = o->request.point.crawler,
+                                 .phase = o->request.point.phase,
+                                 .v0 = o->request.point.v0 };
   bool broken = false;
   stress_judge(&s, &j);
   flint_cleanup();
-  if (!table_open(&t, o))
+  if (!table_open(&t, &o->request.style))
     return EXIT_FILE;
   stress_arguments(&s, arguments);
   table_note(&t, "scallop " SCALLOP_VERSION);

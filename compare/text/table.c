@@ -8,30 +8,16 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/command/compare.h"
-#include "compare/answers/gaits.h"
+#include "compare/text/message.h"
 
 static const char *where(const struct table *t) { return t->output ? t->output : "standard output"; }
 
-/* The spline goes through every point of a table, noise and all. */
-static void tell_noise(const struct options *o)
+bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
-  const struct scallop_gait *gait = o->point.crawler.gait;
-  int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
-  if (reversals > 0 && !o->quiet)
-    fprintf(
-        stderr,
-        "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the table: "
-        "the spline goes through every point\n",
-        o->command->name, gait->name + 9, reversals);
-}
-
-bool table_open_at(struct table *t, const struct options *options, const char *output)
-{
-  *t = (struct table){ .options = options, .output = output };
+  *t = (struct table){ .style = style, .output = output };
   int error = file_open(&t->out, output);
   if (error != 0) {
-    complain(options->command->name, "cannot write %s: %s", output, strerror(error));
+    complain(style->command, "cannot write %s: %s", output, strerror(error));
     return false;
   }
   t->file = t->out.stream;
@@ -39,11 +25,7 @@ bool table_open_at(struct table *t, const struct options *options, const char *o
   return true;
 }
 
-bool table_open(struct table *t, const struct options *options)
-{
-  tell_noise(options);
-  return table_open_at(t, options, options->output);
-}
+bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
 
 /* The first error is the one to tell of. */
 static void note_error(struct table *t, bool failed)
@@ -96,7 +78,7 @@ static void end_line(struct table *t)
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
-  if (t->options->format == FORMAT_JSON)
+  if (t->style->format == FORMAT_JSON)
     return;
   put(t, "# ", 2);
   flush_text(t);
@@ -115,35 +97,6 @@ size_t number_text(char text[NUMBER_TEXT], double x, long digits)
 
 static void put_number(struct table *t, double x, long digits) { t->used += number_text(room(t, NUMBER_TEXT), x, digits); }
 
-static bool is_among(const char *name, const char *const *names)
-{
-  while (names && *names && strcmp(*names, name) != 0)
-    names++;
-  return names && *names;
-}
-
-void table_parameters(struct table *t, const struct options *o, const char *const *not_held, bool as_written)
-{
-  bool begun = false;
-  if (t->options->format == FORMAT_JSON)
-    return;
-  for (int i = 0; crawler_parameters[i]; i++) {
-    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? o->point.written[i] : NULL;
-    if (is_among(name, not_held))
-      continue;
-    put_text(t, begun ? " " : "# parameters: ");
-    put_text(t, name);
-    put_char(t, '=');
-    if (written || i == CRAWLER_NUMBERS)
-      put_text(t, written ? written : o->point.crawler.gait->name);
-    else
-      put_number(t, crawler_parameter(&o->point.crawler, name), 0);
-    begun = true;
-  }
-  if (begun)
-    end_line(t);
-}
-
 void table_columns(struct table *t, const char *const *names)
 {
   while (*names && t->count < TABLE_COLUMNS)
@@ -152,7 +105,7 @@ void table_columns(struct table *t, const char *const *names)
 
 void table_begin_rows(struct table *t)
 {
-  if (t->options->format == FORMAT_JSON)
+  if (t->style->format == FORMAT_JSON)
     return;
   for (int i = 0; i < t->count; i++) {
     if (i > 0)
@@ -164,10 +117,10 @@ void table_begin_rows(struct table *t)
 
 static void put_value(struct table *t, double value)
 {
-  if (t->options->format == FORMAT_JSON && !isfinite(value))
+  if (t->style->format == FORMAT_JSON && !isfinite(value))
     put_text(t, isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
   else
-    put_number(t, value, t->options->digits > DBL_DECIMAL_DIG ? 0 : t->options->digits);
+    put_number(t, value, t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits);
 }
 
 /* How many characters at the head of text stand for themselves */
@@ -181,7 +134,7 @@ static size_t plain_length(const char *text, bool json)
 
 static void put_string(struct table *t, const char *text)
 {
-  bool json = t->options->format == FORMAT_JSON;
+  bool json = t->style->format == FORMAT_JSON;
   if (json)
     put_char(t, '"');
   for (;;) {
@@ -205,7 +158,7 @@ static void put_string(struct table *t, const char *text)
 
 static void begin_cell(struct table *t)
 {
-  if (t->options->format == FORMAT_JSON) {
+  if (t->style->format == FORMAT_JSON) {
     put_text(t, t->at == 0 ? "{\"" : ", \"");
     put_text(t, t->columns[t->at]);
     put(t, "\": ", 3);
@@ -217,7 +170,7 @@ static void end_cell(struct table *t)
 {
   if (++t->at < t->count)
     return;
-  if (t->options->format == FORMAT_JSON)
+  if (t->style->format == FORMAT_JSON)
     put_char(t, '}');
   end_line(t);
   t->at = 0;
@@ -244,7 +197,7 @@ void table_rounded(struct table *t, double value, const char *format)
   if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
     memmove(text, text + 1, strlen(text));
   begin_cell(t);
-  if (t->options->format == FORMAT_JSON && !isfinite(value))
+  if (t->style->format == FORMAT_JSON && !isfinite(value))
     put_text(t, "null");
   else
     put_text(t, isnan(value) ? "nan" : text);
@@ -271,14 +224,11 @@ bool table_flush(struct table *t)
 bool table_close(struct table *t)
 {
   flush_text(t);
-  bool lost = t->out.target && gait_is_from(t->output); /* of a gait that a column of points names */
-  if (lost)
-    complain(t->options->command->name, "%s is the file of a gait and is not replaced: name another file", t->output);
-  int error = file_close(&t->out, t->error == 0 && !lost);
+  int error = file_close(&t->out, t->error == 0);
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0)
-    complain(t->options->command->name, "cannot write %s: %s", where(t), strerror(t->error));
-  return t->error == 0 && !lost;
+    complain(t->style->command, "cannot write %s: %s", where(t), strerror(t->error));
+  return t->error == 0;
 }
 
 void table_abandon(struct table *t)

@@ -8,16 +8,27 @@
 
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
-#include "compare/command/options.h"
 
 enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
 
 /* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);
 
+enum format { FORMAT_TSV, FORMAT_JSON };
+
+/* How a command writes its table. */
+struct style {
+  const char *command; /* its name, for messages */
+  const char *output;  /* NULL: standard output */
+  enum format format;
+  long digits; /* significant ones; 0: as many as read back exactly */
+  bool quiet;
+  bool has_output, has_format; /* are given */
+};
+
 struct table {
   FILE *file;
-  const struct options *options;
+  const struct style *style;
   const char *output; /* its name, NULL: standard output                          */
   struct file out;
   const char *columns[TABLE_COLUMNS];
@@ -28,16 +39,13 @@ struct table {
   char text[TABLE_TEXT]; /* what the file has not got yet                         */
 };
 
-/* Opens output, or standard output where it is NULL. False: the message is on stderr, exit with EXIT_FILE. */
-bool table_open_at(struct table *table, const struct options *options, const char *output);
-/* Opens the output named by options, and prints a note where the gait is noisy. */
-bool table_open(struct table *table, const struct options *options);
+/* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with
+ * EXIT_FILE. */
+bool table_open_at(struct table *table, const struct style *style, const char *output);
+/* Opens the output of the style. */
+bool table_open(struct table *table, const struct style *style);
 /* A '#' line before the columns or after the rows; nothing in JSON. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those in not_held
- * (NULL-terminated, or NULL: none), which vary or are not used. as_written: numbers with all the digits that the options gave; else
- * doubles. No line where nothing holds. */
-void table_parameters(struct table *table, const struct options *options, const char *const *not_held, bool as_written);
 /* The header row: NULL-terminated names, which must outlive the table. May be called in parts. */
 void table_columns(struct table *table, const char *const *names);
 void table_begin_rows(struct table *table);

@@ -17,4 +17,18 @@ const char *not_allowed(const char *text, const char *allowed);
 /* The same for a number, with what is the matter where the text nearly is one. */
 const char *no_number(const char *text, const char *allowed);
 
+/* Values of options that know whether they were given. */
+struct given_number {
+  double value;
+  bool given;
+};
+struct given_count {
+  long value;
+  bool given;
+};
+struct given_word {
+  const char *value;
+  bool given;
+};
+
 #endif

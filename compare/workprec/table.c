@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "compare/command/compare.h"
+#include "compare/answers/points.h"
 #include "compare/answers/defaults.h"
 #include "compare/workprec/workprec.h"
 
@@ -19,7 +19,7 @@ static const char *const columns[] = {
 const char *const way_quantities[WAY_QUANTITIES + 1] = { "v_start", "displacement", NULL };
 
 struct run {
-  const struct options *options;
+  const struct workprec_options *options;
   struct trial points[MOST_POINTS];
   int count;
   double limit;
@@ -32,7 +32,7 @@ struct run {
 
 static const char *add_point(struct run *r, const struct scallop_gait *gait, double T)
 {
-  struct scallop_crawler c = r->options->point.crawler;
+  struct scallop_crawler c = r->options->request.point.crawler;
   assert(r->count < MOST_POINTS);
   c.gait = gait;
   c.T = T;
@@ -43,12 +43,13 @@ static const char *add_point(struct run *r, const struct scallop_gait *gait, dou
 static bool make_points(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
-  const struct options *o = r->options;
-  bool one = o->point.written[5] != NULL; /* T */
-  const double *T = one ? &o->point.crawler.T : o->quick ? few : all;
+  const struct workprec_options *o = r->options;
+  bool one = o->request.point.written[5] != NULL; /* T */
+  const double *T = one ? &o->request.point.crawler.T : o->quick ? few : all;
   int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
-  for (int g = 0; o->point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    const struct scallop_gait *gait = o->point.has_gait ? o->point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
+  for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+    const struct scallop_gait *gait = o->request.point.has_gait ? o->request.point.crawler.gait
+                                                                : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; i < times; i++) {
       const char *why = add_point(r, gait, T[i]);
       if (why)
@@ -77,14 +78,14 @@ static double call_cost(const struct stopwatch_clock *clock)
 
 static bool begin(struct run *r)
 {
-  const struct options *o = r->options;
+  const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
   struct table *t = &r->table;
-  if (!table_open(t, o))
+  if (!table_open(t, &o->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "", r->limit);
-  table_parameters(t, o, columns_of_points, false);
+  note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
   if (o->summary)
@@ -150,7 +151,7 @@ static void say_nothing(void *context, int done, int count, const struct way *wa
 
 static void measure(struct run *r, struct ways *ways)
 {
-  bool shown = !r->options->quiet && isatty(STDERR_FILENO);
+  bool shown = !r->options->request.style.quiet && isatty(STDERR_FILENO);
   const struct workprec_progress progress = { shown ? say : say_nothing, r };
   for (int i = 0; i < r->count; i++) {
     r->at = &r->points[i];
@@ -167,12 +168,12 @@ static void measure(struct run *r, struct ways *ways)
     fprintf(stderr, "\r\033[K");
 }
 
-enum exit_code workprec_table(const struct options *options)
+enum exit_code workprec_table(const struct workprec_options *options)
 {
   struct run r = { .options = options,
-                   .limit = options->limit > 0 ? options->limit
-                            : options->quick   ? WORKPREC_QUICK_LIMIT
-                                               : WORKPREC_LIMIT };
+                   .limit = options->limit.value > 0 ? options->limit.value
+                            : options->quick         ? WORKPREC_QUICK_LIMIT
+                                                     : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
   struct ways *ways = calloc(1, sizeof *ways);
   if (!ways)

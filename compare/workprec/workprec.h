@@ -5,6 +5,8 @@
 #ifndef SCALLOP_WORKPREC_H
 #define SCALLOP_WORKPREC_H
 
+#include "compare/answers/points.h"
+#include "compare/text/values.h"
 #include <stdbool.h>
 
 #include "compare/text/message.h"
@@ -17,7 +19,6 @@ enum { WAY_SAMPLES = 31, WAY_TEXT = 64, WAY_STATUS = 120, WAY_TERMS = 32 /* of t
 
 /* Where the ways meet. The doubles are the parameters of all of them, and `exact` is the very same numbers: a double method must not
  * be charged with the distance from 0.7 to the nearest double. */
-struct options;
 struct trial {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;
@@ -106,11 +107,15 @@ bool way_has(const struct way *way, int quantity); /* whether there is a row for
 extern const char *const way_quantities[]; /* their names, NULL-terminated                                 */
 extern const char *const summary_columns[];
 struct table;
-struct options;
 /* The rows of one point: for each wanted error that somebody reaches. */
 void summary_write(struct table *table, const struct ways *ways);
 
 /* `scallop workprec` */
-enum exit_code workprec_table(const struct options *options);
+struct workprec_options {
+  struct request request;
+  bool quick, summary;
+  struct given_number limit; /* seconds for each setting; 0: not given */
+};
+enum exit_code workprec_table(const struct workprec_options *options);
 
 #endif

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "numerics/numerics.h"
 #include "tests/fuzz/target.h"
 
 /* The pieces follow each other from 0 to 1, with finite l', and l gains the amplitude. */

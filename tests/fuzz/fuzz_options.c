@@ -19,19 +19,27 @@ static int split(char *text, size_t size, char **arguments)
   return count;
 }
 
-/* What an accepted command line may hold */
-static void judge(const struct options *o, const char *text)
+/* What an accepted command line may hold: each option what its row allows */
+static void judge(const struct arguments *a, const char *text)
 {
+  const struct request *r = &a->options.request;
   struct scallop_complaint wrong;
-  if (scallop_crawler_check(&o->point.crawler, &wrong) != SCALLOP_OK)
+  if (scallop_crawler_check(&r->point.crawler, &wrong) != SCALLOP_OK)
     fuzz_fail("%s = %g was taken from\n%s", wrong.name, wrong.given, text);
-  bool beyond = o->certified || o->bound || strcmp(o->source, "published") != 0;
-  if (o->digits < 0 || o->digits > (beyond ? 10000 : 17) || o->order < 1 || o->periods < 1 || o->samples < 1)
-    fuzz_fail("digits %ld, order %ld, periods %ld, samples %ld from\n%s", o->digits, o->order, o->periods, o->samples, text);
-  if (!(o->tolerance > 0) || !isfinite(o->expect) || !isfinite(o->point.v0) || !isfinite(o->start_velocity) || !(o->limit >= 0))
-    fuzz_fail("tolerance %g, expected %g, v0 %g, start %g, limit %g from\n%s", o->tolerance, o->expect, o->point.v0,
-              o->start_velocity, o->limit, text);
-  if ((o->command->operand != NULL) != (o->operand != NULL))
+  for (const struct option *o = a->command->options; o->name; o++) {
+    const void *field = a->options.room + o->field;
+    const struct given_count *count = field;
+    const struct given_number *number = field;
+    if (o->kind == &digits_option && (r->style.digits < 0 || r->style.digits > o->most))
+      fuzz_fail("%ld digits from\n%s", r->style.digits, text);
+    if (o->kind == &count_option && count->given && (count->value < o->least || count->value > o->most))
+      fuzz_fail("--%s %ld from\n%s", o->name, count->value, text);
+    if ((o->kind == &number_option && !isfinite(number->value)) || (o->kind == &positive_option && !(number->value > 0)))
+      fuzz_fail("--%s %g from\n%s", o->name, number->value, text);
+  }
+  if (!isfinite(r->point.v0))
+    fuzz_fail("v0 %g from\n%s", r->point.v0, text);
+  if ((a->command->operand != NULL) != (a->operand_count > 0))
     fuzz_fail("the operand is missing, or not wanted, in\n%s", text);
 }
 
@@ -66,13 +74,13 @@ static bool same_crawler(const struct scallop_crawler *a, const struct scallop_c
 
 static void judge_parameters(const char *text)
 {
-  struct options o = { .command = &command_phase, .point.crawler = scallop_crawler_default() };
+  struct point o = point_initial(NULL);
   for (const char *const *name = crawler_parameters; *name; name++) {
-    const struct scallop_crawler before = o.point.crawler;
-    const char *wrong = point_set(&o.point, *name, text);
-    if (wrong && (!same_crawler(&before, &o.point.crawler) || *wrong == '\0'))
+    const struct scallop_crawler before = o.crawler;
+    const char *wrong = point_set(&o, *name, text);
+    if (wrong && (!same_crawler(&before, &o.crawler) || *wrong == '\0'))
       fuzz_fail("%s was refused '%s', and changed", *name, text);
-    if (scallop_crawler_check(&o.point.crawler, NULL) != SCALLOP_OK)
+    if (scallop_crawler_check(&o.crawler, NULL) != SCALLOP_OK)
       fuzz_fail("%s may be '%s'", *name, text);
   }
 }
@@ -81,24 +89,25 @@ static void judge_parameters(const char *text)
 static void judge_line(const struct command *command, char *text, size_t size)
 {
   char *arguments[MOST] = { (char *)"scallop", (char *)command->name }, *before;
-  struct options options;
+  struct arguments read;
   struct written w;
-  int code = -1, count = split(text, size, arguments);
+  enum exit_code code;
+  int count = split(text, size, arguments);
   before = fuzz_text((const uint8_t *)text, size);
   written_begin(&w);
-  bool run = options_read(&options, command, count, arguments, &code);
+  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   written_end(&w);
   if (memcmp(before, text, size) != 0)
     fuzz_fail("the arguments were changed");
-  if (run)
-    judge(&options, text);
-  else if (!(code == EXIT_DONE && w.out_size > 0) && !(code == EXIT_USAGE && w.err_size > 0))
-    fuzz_fail("exit code %d without a word for\n%s", code, text);
+  if (reading == READ_RUN)
+    judge(&read, text);
+  else if (reading == READ_REFUSED && !(code == EXIT_USAGE && w.err_size > 0))
+    fuzz_fail("exit code %d without a word for\n%s", (int)code, text);
   for (int i = 2; i < count; i++) {
     judge_number(arguments[i]);
     judge_parameters(arguments[i]);
   }
-  options_free(&options);
+  options_free(&read);
   written_free(&w);
   free(before);
 }

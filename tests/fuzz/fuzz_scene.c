@@ -18,14 +18,14 @@ static void judge(const struct scene *scene)
   }
 }
 
-static enum exit_code take_all(const struct scene *scene, const struct scene_want *want, const struct options *options,
+static enum exit_code take_all(const struct scene *scene, const struct scene_want *want, const struct scene_options *options,
                                bool only_read)
 {
   (void)scene, (void)want, (void)options, (void)only_read;
   return EXIT_DONE;
 }
 
-static enum exit_code read_scene(struct scene *scene, const char *text, const struct options *options)
+static enum exit_code read_scene(struct scene *scene, const char *text, const struct scene_options *options)
 {
   const struct scene_source source = { .path = "x.cfg", .text = text };
   struct written written;
@@ -44,16 +44,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   static char program[] = "scallop", command[] = "run", name[] = "x.cfg";
   char *arguments[] = { program, command, name, NULL }, *text = fuzz_text(data, size);
-  struct options options;
-  int code;
+  struct arguments read;
+  enum exit_code code;
   struct scene *scene = malloc(sizeof *scene);
   bool reads_files = !text || strstr(text, "measured:") || strstr(text, "@include");
-  if (!reads_files && scene && options_read(&options, &command_run, 3, arguments, &code)) {
-    if (read_scene(scene, text, &options) == EXIT_DONE) {
+  if (!reads_files && scene && options_read(&read, &command_run, commands, 3, arguments, &code) == READ_RUN) {
+    if (read_scene(scene, text, (const void *)&read.options) == EXIT_DONE) {
       judge(scene);
       scene_free(scene);
     }
-    options_free(&options);
+    options_free(&read);
   }
   free(text);
   free(scene);

@@ -82,16 +82,17 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
 {
   enum { MOST = 24 };
   char *list[MOST] = { (char *)"scallop", (char *)command->name };
-  struct options options;
-  int count = 2, code = EXIT_USAGE;
+  struct arguments read;
+  enum exit_code code = EXIT_USAGE;
+  int count = 2;
   for (; *arguments && count < MOST - 1; arguments++)
     list[count++] = (char *)*arguments; /* none has a '=' that would be written to */
   written_begin(written);
-  if (options_read(&options, command, count, list, &code))
-    code = (int)command->run(&options);
-  options_free(&options);
+  if (options_read(&read, command, commands, count, list, &code) == READ_RUN)
+    code = command->run(&read, &read.options);
+  options_free(&read);
   written_end(written);
-  return code;
+  return (int)code;
 }
 
 /* ---- JSON ---- */

@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-#include "compare/command/compare.h"
+#include "compare/command/commands.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
