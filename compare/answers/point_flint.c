@@ -201,8 +201,9 @@ static void rational_number(fmpq_t x, double value)
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
 {
   fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
-  const double values[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  for (int i = 0; i < 7; i++)
+  double values[CRAWLER_NUMBERS];
+  crawler_numbers(c, values);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
     rational_number(fields[i], values[i]);
   exact->gait = written_gait(c->gait);
 }
@@ -230,7 +231,7 @@ void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const str
 {
   fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
   rational_crawler(exact, &p->crawler);
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
     if (p->written[i])
       scallop_rational_parse(fields[i], p->written[i]);
   take_own(exact, p);

@@ -1,9 +1,7 @@
 /* "The maximum average velocity occurs at the boundary" where the start velocity vanishes (sections 4.4 and 5), mean velocity
  * "increases to a maximum and then decays to zero" (section 4.5), and what else is said to be extreme at that boundary. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "compare/answers/point.h"
 #include "compare/claims/decide.h"

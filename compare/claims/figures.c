@@ -2,7 +2,6 @@
  * (figure 5). */
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 
 #include "compare/answers/answer.h"
 #include "compare/claims/decide.h"

@@ -1,7 +1,6 @@
 /* The claims in words about a single phase, and those of the appendices that are not about an order. Each is decided by a certified
  * example, whose numbers are doubles exactly. */
 #include <math.h>
-#include <stdio.h>
 
 #include "compare/claims/decide.h"
 

@@ -1,7 +1,6 @@
 /* The claims in words about steady states: what is needed to move, which way, how many there are, when one is reached, and (27) for
  * which alpha. Each is decided by a certified example. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
