@@ -52,7 +52,7 @@ PhasePoint = _structure("scallop_phase_point", (_double, "m1 m2 F1 F2 T l0 lT l_
 PhaseFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(PhasePoint))
 SteadyFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(Crawler))
 Formula = _structure("scallop_formula", (_text, "name equation"), (_int, "setting quantity remainder"),
-                     (PhaseFormula, "phase"), (SteadyFormula, "steady"), (_text, "text corrected"))
+                     (PhaseFormula, "phase"), (SteadyFormula, "steady"), (_text, "text corrected"), (_int, "turns"))
 
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),

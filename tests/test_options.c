@@ -1,6 +1,7 @@
 /* compare/options: operands, one or many, and where they are kept. */
 #include "check.h"
 #include "compare/command/commands.h"
+#include "compare/command/list.h"
 
 struct some_options {
   struct request request;

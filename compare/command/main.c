@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/command/commands.h"
+#include "compare/command/list.h"
 #include "compare/command/help.h"
 #include "compare/text/shipped.h"
 

@@ -216,7 +216,6 @@ static void complain_of_option(const struct command *command, const struct comma
 /* The arguments not yet read: place is that of the current one. */
 struct reading_state {
   struct arguments *to;
-  const struct command *const *commands;
   char **all;
   int count, place;
 };
@@ -260,7 +259,7 @@ static bool read_option(struct reading_state *s)
   if (dropped)
     complain(command->name, "the option '%s' is no longer there: %s", argument, o->help);
   else if (!o)
-    complain_of_option(command, s->commands, name, argument);
+    complain_of_option(command, s->to->commands, name, argument);
   else
     good = read_values(s, o, equals ? equals + 1 : NULL);
   if (equals) /* the arguments may be handed on: with_flint.h */
@@ -316,9 +315,10 @@ void options_initial(struct arguments *a, const struct command *command)
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
                           int count, char **all, enum exit_code *code)
 {
-  struct reading_state s = { a, commands, all, count, 0 };
+  struct reading_state s = { a, all, count, 0 };
   options_initial(a, command);
   a->all = all;
+  a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
   *code = EXIT_UNSOLVED;
   if (!a->operands) {

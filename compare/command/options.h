@@ -140,7 +140,8 @@ struct command {
 
 struct arguments {
   const struct command *command;
-  char **all; /* of the program, NULL-terminated */
+  const struct command *const *commands; /* all of them */
+  char **all;                            /* of the program, NULL-terminated */
   const char **operands;
   int operand_count;
   union { /* the struct of the command; its first member is the request */

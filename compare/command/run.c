@@ -113,6 +113,9 @@ static const struct {
                { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
                { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } } };
 
+static const struct command *const wanted[] = { &command_series,   &command_breakdown, &command_stress,
+                                                &command_workprec, &command_claims,    NULL };
+
 enum { MOST_ARGUMENTS = 128 };
 
 /* The parameters of the scene that the command takes, as options. Returns how many arguments there are then. */
@@ -157,7 +160,7 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   snprintf(digits, sizeof digits, "--digits=%ld", o->request.style.digits);
   if (o->request.style.digits > 0 && option_of(command, "digits"))
     arguments[count++] = digits;
-  if (options_read(&read, command, commands, count, arguments, &code) == READ_RUN) {
+  if (options_read(&read, command, wanted, count, arguments, &code) == READ_RUN) {
     code = EXIT_DONE;
     read.options.request.style.output = w->file;
     read.options.request.style.format = w->format;

@@ -7,7 +7,7 @@
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
-#include "compare/command/series.h"
+#include "compare/command/series_flint.h"
 #include "compare/command/with_flint.h"
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")

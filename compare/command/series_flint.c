@@ -5,8 +5,7 @@
 
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/point_flint.h"
-#include "compare/command/series.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/series_flint.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 

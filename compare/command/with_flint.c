@@ -6,6 +6,7 @@
 #include "compare/answers/answer.h"
 #include "compare/breakdown/breakdown.h"
 #include "compare/claims/claims.h"
+#include "compare/command/series_flint.h"
 #include "compare/maps/maps.h"
 #include "compare/stress/stiff.h"
 #include "compare/stress/stress.h"

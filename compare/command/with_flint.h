@@ -38,7 +38,4 @@ extern const struct with_flint {
   enum exit_code (*boundaries)(const struct breakdown_options *);
 } with_flint __attribute__((weak, visibility("hidden")));
 
-/* series --source derived|limit and series --bound */
-enum exit_code series_derived(const struct series_options *options);
-
 #endif

@@ -1,6 +1,7 @@
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
+
+#include "compare/command/list.h"
 
 #include "compare/command/commands.h"
 #include "compare/text/message.h"

@@ -1,6 +1,6 @@
-/* The options of `scallop series`. */
-#ifndef SCALLOP_SERIES_OPTIONS_H
-#define SCALLOP_SERIES_OPTIONS_H
+/* `scallop series`: its options, and what it prints of derived series. Needs FLINT. */
+#ifndef SCALLOP_SERIES_FLINT_H
+#define SCALLOP_SERIES_FLINT_H
 
 #include "compare/answers/points.h"
 #include "compare/text/values.h"
@@ -11,5 +11,8 @@ struct series_options {
   struct given_count order; /* of the derived series: terms below T^order */
   bool bound;
 };
+
+/* --source derived|limit, and --bound */
+enum exit_code series_derived(const struct series_options *options);
 
 #endif
