@@ -259,6 +259,7 @@ void scallop_steady_expansion_init(struct scallop_steady_expansion *e)
   series_init(&e->v_mid);
   series_init(&e->displacement);
   series_init(&e->mean_velocity);
+  series_init(&e->friction_work);
   *e->modes = '\0';
 }
 
@@ -268,6 +269,7 @@ void scallop_steady_expansion_clear(struct scallop_steady_expansion *e)
   series_clear(&e->v_mid);
   series_clear(&e->displacement);
   series_clear(&e->mean_velocity);
+  series_clear(&e->friction_work);
 }
 
 /* From a series in T^2 and units of L to one in T, times T^power */
@@ -310,6 +312,8 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   if (status != SCALLOP_OK)
     return status;
   const struct ring ring = { order / 2 + 2, precision };
+  fmpq_t energy;
+  fmpq_init(energy);
   limit_init(&l, crawler);
   steady_lift_init(&s);
   series_init(&eps);
@@ -326,11 +330,18 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
     in_period(&e->v_mid, &s.w_mid, crawler->L, -1, &ring);
     in_period(&e->displacement, &s.travel, crawler->L, 0, &ring);
     series_shift(&e->mean_velocity, &e->displacement, -1);
+    fmpq_add(energy, crawler->F1, crawler->F2);
+    fmpq_mul(energy, energy, crawler->L);
+    steady_friction_work(&e->friction_work, &l, &s, &eps, &ring);
+    for (slong k = 1; l.even && k < ring.length; k += 2)
+      series_set_zero(&e->friction_work, k);
+    in_period(&e->friction_work, &e->friction_work, energy, 0, &ring);
     for (int k = 0; k < 2; k++)
       modes_text(modes[k], sizeof modes[k], &l.branch[k], (enum scallop_phase_kind)k);
     snprintf(e->modes, sizeof e->modes, "%s | %s", modes[0], modes[1]);
   } else if (why)
     *why = reason;
+  fmpq_clear(energy);
   series_clear(&eps);
   steady_lift_clear(&s);
   limit_clear(&l);

@@ -47,6 +47,7 @@ struct scallop_steady_expansion {
   struct series displacement;          /* of the geometric centre; even powers, and for reversible gaits only those of T^4
                                           unless alpha = 1/2                                               */
   struct series mean_velocity;         /* displacement / T                                                    */
+  struct series friction_work;         /* sum over the bodies of F_i times how far body i slides; powers as displacement */
   char modes[2 * SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++ | ++ +- ++"                   */
 };
 void scallop_steady_expansion_init(struct scallop_steady_expansion *e);

@@ -44,6 +44,7 @@ enum scallop_status scallop_certified_phase(const struct scallop_rational_crawle
 
 struct scallop_certified_steady {
   arb_t froude, v_start, v_mid, displacement, mean_velocity, multiplier;
+  arb_t friction_work; /* the sum over the bodies of F_i times how far body i slides, one way and the other */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };

@@ -3,11 +3,12 @@
 
 #include "numerics/certify.h"
 
-enum { STEADY_BALLS = 6 };
+enum { STEADY_BALLS = 7 };
 
 static arb_ptr steady_ball(struct scallop_certified_steady *r, int i)
 {
-  arb_ptr all[STEADY_BALLS] = { r->froude, r->v_start, r->v_mid, r->displacement, r->mean_velocity, r->multiplier };
+  arb_ptr all[STEADY_BALLS] = { r->froude,        r->v_start,    r->v_mid,        r->displacement,
+                                r->mean_velocity, r->multiplier, r->friction_work };
   return all[i];
 }
 
@@ -347,16 +348,41 @@ static void froude_number(arb_t froude, const struct period *period, slong preci
   fmpq_clear(number);
 }
 
+/* In units of (F1 + F2) L */
+static void friction_work(arb_t work, const struct period *period, slong precision)
+{
+  const struct scallop_march *m = period->march;
+  const fmpq *friction[2] = { period->forces[0].friction[0], period->forces[0].friction[1] };
+  arb_ptr t = _arb_vec_init(2), path = t, force = t + 1;
+  fmpq_t sum;
+  fmpq_init(sum);
+  fmpq_add(sum, friction[0], friction[1]);
+  arb_zero(work);
+  for (int i = 0; i < 2; i++) {
+    arb_add(path, i == 0 ? m[0].path1 : m[0].path2, i == 0 ? m[1].path1 : m[1].path2, precision);
+    arb_set_fmpq(force, friction[i], precision);
+    arb_addmul(work, path, force, precision);
+  }
+  arb_set_fmpq(force, sum, precision);
+  arb_div(work, work, force, precision);
+  fmpq_clear(sum);
+  _arb_vec_clear(t, 2);
+}
+
 /* Lengths in L and velocities in L/T become those of the crawler; false: not accurate enough. */
 static bool steady_result(struct scallop_certified_steady *r, const struct period *period, const arb_t v,
                           const struct scallop_rational_crawler *c, slong bits, slong precision)
 {
   const struct scallop_march *m = period->march;
-  arb_ptr sizes = _arb_vec_init(3), length = sizes, velocity = sizes + 1, one = sizes + 2;
+  arb_ptr sizes = _arb_vec_init(4), length = sizes, velocity = sizes + 1, one = sizes + 2, energy = sizes + 3;
   arb_set_fmpq(length, c->L, precision);
   arb_set_fmpq(velocity, c->T, precision);
   arb_div(velocity, length, velocity, precision);
   arb_one(one);
+  arb_set_fmpq(energy, c->F1, precision);
+  arb_set_fmpq(r->friction_work, c->F2, precision);
+  arb_add(energy, energy, r->friction_work, precision);
+  arb_mul(energy, energy, length, precision);
   arb_set(r->v_start, v);
   arb_set(r->v_mid, period->v_mid);
   arb_set(r->multiplier, period->multiplier);
@@ -367,7 +393,8 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
     arb_zero(r->displacement);
   arb_set(r->mean_velocity, r->displacement);
   froude_number(r->froude, period, precision);
-  const arb_ptr size_of[STEADY_BALLS] = { one, velocity, velocity, length, velocity, one };
+  friction_work(r->friction_work, period, precision);
+  const arb_ptr size_of[STEADY_BALLS] = { one, velocity, velocity, length, velocity, one, energy };
   for (int i = 0; i < STEADY_BALLS; i++) {
     arb_mul(steady_ball(r, i), steady_ball(r, i), size_of[i], precision);
     accurate = accurate && certified_is_accurate(steady_ball(r, i), size_of[i], bits);
@@ -376,7 +403,7 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
   r->modes[1] = m[1].modes;
   r->regime = certified_regime(m[0].sticks || m[1].sticks,
                                (m[0].moves[0] || m[1].moves[0]) && (m[0].moves[1] || m[1].moves[1]));
-  _arb_vec_clear(sizes, 3);
+  _arb_vec_clear(sizes, 4);
   return accurate;
 }
 

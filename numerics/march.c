@@ -52,12 +52,12 @@ void scallop_forces_of(struct scallop_forces *forces, const struct scallop_ratio
   fmpq_clear(unit);
 }
 
-enum { BALLS = 17 };
+enum { BALLS = 19 };
 static arb_ptr ball(struct scallop_march *m, int i)
 {
-  arb_ptr all[BALLS] = { m->now,  m->since,    m->rate,    m->v1,         m->v2,     m->x1,
-                         m->x2,   m->l_since,  m->l_now,   m->share1,     m->share2, m->first,
-                         m->last, m->at_first, m->at_last, m->multiplier, m->v_end };
+  arb_ptr all[BALLS] = { m->now,     m->since,      m->rate,   m->v1,     m->v2,    m->x1,   m->x2,
+                         m->l_since, m->l_now,      m->share1, m->share2, m->first, m->last, m->at_first,
+                         m->at_last, m->multiplier, m->v_end,  m->path1,  m->path2 };
   return all[i];
 }
 
@@ -224,11 +224,22 @@ static void rest(struct scallop_march *m, int body)
   arb_mul_si(velocity(m, 1 - body), m->rate, body == 0 ? 1 : -1, m->precision);
 }
 
+/* The bodies have come from x1 and x2 to where they are, in the directions of the mode. Overwrites x1 and x2. */
+static void add_paths(struct scallop_march *m, arb_t x1, arb_t x2)
+{
+  arb_sub(x1, m->x1, x1, m->precision);
+  arb_sub(x2, m->x2, x2, m->precision);
+  arb_addmul_si(m->path1, x1, m->s1, m->precision);
+  arb_addmul_si(m->path2, x2, m->s2, m->precision);
+}
+
 /* Brings velocities and positions up to date, where l' is rate now. */
 static void settle_at(struct scallop_march *m, const arb_t rate)
 {
-  arb_ptr t = _arb_vec_init(2), h = t, drag = t + 1;
+  arb_ptr t = _arb_vec_init(4), h = t, drag = t + 1, x1 = t + 2, x2 = t + 3;
   slong p = m->precision;
+  arb_set(x1, m->x1);
+  arb_set(x2, m->x2);
   if (is_stuck(m)) {
     int body = the_stuck(m);
     (body == 0 ? arb_add : arb_sub)(position(m, 1 - body), position(m, 1 - body), m->l_now, p);
@@ -241,10 +252,11 @@ static void settle_at(struct scallop_march *m, const arb_t rate)
     slide(m, 1, rate, h, drag);
     arb_set(m->rate, rate);
   }
+  add_paths(m, x1, x2);
   arb_set(m->since, m->now);
   arb_add(m->l_since, m->l_since, m->l_now, p);
   arb_zero(m->l_now);
-  _arb_vec_clear(t, 2);
+  _arb_vec_clear(t, 4);
 }
 
 static void settle(struct scallop_march *m)

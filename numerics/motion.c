@@ -120,6 +120,8 @@ static void solve(const struct motion_input *in, double c0, struct audience *aud
     ways->way[i] = r.way[i];
     ways->size[i] = r.size[i];
   }
+  for (int i = 0; ways && i < 2; i++)
+    ways->path[i] = r.path[i];
 }
 
 void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit, void *context)

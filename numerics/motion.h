@@ -48,9 +48,9 @@ struct motion {
   unsigned trail;           /* 0, or the modes in short: motion_modes tells them                    */
   struct scallop_modes modes;
 };
-/* How far the centre of mass, body 1 and body 2 come, and the sizes of the parts. */
+/* How far the centre of mass, body 1 and body 2 come, and the sizes of the parts; and how far each body slides. */
 struct motion_ways {
-  double way[3], size[3];
+  double way[3], size[3], path[2];
 };
 
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);

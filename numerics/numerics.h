@@ -120,6 +120,12 @@ struct scallop_steady_result {
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
+/* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i slides, one way
+ * and the other. It takes a second walk through the period, so that scallop_steady does without. v_start and v_mid: of that state.
+ * Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no normal number; SCALLOP_EDOMAIN: a bad crawler, or a
+ * velocity that is not finite. */
+enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid, double *work);
+
 /* Many crawlers: column by column, count values in each. */
 struct scallop_crawlers {
   long count;

@@ -346,3 +346,27 @@ enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct
   }
   return status;
 }
+
+enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid, double *work)
+{
+  struct scallop_scaled s;
+  struct motion motion;
+  struct motion_ways ways;
+  double path[2] = { 0, 0 }, v[2] = { v_start, v_mid };
+  enum scallop_status status = scallop_scale(crawler, &s);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v_start) || !isfinite(v_mid))
+    return SCALLOP_EDOMAIN;
+  for (int kind = 0; kind < 2; kind++) {
+    struct motion_input input = motion_input_of(&s, (enum scallop_phase_kind)kind);
+    motion_solve_ways(&input, v[kind] / s.velocity * s.fraction[kind], &motion, &ways);
+    path[0] += ways.path[0];
+    path[1] += ways.path[1];
+  }
+  double energy = crawler->F1 * (path[0] * crawler->L) + crawler->F2 * (path[1] * crawler->L);
+  if (!isnormal(energy))
+    return SCALLOP_ERANGE;
+  *work = energy;
+  return SCALLOP_OK;
+}

@@ -26,6 +26,7 @@ struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are i
 struct walk_result { /* as in struct motion                                                                */
   real c_end, extra_impulse, slope, stretch, first_switch, last_switch;
   real way[3], size[3];
+  real path[2]; /* of body 1 and body 2: how far each slides, one way and the other */
   bool forgets, delicate, sticks, never_moved[2];
   struct scallop_work work;
   struct scallop_modes *modes;
@@ -39,7 +40,7 @@ struct walk_sum {
   real total, lost; /* what rounding dropped */
 };
 struct walk_sums {
-  struct walk_sum way[3], extra_impulse;
+  struct walk_sum way[3], path[2], extra_impulse;
 };
 
 static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
@@ -193,7 +194,9 @@ static inline void come(struct walk *w, int i, real x, real size)
 
 static inline void body_comes(struct walk *w, int j, real x, real size)
 {
-  come(w, (j == 0) == (w->piece->direction > 0) ? 1 : 2, x, size);
+  int body = (j == 0) == (w->piece->direction > 0) ? 1 : 2;
+  come(w, body, x, size);
+  w->out->path[body - 1] += magnitude(x);
 }
 
 /* Adds x and keeps what rounding drops, as Neumaier's variant of Kahan's sum does. */
@@ -210,6 +213,8 @@ static void carry_over(struct walk *w)
 {
   for (int i = 0; i < 3; i++)
     add(&w->carried.way[i], &w->out->way[i]);
+  for (int i = 0; i < 2; i++)
+    add(&w->carried.path[i], &w->out->path[i]);
   add(&w->carried.extra_impulse, &w->out->extra_impulse);
 }
 
@@ -730,6 +735,8 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
     carry_over(&w);
     for (int i = 0; i < 3; i++)
       result->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
+    for (int i = 0; i < 2; i++)
+      result->path[i] = w.carried.path[i].total + w.carried.path[i].lost;
     result->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
   }
   result->c_end = w.rest;

@@ -39,6 +39,8 @@ struct scallop_wide_period {
 };
 struct scallop_wide_steady {
   struct scallop_wide froude, mean_velocity;
+  struct scallop_wide friction_work;     /* as scallop_friction_work                         */
+  struct scallop_wide cost_of_transport; /* that over (F1 + F2) |displacement|; nan where it is 0 */
   struct scallop_wide_period period;
 };
 

@@ -449,6 +449,14 @@ static bool find_steady(const struct wide_scaled *s, real c, real high, struct s
   return found;
 }
 
+static real friction_work(const struct scallop_crawler *c, const struct wide_period *p)
+{
+  real work = 0;
+  for (int kind = 0; kind < 2; kind++)
+    work += c->F1 * p->phase[kind].path[0] + c->F2 * p->phase[kind].path[1];
+  return work * c->L;
+}
+
 /* As in steady.c. */
 static void find_from_level(const struct wide_scaled *s, struct scallop_modes modes[2], struct wide_period *p)
 {
@@ -485,7 +493,9 @@ bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_
   find_from_level(&s, out->period.modes, &p);
   out->froude = split(1 / s.eps);
   period_out(c, &s, &p, &out->period);
-  real size;
-  out->mean_velocity = split(travel_of(p.phase, &size) * s.velocity);
+  real size, travel = travel_of(p.phase, &size), work = friction_work(c, &p);
+  out->mean_velocity = split(travel * s.velocity);
+  out->friction_work = split(work);
+  out->cost_of_transport = split(travel == 0 ? NAN : work / (((real)c->F1 + c->F2) * (magnitude(travel) * c->L)));
   return found;
 }

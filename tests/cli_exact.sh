@@ -253,6 +253,12 @@ grep -q ', 0 differ from the ledger that comes with the tool$' err || note "$(ca
 finish "claims --check reads the tool's own ledger, in any folder, and of one gait what is about it"
 refused_at_once "claims --against" 2 "'--against' is no longer there: .--check. compares .* diff" claims --against ledger.tsv
 refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT
+refused_at_once "claims --check and --verdict" 2 "leave --check out" claims --check --verdict holds
+refused_at_once "claims --verdict of no such name" 2 "it takes holds, sharper, refuted or undecided" claims --verdict refused
+run 0 claims --verdict sharper --quiet
+awk -F '\t' '/^#/ || $1 == "claim" || $10 == "sharper"' ledger.tsv | sed 's/^# command: claims$/& --verdict sharper/' >wanted.tsv
+cmp -s out wanted.tsv || note "other rows than those with this verdict"
+finish "claims --verdict prints the rows of the ledger with this verdict"
 python <<'END'
 rows = [r for r in read("ledger.tsv")]
 by = {(r["claim"], r["gait"], r["conditions"]): r for r in rows}

@@ -355,6 +355,35 @@ E2
 sed 's/expect = 4/expect = 3/' orders.cfg >bad.cfg
 run 1 run bad.cfg
 grep -q 'not as expected: 2' err || note "orders that fail: $(cat err)"
+scene friction.cfg <<'E2'
+crawler = { m1 = 1.3; m2 = 0.9; F1 = 3.7; F2 = 1.1; L = 9.7; alpha = 0.7; };
+vary = ( { gait = [ "quadratic", "sinusoidal" ]; }, { T = { from = 1e-3; to = 0.3; count = 15; spacing = "log"; }; } );
+want = ( { what = "orders"; of = [ "limit.friction_work", "derived_8.friction_work", "derived_8.cost_of_transport" ]; file = "orders.tsv"; accuracy = 1e-40; },
+         { what = "steady"; columns = [ "friction_work", "cost_of_transport", "certified.friction_work", "certified.cost_of_transport",
+             "F1", "F2", "displacement", "by_hand = friction_work/((F1 + F2)*abs(displacement))", "derived_8.friction_work", "error.derived_8.friction_work" ];
+           file = "friction.tsv"; } );
+E2
+run 0 run friction.cfg
+python <<'E2'
+found = [(r["series"], round(number(r, "order"), 1)) for r in read("orders.tsv")]
+if found != [("limit.friction_work", 4), ("derived_8.friction_work", 8), ("derived_8.cost_of_transport", 8)] * 2:
+    bad(found)
+for r in read("friction.tsv"):
+    for name in "friction_work", "cost_of_transport":
+        if not near(number(r, name), number(r, "certified." + name), 4e-15):
+            bad(name, r)
+    if not near(number(r, "cost_of_transport"), number(r, "by_hand"), 1e-15):
+        bad("the cost of transport is not what its row says", r)
+    if not near(number(r, "friction_work"), number(r, "derived_8.friction_work"), 1e-6):
+        bad("the series is far off", r)
+E2
+scene still.cfg <<'E2'
+crawler = { F1 = 2; F2 = 2; L = 10; };
+want = ( { what = "steady"; columns = [ "friction_work", "cost_of_transport", "certified.friction_work", "certified.cost_of_transport", "derived_4.friction_work",
+             "derived_4.cost_of_transport" ]; } );
+E2
+run 0 run still.cfg
+[ "$(tail -n 1 out)" = "$(printf '40\tnan\t40.000000000000000\tnan\t40\tnan')" ] || note "a crawler that goes nowhere: $(tail -n 1 out)"
 scene small.cfg <<'E2'
 crawler = { alpha = 0.6; T = 0.001; };
 want = ( { what = "error"; columns = [ "S = text_steady_xC", "exact.text_steady_xC", "e = error.text_steady_xC" ]; } );

@@ -235,7 +235,7 @@ static void phases_of_the_sawtooth(void **state)
 
 /* ---- steady states ---- */
 
-enum { STEADY = 4 };
+enum { STEADY = 5 };
 
 static void list_steady(struct quantity q[STEADY], const struct scallop_steady_expansion *e,
                         struct scallop_certified_steady c[TIMES])
@@ -244,6 +244,7 @@ static void list_steady(struct quantity q[STEADY], const struct scallop_steady_e
   q[1] = (struct quantity){ "v_mid", &e->v_mid, { c[0].v_mid, c[1].v_mid } };
   q[2] = (struct quantity){ "displacement", &e->displacement, { c[0].displacement, c[1].displacement } };
   q[3] = (struct quantity){ "mean_velocity", &e->mean_velocity, { c[0].mean_velocity, c[1].mean_velocity } };
+  q[4] = (struct quantity){ "friction_work", &e->friction_work, { c[0].friction_work, c[1].friction_work } };
 }
 
 static int undecided;

@@ -135,6 +135,16 @@ double sticking_onset(const struct scallop_crawler *c)
   return doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
 }
 
+bool answer_friction(struct answer *a, const struct motion *m)
+{
+  const struct scallop_crawler *c = &m->crawler;
+  double *work = &a->value[Q_FRICTION_WORK].high, way = fabs(a->value[Q_DISPLACEMENT].high);
+  if (scallop_friction_work(c, a->value[Q_V_START].high, a->value[Q_V_MID].high, work) != SCALLOP_OK)
+    return false;
+  a->value[Q_COST_OF_TRANSPORT].high = way == 0 ? NAN : *work / (c->F1 + c->F2) / way;
+  return true;
+}
+
 double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,
                        const struct motion *motion, const struct answer *given)
 {
@@ -188,6 +198,8 @@ static bool steady_in_wide(struct answer *a, const struct motion *m, enum scallo
   a->value[Q_DISPLACEMENT] = r.period.displacement;
   a->value[Q_MEAN_VELOCITY] = r.mean_velocity;
   a->value[Q_MULTIPLIER] = r.period.multiplier;
+  a->value[Q_FRICTION_WORK] = r.friction_work;
+  a->value[Q_COST_OF_TRANSPORT] = r.cost_of_transport;
   take_period_modes(a, r.period.regime, r.period.modes);
   return true;
 }

@@ -14,6 +14,7 @@ void ball_answer_init(struct ball_answer *a)
   scallop_certified_phase_init(&a->phase);
   arb_init(a->change);
   arb_init(a->turning);
+  arb_init(a->cost);
 }
 
 void ball_answer_clear(struct ball_answer *a)
@@ -22,12 +23,27 @@ void ball_answer_clear(struct ball_answer *a)
   scallop_certified_phase_clear(&a->phase);
   arb_clear(a->change);
   arb_clear(a->turning);
+  arb_clear(a->cost);
 }
 
 /* More than the digits take, so that the subtraction rounds nothing that is known */
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256; }
 
-static void take_steady(struct ball_answer *a)
+/* Over (F1 + F2) |displacement|, unless that is 0. */
+static const arb_struct *cost_of_transport(struct ball_answer *a, const struct scallop_rational_crawler *c, slong bits)
+{
+  fmpq_t forces;
+  fmpq_init(forces);
+  fmpq_add(forces, c->F1, c->F2);
+  arb_set_fmpq(a->cost, forces, bits);
+  arb_mul(a->cost, a->cost, a->steady.displacement, bits);
+  arb_abs(a->cost, a->cost);
+  arb_div(a->cost, a->steady.friction_work, a->cost, bits);
+  fmpq_clear(forces);
+  return arb_contains_zero(a->steady.displacement) ? NULL : a->cost;
+}
+
+static void take_steady(struct ball_answer *a, const struct scallop_rational_crawler *c, long digits)
 {
   const struct scallop_certified_steady *s = &a->steady;
   a->value[Q_FROUDE] = s->froude;
@@ -36,6 +52,8 @@ static void take_steady(struct ball_answer *a)
   a->value[Q_DISPLACEMENT] = s->displacement;
   a->value[Q_MEAN_VELOCITY] = s->mean_velocity;
   a->value[Q_MULTIPLIER] = s->multiplier;
+  a->value[Q_FRICTION_WORK] = s->friction_work;
+  a->value[Q_COST_OF_TRANSPORT] = cost_of_transport(a, c, bits_of(digits));
   a->regime = s->regime;
   a->modes[0] = s->modes[0];
   a->modes[1] = s->modes[1];
@@ -71,7 +89,7 @@ bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawle
   if (a->status != SCALLOP_OK)
     return false;
   if (of == OF_STEADY)
-    take_steady(a);
+    take_steady(a, c, digits);
   else
     take_phase(a, v0, digits);
   return true;
@@ -156,12 +174,40 @@ void series_answer_init(struct series_answer *a)
   memset(a, 0, sizeof *a);
   scallop_steady_expansion_init(&a->steady);
   scallop_phase_expansion_init(&a->phase);
+  series_init(&a->cost);
 }
 
 void series_answer_clear(struct series_answer *a)
 {
   scallop_steady_expansion_clear(&a->steady);
   scallop_phase_expansion_clear(&a->phase);
+  series_clear(&a->cost);
+}
+
+/* NULL: the displacement is 0, or begins later than the ring ends. */
+static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
+                                        slong precision)
+{
+  const struct ring ring = { order + 4, precision };
+  const struct series *way = &a->steady.displacement;
+  slong first = way->first;
+  fmpq_t factor;
+  arb_t x;
+  while (first < order && series_coefficient_is_zero(way, first))
+    first++;
+  if (first >= order || !series_div(&a->cost, &a->steady.friction_work, way, &ring))
+    return NULL;
+  fmpq_init(factor);
+  arb_init(x);
+  series_coefficient(x, way, first, precision);
+  fmpq_add(factor, c->F1, c->F2);
+  fmpq_inv(factor, factor);
+  if (arb_is_negative(x))
+    fmpq_neg(factor, factor);
+  series_scale(&a->cost, &a->cost, factor, &ring);
+  fmpq_clear(factor);
+  arb_clear(x);
+  return a->cost.known >= order ? &a->cost : NULL;
 }
 
 static void take_expansions(struct series_answer *a, enum quantity_of of)
@@ -174,6 +220,7 @@ static void take_expansions(struct series_answer *a, enum quantity_of of)
   a->value[Q_V_MID] = steady ? &s->v_mid : NULL;
   a->value[Q_DISPLACEMENT] = steady ? &s->displacement : NULL;
   a->value[Q_MEAN_VELOCITY] = steady ? &s->mean_velocity : NULL;
+  a->value[Q_FRICTION_WORK] = steady ? &s->friction_work : NULL;
   a->value[Q_T1] = switches ? &p->t1 : NULL;
   a->value[Q_DT] = switches ? &p->dT : NULL;
   a->value[Q_V_END] = steady ? NULL : &p->v_end;
@@ -192,5 +239,6 @@ bool answer_in_series(struct series_answer *a, const struct scallop_rational_cra
   a->status = of == OF_STEADY ? scallop_expand_steady(c, order, precision, &a->steady, &a->why)
                               : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
   take_expansions(a, of);
+  a->value[Q_COST_OF_TRANSPORT] = of == OF_STEADY && a->status == SCALLOP_OK ? cost_series(a, c, order, precision) : NULL;
   return a->status == SCALLOP_OK;
 }

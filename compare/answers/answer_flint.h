@@ -14,7 +14,7 @@ struct ball_answer {
   struct scallop_modes modes[2];          /* of a phase the first                             */
   struct scallop_certified_steady steady; /* the values themselves */
   struct scallop_certified_phase phase;
-  arb_t change, turning;
+  arb_t change, turning, cost;
 };
 void ball_answer_init(struct ball_answer *answer);
 void ball_answer_clear(struct ball_answer *answer);
@@ -38,6 +38,7 @@ struct series_answer {
   const char *modes;          /* for T -> 0 */
   struct scallop_steady_expansion steady;
   struct scallop_phase_expansion phase;
+  struct series cost;
 };
 void series_answer_init(struct series_answer *answer);
 void series_answer_clear(struct series_answer *answer);

@@ -7,7 +7,7 @@
 #include "compare/answers/point.h"
 #include "compare/text/message.h"
 
-const struct quantity_row quantity_rows[QUANTITIES] = {
+const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
   [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", OF_STEADY, false },
   [Q_V_START] = { "v_start", "L/T", "velocity of both bodies at the start of the extension", OF_STEADY, true },
   [Q_V_MID] = { "v_mid", "L/T", "velocity of both bodies at the start of the contraction", OF_STEADY, true },
@@ -22,6 +22,11 @@ const struct quantity_row quantity_rows[QUANTITIES] = {
   [Q_DX1] = { "dx1", "L", "displacement of body 1", OF_PHASE, true },
   [Q_DX2] = { "dx2", "L", "displacement of body 2", OF_PHASE, true },
   [Q_DXC] = { "dxC", "L", "displacement of the geometric centre (x1 + x2)/2", OF_PHASE, true },
+  [Q_FRICTION_WORK] = { "friction_work", "F L",
+                        "energy that friction takes in a period: F1 and F2 times how far the bodies slide", OF_STEADY,
+                        true },
+  [Q_COST_OF_TRANSPORT] = { "cost_of_transport", "1",
+                            "friction_work / ((F1 + F2) |displacement|); nan: the displacement is 0", OF_STEADY, true },
 };
 
 enum quantity_id quantity_first(enum quantity_of of)
@@ -43,7 +48,7 @@ enum quantity_id quantity_end(enum quantity_of of)
 enum quantity_id quantity_of_name(const char *name)
 {
   int q = 0;
-  while (q < QUANTITIES && strcmp(quantity_rows[q].name, name) != 0)
+  while (q < NAMED_QUANTITIES && strcmp(quantity_rows[q].name, name) != 0)
     q++;
   return (enum quantity_id)q;
 }
@@ -143,10 +148,10 @@ static const char *name_at(const struct quantities *all, int i, struct quantity 
     return quantity_samples[i];
   q->which = i -= SAMPLE_VALUES;
   q->kind = QUANTITY_ANSWER;
-  if (i < QUANTITIES)
+  if (i < NAMED_QUANTITIES)
     return quantity_rows[i].name;
   q->kind = QUANTITY_PUBLISHED;
-  q->formula = &scallop_published[i - QUANTITIES];
+  q->formula = &scallop_published[i - NAMED_QUANTITIES];
   return q->formula->name;
 }
 
@@ -179,7 +184,7 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
   if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
     return -1;
   q->which = (int)quantity_of_name(rest);
-  return q->which < QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
+  return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
 }
 
 int quantity_find(const struct quantities *all, const char *name)

@@ -6,6 +6,7 @@
  *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
  *     sticking_onset                              the longest period at which an extension from rest does not stick
  *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
+ *     friction_work cost_of_transport                                         likewise
  *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
  *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
@@ -40,9 +41,13 @@ enum quantity_id {
   Q_DX2,
   Q_DXC,
   QUANTITIES,
+  /* Columns where their names are asked for: in double they take a second walk. */
+  Q_FRICTION_WORK = QUANTITIES,
+  Q_COST_OF_TRANSPORT,
+  NAMED_QUANTITIES,
   /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first and at the last
    * change of mode; v_end less v0; the velocity of a body that turns, 0. */
-  Q_AT_FIRST = QUANTITIES,
+  Q_AT_FIRST = NAMED_QUANTITIES,
   Q_AT_LAST,
   Q_CHANGE,
   Q_TURNING,
@@ -56,13 +61,13 @@ struct quantity_row {
   enum quantity_of of;
   bool has_series; /* in powers of T */
 };
-extern const struct quantity_row quantity_rows[QUANTITIES];
+extern const struct quantity_row quantity_rows[NAMED_QUANTITIES];
 
-/* The first of a motion and the one after its last: they stand together. */
+/* The columns of a motion: the first, and the one after the last; they stand together. */
 enum quantity_id quantity_first(enum quantity_of of);
 enum quantity_id quantity_end(enum quantity_of of);
 
-/* That of this name, or QUANTITIES. */
+/* That of this name, or NAMED_QUANTITIES. */
 enum quantity_id quantity_of_name(const char *name);
 
 /* What a formula of the paper is about, in a phase of this kind. */

@@ -75,7 +75,8 @@ bool claim_is_listed(const char *list, const char *name);
 /* `scallop claims` */
 struct claims_options {
   struct request request;
-  const char *errors; /* the names whose errors are wanted, or NULL */
+  const char *errors;        /* the names whose errors are wanted, or NULL */
+  struct given_word verdict; /* of the rows that are wanted, or all */
   bool check;
 };
 enum exit_code claims_table(const struct claims_options *options);

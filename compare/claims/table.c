@@ -105,8 +105,8 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
   if (!table_open(table, &o->request.style))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
-  table_note(table, "command: claims%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
-             o->check ? " --check" : "");
+  table_note(table, "command: claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+             o->check ? " --check" : "", o->verdict.given ? " --verdict " : "", o->verdict.given ? o->verdict.value : "");
   note_parameters(table, &o->request.point, varied, false);
   if (o->request.point.has_gait)
     table_note(table, "gait: %s", o->request.point.crawler.gait->name);
@@ -124,6 +124,11 @@ static enum exit_code end(struct table *table, const struct ledger *ledger)
   return *ledger->contradiction ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
+static bool is_wanted(const struct claim_row *row, const struct claims_options *o)
+{
+  return !o->verdict.given || strcmp(claim_verdict_text(row->verdict), o->verdict.value) == 0;
+}
+
 static enum exit_code write_ledger(const struct claims_options *o)
 {
   struct table table;
@@ -136,7 +141,8 @@ static enum exit_code write_ledger(const struct claims_options *o)
     code = EXIT_USAGE;
   } else if (begin(&table, o, o->errors ? error_columns : columns)) {
     for (int i = 0; i < ledger.count; i++)
-      (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
+      if (is_wanted(&ledger.rows[i], o))
+        (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
     code = end(&table, &ledger);
   }
   if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)

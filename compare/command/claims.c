@@ -5,6 +5,7 @@
 #include "compare/answers/gaits.h"
 #include "compare/command/with_flint.h"
 
+static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
@@ -12,6 +13,8 @@ static const struct option options_of_claims[] = {
               claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
               claims_options, check),
+  { "verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all", &word_option,
+    offsetof(struct claims_options, verdict), 0, 0, verdicts, "holds, sharper, refuted or undecided" },
   OPTION_FORMAT(NULL),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
   OPTION_OUTPUT(NULL),
@@ -45,6 +48,10 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   if (o->errors && o->check) {
     complain("claims", "--errors and --check exclude each other");
+    return EXIT_USAGE;
+  }
+  if (o->verdict.given && (o->errors || o->check)) {
+    complain("claims", "--verdict is for the ledger itself: leave --%s out", o->errors ? "errors" : "check");
     return EXIT_USAGE;
   }
   if (!gait_has_ends(c->gait)) {

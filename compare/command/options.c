@@ -201,11 +201,12 @@ bool takes_operands(const struct command *command)
 static void complain_of_option(const struct command *command, const struct command *const *commands, const char *name,
                                const char *argument)
 {
-  const char *names[40] = { NULL };
+  enum { MOST = 40 };
+  const char *names[MOST + 1] = { NULL };
   bool elsewhere = false;
   for (const struct command *const *c = commands; *c && !elsewhere; c++)
     elsewhere = option_of(*c, name) != NULL;
-  for (int i = 0; command->options[i].name && i < 39; i++)
+  for (int i = 0; i < MOST && command->options[i].name; i++)
     names[i] = command->options[i].kind == &dropped_option ? "" : command->options[i].name;
   const char *near = elsewhere ? NULL : nearest(name + strspn(name, "-"), names);
   complain(command->name, "%s option '%s'%s%s%s (see scallop %s --help)",

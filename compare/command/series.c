@@ -134,8 +134,8 @@ static enum exit_code run_points(const struct request *request)
   }
   list[n++] = "status";
   list[n] = NULL;
-  return for_each_point(request,
-                        &(struct point_table){ .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row });
+  const struct point_table table = { .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row };
+  return for_each_point(request, &table);
 }
 
 enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */

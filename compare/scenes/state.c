@@ -117,6 +117,18 @@ static void find_turnings(struct scene_state *s)
   count_add(COUNT_PHASES, 1);
 }
 
+/* Those that are no columns unless they are asked for take another walk. */
+static double number_of(struct scene_state *s, enum quantity_of of, int q)
+{
+  struct answer *a = &s->answer[of];
+  if (q == Q_AT_FIRST || q == Q_AT_LAST)
+    find_turnings(s);
+  if ((q == Q_FRICTION_WORK || q == Q_COST_OF_TRANSPORT) && isnan(a->value[Q_FRICTION_WORK].high))
+    answer_friction(a, &s->motion[OF_STEADY]);
+  return a->value[q].high;
+}
+
+/* The longest period at which an extension from rest does not stick; no body need ever stick. */
 static double onset_of_sticking(struct scene_state *s)
 {
   struct scallop_crawler c = s->at.crawler;
@@ -156,13 +168,9 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
 /* What the series is said to be, by the double solver */
 static double exact_in_double(struct scene_state *s, const struct quantity *series)
 {
-  const struct answer *a = solved(s, quantity_is_of_phase(&s->scene->quantities, series) ? OF_PHASE : OF_STEADY);
+  enum quantity_of of = quantity_is_of_phase(&s->scene->quantities, series) ? OF_PHASE : OF_STEADY;
   int q = series->kind == QUANTITY_PUBLISHED ? (int)quantity_of_formula(series->formula, s->scene->phase) : series->which;
-  if (!a)
-    return NAN;
-  if (q == Q_AT_FIRST || q == Q_AT_LAST)
-    find_turnings(s);
-  return a->value[q].high;
+  return solved(s, of) ? number_of(s, of, q) : NAN;
 }
 
 /* A series beside what it should be. */
@@ -204,12 +212,12 @@ static double froude(struct scene_state *s)
 static double compute(struct scene_state *s, const struct quantity *q)
 {
   const struct scallop_crawler *c = &s->at.crawler;
-  const struct answer *a;
   double numbers[CRAWLER_NUMBERS];
   if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
   if (s->scene->plan.needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
     return compared(s, quantity_find(&s->scene->quantities, q->name))->value; /* rounded from the one that the error is of */
+  enum quantity_of of = q->kind == QUANTITY_ANSWER ? quantity_rows[q->which].of : OF_STEADY;
   switch (q->kind) {
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
@@ -217,7 +225,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_F1_OVER_F2: return isnan(s->swept.F1_over_F2) ? c->F1 / c->F2 : s->swept.F1_over_F2;
   case QUANTITY_M1_OVER_M2: return isnan(s->swept.m1_over_m2) ? c->m1 / c->m2 : s->swept.m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_ANSWER: return (a = solved(s, quantity_rows[q->which].of)) ? a->value[q->which].high : NAN;
+  case QUANTITY_ANSWER: return solved(s, of) ? number_of(s, of, q->which) : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT: return ask(s, q) ? note_failure(s, scene_flint.sum(&s->asked, q)) : NAN;
