@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 #include "numerics/numerics.h"
 
 static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawler *crawler, bool orders)

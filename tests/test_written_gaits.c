@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "compare/answers/gaits.h"
-#include "compare/answers/written_gait.h"
+#include "compare/answers/point_flint.h"
 #include "model/fractions.h"
 #include "numerics/certified.h"
 #include "tests/certified_balls.h"

@@ -6,6 +6,7 @@
 
 #include "numerics/numerics.h"
 #include "compare/text/digits.h"
+#include "compare/text/halfway.h"
 #include "compare/text/table.h"
 
 struct motion motion_of(const struct point *p, enum quantity_of of)
@@ -113,6 +114,25 @@ bool answer_turnings(struct answer *a, const struct motion *m)
   a->value[Q_AT_FIRST].high = t.first * c->L;
   a->value[Q_AT_LAST].high = t.last * c->L;
   return status >= 0;
+}
+
+static bool slides_from_rest(struct scallop_crawler c, double T)
+{
+  struct scallop_phase_result r;
+  c.T = T;
+  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
+}
+
+double sticking_onset(const struct scallop_crawler *c)
+{
+  enum { MOST_DOUBLINGS = 400 };
+  double sliding = 0, sticking = 1;
+  int doublings = 0;
+  while (slides_from_rest(*c, sticking) && doublings++ < MOST_DOUBLINGS)
+    sticking *= 2;
+  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
+    *(slides_from_rest(*c, mid) ? &sliding : &sticking) = mid;
+  return doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
 }
 
 bool answer_friction(struct answer *a, const struct motion *m)

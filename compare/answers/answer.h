@@ -43,6 +43,9 @@ bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const st
                         long digits, const char **why);
 void decimals_free(char *texts[QUANTITIES]);
 
+/* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The crawler's T is not used. */
+double sticking_onset(const struct scallop_crawler *crawler);
+
 /* A formula of one phase at the point of that phase. What it takes as given comes from the answer; a formula from rest is carried to a
  * contraction by exchanging the bodies. */
 double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,

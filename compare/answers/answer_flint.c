@@ -4,8 +4,8 @@
 
 #include "numerics/certified.h"
 #include "asymptotics/derived.h"
-#include "compare/answers/rational.h"
-#include "compare/text/decimal.h"
+#include "asymptotics/evaluate.h"
+#include "compare/answers/point_flint.h"
 
 void ball_answer_init(struct ball_answer *a)
 {
@@ -141,6 +141,32 @@ void decimals_free(char *texts[QUANTITIES])
 {
   for (int q = 0; q < QUANTITIES; q++)
     flint_free(texts[q]);
+}
+
+bool published_in_balls(arb_t value, const struct scallop_formula *f, const struct scallop_rational_crawler *crawler,
+                        enum scallop_phase_kind phase, const fmpq_t v0, const fmpq_t T, const struct ball_answer *given,
+                        slong precision)
+{
+  const struct ring ring = { 1, precision };
+  const bool steady = f->setting == SCALLOP_STEADY;
+  const enum scallop_phase_kind kind = steady ? SCALLOP_EXTENSION : phase;
+  struct scallop_symbols symbols;
+  struct series sum;
+  scallop_symbols_init(&symbols);
+  series_init(&sum);
+  scallop_symbols_set(&symbols, crawler, kind, steady ? NULL : v0, NULL, &ring);
+  series_set_rational(&symbols.value[SYMBOL_T], T);
+  if (given) {
+    series_set_ball(&symbols.value[SYMBOL_t1], given->phase.t1);
+    series_set_ball(&symbols.value[SYMBOL_dT], given->phase.dT);
+    series_set_ball(&symbols.value[SYMBOL_x_switch], given->phase.at_last);
+  }
+  bool found = scallop_formula_expand(&sum, f, &symbols, kind, &ring);
+  if (found)
+    series_coefficient(value, &sum, 0, precision);
+  series_clear(&sum);
+  scallop_symbols_clear(&symbols);
+  return found;
 }
 
 void series_answer_init(struct series_answer *a)

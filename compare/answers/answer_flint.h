@@ -24,6 +24,12 @@ bool answer_in_balls(struct ball_answer *answer, const struct scallop_rational_c
 /* Parameters and v0 are taken for exactly the doubles they are. */
 bool answer_of_doubles(struct ball_answer *answer, const struct motion *motion, long digits);
 
+/* A formula of the paper at T, the period or the duration of the phase. given: the phase in balls, for a formula that takes switching times
+ * as given; else NULL. False: the formula has no value. */
+bool published_in_balls(arb_t value, const struct scallop_formula *formula, const struct scallop_rational_crawler *crawler,
+                        enum scallop_phase_kind phase, const fmpq_t v0, const fmpq_t T, const struct ball_answer *given,
+                        slong precision);
+
 struct series_answer {
   enum scallop_status status;
   const char *why;

@@ -269,6 +269,9 @@ struct gait_answer gait_of_text(const char *text)
   return make(kind, text, parameters);
 }
 
+const char gait_no_ends[] =
+    "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
+
 bool gait_has_ends(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++)

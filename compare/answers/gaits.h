@@ -57,5 +57,6 @@ int gait_reversals(const struct scallop_gait *gait);
 
 /* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no value. */
 bool gait_has_ends(const struct scallop_gait *gait);
+extern const char gait_no_ends[]; /* that, as a status */
 
 #endif

@@ -30,6 +30,17 @@ void crawler_numbers(const struct scallop_crawler *c, double numbers[CRAWLER_NUM
   memcpy(numbers, all, sizeof all);
 }
 
+bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler *b)
+{
+  double x[CRAWLER_NUMBERS], y[CRAWLER_NUMBERS];
+  crawler_numbers(a, x);
+  crawler_numbers(b, y);
+  bool same = a->gait == b->gait;
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    same = same && x[i] == y[i];
+  return same;
+}
+
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
 {
   double numbers[CRAWLER_NUMBERS + 1] = { [CRAWLER_NUMBERS] = NAN };

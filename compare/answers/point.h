@@ -39,5 +39,6 @@ double crawler_parameter(const struct scallop_crawler *crawler, const char *name
 /* All of them, in the order of their names; the place of one, or CRAWLER_NUMBERS where it is none. */
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
 int crawler_place(const char *name);
+bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler *b);
 
 #endif

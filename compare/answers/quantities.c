@@ -1,6 +1,11 @@
 #include "compare/answers/quantities.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "compare/answers/point.h"
+#include "compare/text/message.h"
 
 const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
   [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", OF_STEADY, false },
@@ -86,4 +91,175 @@ const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_
 bool formula_takes_given(const struct scallop_formula *f)
 {
   return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
+}
+
+enum { MOST_ORDER = 1000, MOST_NAMES = 160 };
+
+/* Names of one thing each. The crawler's numbers, labels, the rows of the table and formulas have lists of their own. */
+static const struct {
+  const char *name;
+  enum quantity_kind kind;
+  int which;
+} single[] = { { "v0", QUANTITY_V0, 0 },
+               { "froude", QUANTITY_FROUDE, 0 },
+               { "gait", QUANTITY_GAIT, 0 },
+               { "status", QUANTITY_STATUS, 0 },
+               { "sticking_onset", QUANTITY_ONSET, 0 },
+               { "phase", QUANTITY_PHASE_NAME, 0 },
+               { "F1_over_F2", QUANTITY_F1_OVER_F2, 0 },
+               { "m1_over_m2", QUANTITY_M1_OVER_M2, 0 },
+               { "regime", QUANTITY_REGIME, OF_STEADY },
+               { "modes", QUANTITY_MODES, OF_STEADY },
+               { "phase_regime", QUANTITY_REGIME, OF_PHASE },
+               { "phase_modes", QUANTITY_MODES, OF_PHASE } };
+enum { SINGLE = sizeof single / sizeof *single };
+
+/* What a name begins with, if it is about a row of the table or about a series */
+static const struct {
+  const char *text;
+  enum quantity_kind kind;
+} prefixes[] = { { "exact.", QUANTITY_EXACT },         { "error.", QUANTITY_ERROR }, { "relative.", QUANTITY_RELATIVE },
+                 { "certified.", QUANTITY_CERTIFIED }, { "limit.", QUANTITY_LIMIT }, { "derived_", QUANTITY_DERIVED } };
+enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
+
+const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
+
+/* The name at place i among all names without a prefix, and what it means; NULL: there are no more. Where two are the same, the first
+ * one counts. */
+static const char *name_at(const struct quantities *all, int i, struct quantity *q)
+{
+  q->which = i;
+  q->kind = QUANTITY_NUMBER;
+  if (i < CRAWLER_NUMBERS)
+    return crawler_parameters[i];
+  q->which = i -= CRAWLER_NUMBERS;
+  if (i < SINGLE) {
+    q->kind = single[i].kind;
+    q->which = single[i].which;
+    return single[i].name;
+  }
+  q->which = i -= SINGLE;
+  q->kind = QUANTITY_LABEL;
+  if (i < all->labels)
+    return all->label[i];
+  q->which = i -= all->labels;
+  q->kind = QUANTITY_SAMPLE;
+  if (i < SAMPLE_VALUES)
+    return quantity_samples[i];
+  q->which = i -= SAMPLE_VALUES;
+  q->kind = QUANTITY_ANSWER;
+  if (i < NAMED_QUANTITIES)
+    return quantity_rows[i].name;
+  q->kind = QUANTITY_PUBLISHED;
+  q->formula = &scallop_published[i - NAMED_QUANTITIES];
+  return q->formula->name;
+}
+
+static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
+{
+  const char *other;
+  for (int i = 0; (other = name_at(all, i, q)); i++)
+    if (strcmp(other, name) == 0)
+      return true;
+  return false;
+}
+
+/* Past the N. of derived_N., or NULL */
+static const char *read_order(struct quantity *q, const char *text)
+{
+  char *end;
+  if (*text < '1' || *text > '9')
+    return NULL;
+  q->order = strtol(text, &end, 10);
+  return *end == '.' && q->order <= MOST_ORDER ? end + 1 : NULL;
+}
+
+/* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where there is none. */
+static int named_about(struct quantity *q, struct quantities *all, const char *rest)
+{
+  if (q->kind == QUANTITY_EXACT || q->kind == QUANTITY_ERROR || q->kind == QUANTITY_RELATIVE) {
+    q->of = quantity_named(all, rest);
+    return q->of < 0 ? q->of : quantity_is_series(&all->item[q->of]) ? 0 : -1;
+  }
+  if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
+    return -1;
+  q->which = (int)quantity_of_name(rest);
+  return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
+}
+
+int quantity_find(const struct quantities *all, const char *name)
+{
+  for (int i = 0; i < all->count; i++)
+    if (strcmp(all->item[i].name, name) == 0)
+      return i;
+  return -1;
+}
+
+int quantity_named(struct quantities *all, const char *name)
+{
+  struct quantity q = { .of = -1 };
+  int known = quantity_find(all, name), found = -1;
+  if (known >= 0)
+    return known;
+  if (strlen(name) >= QUANTITY_NAME)
+    return -1;
+  snprintf(q.name, sizeof q.name, "%s", name);
+  for (int i = 0; i < PREFIXES && found < 0; i++) {
+    size_t length = strlen(prefixes[i].text);
+    q.kind = prefixes[i].kind;
+    if (strncmp(name, prefixes[i].text, length) == 0 && (found = named_about(&q, all, name + length)) < 0)
+      return found;
+  }
+  if (found < 0 && !plain_named(&q, all, name))
+    return -1;
+  if (all->count == MOST_QUANTITIES)
+    return -2;
+  all->item[all->count] = q;
+  return all->count++;
+}
+
+const char *quantity_near(const struct quantities *all, const char *name)
+{
+  const char *names[MOST_NAMES], *dot = strrchr(name, '.');
+  struct quantity q;
+  int n = 0;
+  while (n < MOST_NAMES - 1 && (names[n] = name_at(all, n, &q)))
+    n++;
+  names[n] = NULL;
+  return nearest(dot ? dot + 1 : name, names); /* the last part is mistyped most often */
+}
+
+bool quantity_is_text(const struct quantity *q)
+{
+  return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_STATUS
+         || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+}
+
+bool quantity_is_series(const struct quantity *q)
+{
+  return q->kind == QUANTITY_PUBLISHED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT;
+}
+
+bool quantity_is_compared(const struct quantities *all, const struct quantity *series)
+{
+  for (int i = 0; i < all->count; i++)
+    if (all->item[i].of >= 0 && &all->item[all->item[i].of] == series)
+      return true;
+  return false;
+}
+
+bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q)
+{
+  if (q->of >= 0)
+    return quantity_is_of_phase(all, &all->item[q->of]);
+  switch (q->kind) {
+  case QUANTITY_REGIME:
+  case QUANTITY_MODES: return q->which == OF_PHASE;
+  case QUANTITY_PUBLISHED: return q->formula->setting != SCALLOP_STEADY;
+  case QUANTITY_ANSWER:
+  case QUANTITY_DERIVED:
+  case QUANTITY_LIMIT:
+  case QUANTITY_CERTIFIED: return quantity_rows[q->which].of == OF_PHASE;
+  default: return false;
+  }
 }

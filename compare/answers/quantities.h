@@ -1,11 +1,28 @@
-/* The one table of quantities: what can be asked of a point, and in which words and units. A new one is a row here and its value in
- * each of the arithmetics that have it (answer.c, answer_flint.c). */
+/* Quantities: what can be asked of a point, by name, and in which words and units.
+ *
+ * The numbers of a motion stand in one table, quantity_rows. A new one is a row there and its value in each of the arithmetics that have
+ * it (answer.c, answer_flint.c). Columns, formulas and scenes have names for more than these:
+ *
+ *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
+ *     sticking_onset                              the longest period at which an extension from rest does not stick
+ *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
+ *     friction_work cost_of_transport                                         likewise
+ *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
+ *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it
+ *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
+ *     limit.displacement                          the limit T -> 0: the first term
+ *     exact.S, error.S, relative.S                of a series S of these: what it should be, S - exact, and that over |exact|
+ *     certified.displacement, ...                 with all digits, proven
+ *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
+ *     status                                      ok, or why there is no answer
+ */
 #ifndef SCALLOP_QUANTITIES_H
 #define SCALLOP_QUANTITIES_H
 
 #include <stdbool.h>
 
 #include "asymptotics/asymptotics.h"
+#include "model/model.h"
 
 /* What a quantity is of: the steady state, or one phase from a start velocity. */
 enum quantity_of { OF_STEADY, OF_PHASE };
@@ -59,5 +76,66 @@ enum quantity_id quantity_of_formula(const struct scallop_formula *formula, enum
 const char *formula_quantity_text(const struct scallop_formula *formula, enum scallop_phase_kind kind);
 /* Does the formula take switching times, or a position at one, as given? */
 bool formula_takes_given(const struct scallop_formula *formula);
+
+enum { QUANTITY_NAME = 64, QUANTITY_LABELS = 8, MOST_QUANTITIES = 400 };
+
+enum quantity_kind {
+  QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                  */
+  QUANTITY_V0,
+  QUANTITY_FROUDE,
+  QUANTITY_F1_OVER_F2,
+  QUANTITY_M1_OVER_M2,
+  QUANTITY_GAIT,
+  QUANTITY_PHASE_NAME,
+  QUANTITY_LABEL, /* which                                                                         */
+  QUANTITY_ONSET,
+  QUANTITY_ANSWER, /* which: its place in quantity_rows                                           */
+  QUANTITY_REGIME, /* which: of what motion, enum quantity_of                                       */
+  QUANTITY_MODES,  /* likewise                                                                      */
+  QUANTITY_PUBLISHED,
+  QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER; limit and certified too                            */
+  QUANTITY_LIMIT,
+  QUANTITY_EXACT, /* of: the series                                                                */
+  QUANTITY_ERROR,
+  QUANTITY_RELATIVE,
+  QUANTITY_CERTIFIED,
+  QUANTITY_SAMPLE, /* which: enum sample_value                                                      */
+  QUANTITY_STATUS
+};
+
+enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
+extern const char *const quantity_samples[SAMPLE_VALUES + 1]; /* their names, NULL-terminated */
+
+struct quantity {
+  char name[QUANTITY_NAME];
+  enum quantity_kind kind;
+  int which;
+  long order;                            /* derived: of the terms below T^order                                  */
+  int of;                                /* exact, error, relative: of this series, as a place in the list        */
+  const struct scallop_formula *formula; /* published                                                             */
+};
+
+/* The quantities that a scene uses, each once. */
+struct quantities {
+  int count;
+  struct quantity item[MOST_QUANTITIES];
+  int labels;
+  const char *label[QUANTITY_LABELS];
+};
+
+/* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for more. */
+int quantity_named(struct quantities *all, const char *name);
+/* Its place if it is there already, or -1. */
+int quantity_find(const struct quantities *all, const char *name);
+/* The known name nearest to one that is none, or NULL. */
+const char *quantity_near(const struct quantities *all, const char *name);
+
+bool quantity_is_text(const struct quantity *q);
+/* Is it a series: published, derived, or the limit? */
+bool quantity_is_series(const struct quantity *q);
+/* Is the series compared with what it should be? */
+bool quantity_is_compared(const struct quantities *all, const struct quantity *series);
+/* Is it about a phase, not the steady state? Of series, and of what is said of them. */
+bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q);
 
 #endif

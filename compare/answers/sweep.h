@@ -4,7 +4,7 @@
 #define SCALLOP_SWEEP_H
 
 #include "compare/answers/point.h"
-#include "compare/answers/quantity.h"
+#include "compare/answers/quantities.h"
 #include "compare/text/digits.h"
 #include "asymptotics/formula.h"
 

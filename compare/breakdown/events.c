@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/text/halfway.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/memory.h"
 

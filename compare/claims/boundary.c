@@ -1,42 +1,35 @@
 /* "The maximum average velocity occurs at the boundary" where the start velocity vanishes (sections 4.4 and 5), mean velocity
  * "increases to a maximum and then decays to zero" (section 4.5), and what else is said to be extreme at that boundary. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "compare/claims/family.h"
-#include "compare/claims/words.h"
+#include "compare/answers/point.h"
+#include "compare/claims/decide.h"
 
 enum { SHORT = 6 };
 
-/* One family, of which several rows come one after another: the last one is kept. */
-static const struct family *survey(const struct question *q, enum varied varied)
-{
-  static struct family last;
-  const struct scallop_crawler *c = &q->crawler, *of = &last.crawler;
-  bool same = last.count > 0 && last.varied == varied && of->gait == c->gait && of->m1 == c->m1 && of->m2 == c->m2
-              && of->F1 == c->F1 && of->F2 == c->F2 && of->L == c->L && of->T == c->T && of->alpha == c->alpha;
-  if (!same) {
-    family_scan(&last, c, varied, false);
-    family_prove_maxima(&last);
-    family_prove_boundary(&last);
-  }
-  return &last;
-}
+static enum varied varied_by(const struct question *q) { return *(const enum varied *)q->with; }
 
-static const struct family *survey_row(struct question *q, enum varied varied)
+/* The family of a row. Several rows of one family come one after another: the last family is kept. */
+static const struct family *survey(struct question *q)
 {
   static const char *const range[] = { "F1/F2 from 1.01 to 7838 by 1 %",
                                        "F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %",
                                        "T alone, 1/Froude from 1e-3 to 91 by 2 %" };
+  static struct family last;
+  enum varied varied = varied_by(q);
+  if (last.count == 0 || last.varied != varied || !same_crawler(&last.crawler, &q->crawler)) {
+    family_scan(&last, &q->crawler, varied, false);
+    family_prove_maxima(&last);
+    family_prove_boundary(&last);
+  }
   under(q, "%s; %s", q->whose, range[varied]);
-  return survey(q, varied);
+  return &last;
 }
 
-static void sign_changes(struct question *q, enum varied varied)
+void start_velocity_changes_sign(struct question *q)
 {
-  const struct family *f = survey_row(q, varied);
+  const struct family *f = survey(q);
   if (f->found)
     measured(q, "certified: v_start > 0 at %s = %.10g (1 - 2^-60) and not at (1 + 2^-60)", family_name(f), f->boundary);
   else
@@ -44,9 +37,6 @@ static void sign_changes(struct question *q, enum varied varied)
   reason(q, "no change of sign was proven");
   settle(q, f->found, false);
 }
-void sign_changes_by_ratio(struct question *q) { sign_changes(q, VARY_RATIO); }
-void sign_changes_by_forces(struct question *q) { sign_changes(q, VARY_FORCES); }
-void sign_changes_by_period(struct question *q) { sign_changes(q, VARY_PERIOD); }
 
 /* How mean velocity is printed: T0 is the T of the family's crawler, also where T is varied. */
 static const char *speed_text(const struct family *f) { return f->varied == VARY_PERIOD ? "<U> T0/L" : "<U> T/L"; }
@@ -74,9 +64,9 @@ static bool example_of_higher(struct question *q, const struct family *f)
   return family_rises(f, x[0], x[1]);
 }
 
-static void peaks(struct question *q, enum varied varied)
+void peaks_at_boundary(struct question *q)
 {
-  const struct family *f = survey_row(q, varied);
+  const struct family *f = survey(q);
   const struct place top = higher_place(f);
   bool holds = family_peak_is_proven(f);
   measured(
@@ -85,9 +75,6 @@ static void peaks(struct question *q, enum varied varied)
   measure_T0(q, f);
   settle(q, holds, !holds && example_of_higher(q, f));
 }
-void peaks_by_ratio(struct question *q) { peaks(q, VARY_RATIO); }
-void peaks_by_forces(struct question *q) { peaks(q, VARY_FORCES); }
-void peaks_by_period(struct question *q) { peaks(q, VARY_PERIOD); }
 
 /* A command that shows that mean velocity falls and rises again between the last two maxima */
 static void example_of_two(struct question *q, const struct family *f)
@@ -104,7 +91,7 @@ static void example_of_two(struct question *q, const struct family *f)
 
 void one_maximum(struct question *q)
 {
-  const struct family *f = survey_row(q, VARY_RATIO);
+  const struct family *f = survey(q);
   measured(q, "certified maxima of <U> T/L: %d;", f->maxima);
   for (int i = 0; i < f->maxima; i++)
     measured(q, " %.6f at %.4g%s", f->maximum[i].speed, f->maximum[i].x, i + 1 < f->maxima ? "," : "");
@@ -131,9 +118,9 @@ static bool largest_rise(const struct family *f, struct place *low, struct place
   return most > 0;
 }
 
-static void decays(struct question *q, enum varied varied)
+void decays_once_sticking(struct question *q)
 {
-  const struct family *f = survey_row(q, varied);
+  const struct family *f = survey(q);
   struct place low = f->scan[0], high = low;
   under(q, ", where a body sticks");
   if (!largest_rise(f, &low, &high)) {
@@ -150,9 +137,6 @@ static void decays(struct question *q, enum varied varied)
   family_command(q, f, x, 2, family_cut(f));
   settle(q, false, proven);
 }
-void decays_by_ratio(struct question *q) { decays(q, VARY_RATIO); }
-void decays_by_forces(struct question *q) { decays(q, VARY_FORCES); }
-void decays_by_period(struct question *q) { decays(q, VARY_PERIOD); }
 
 /* For which alpha, for which masses, and at random */
 
@@ -256,12 +240,12 @@ struct passage {
   const struct scallop_certified_steady *s[3];
 };
 
-static void pass(struct passage *p, struct question *q, enum varied varied)
+static void pass(struct passage *p, struct question *q)
 {
   static const char *const what[] = { "F1/F2", "F1 and F2 together,", "T alone," };
   const struct scallop_crawler c = paper_crawler(q);
-  under(q, "the paper's crawler, %s from 1 %% below to 1 %% above the boundary", what[varied]);
-  family_scan(&p->family, &c, varied, false);
+  under(q, "the paper's crawler, %s from 1 %% below to 1 %% above the boundary", what[varied_by(q)]);
+  family_scan(&p->family, &c, varied_by(q), false);
   q->solved = isfinite(p->family.boundary);
   for (int i = 0; i < 3; i++) {
     p->x[i] = q->solved ? short_number(p->family.boundary * (0.99 + 0.01 * i), SHORT) : 1;
@@ -277,11 +261,11 @@ static void settle_peak(struct question *q, arb_srcptr x0, arb_srcptr x1, arb_sr
   settle(q, arb_gt(x1, x0) && arb_gt(x1, x2), arb_lt(x1, x0) || arb_lt(x1, x2));
 }
 
-static void v_mid_peaks(struct question *q, enum varied varied)
+void v_mid_peaks(struct question *q)
 {
   struct passage p;
   double v[3];
-  pass(&p, q, varied);
+  pass(&p, q);
   for (int i = 0; i < 3; i++)
     v[i] = middle(p.s[i]->v_mid) / (p.crawler[i].L / p.crawler[i].T);
   measured(q, "%s: v_start changes its sign; v_mid T/L = %.6f, %.6f, %.6f at %s = %.6g, %.6g, %.6g",
@@ -290,15 +274,12 @@ static void v_mid_peaks(struct question *q, enum varied varied)
   family_command(q, &p.family, p.x, 3, " | cut -f 6,10,11");
   settle_peak(q, p.s[0]->v_mid, p.s[1]->v_mid, p.s[2]->v_mid);
 }
-void v_mid_peaks_by_ratio(struct question *q) { v_mid_peaks(q, VARY_RATIO); }
-void v_mid_peaks_by_forces(struct question *q) { v_mid_peaks(q, VARY_FORCES); }
-void v_mid_peaks_by_period(struct question *q) { v_mid_peaks(q, VARY_PERIOD); }
 
-static void contraction_loses(struct question *q, enum varied varied)
+void contraction_loses(struct question *q)
 {
   struct passage p;
   arb_ptr out[3], back[3];
-  pass(&p, q, varied);
+  pass(&p, q);
   for (int i = 0; i < 3; i++) {
     out[i] = certified_move(q, &p.crawler[i], SCALLOP_EXTENSION, p.s[i]->v_start);
     back[i] = certified_move(q, &p.crawler[i], SCALLOP_CONTRACTION, p.s[i]->v_mid);
@@ -311,6 +292,3 @@ static void contraction_loses(struct question *q, enum varied varied)
   command(q, "scallop phase --phase contraction", &p.crawler[1], " --v0 %.6g | cut -f 16", middle(p.s[1]->v_mid));
   settle_peak(q, back[0], back[1], back[2]);
 }
-void contraction_loses_by_ratio(struct question *q) { contraction_loses(q, VARY_RATIO); }
-void contraction_loses_by_forces(struct question *q) { contraction_loses(q, VARY_FORCES); }
-void contraction_loses_by_period(struct question *q) { contraction_loses(q, VARY_PERIOD); }

@@ -9,7 +9,7 @@
 #include <gsl/gsl_qrng.h>
 
 #include "compare/text/halfway.h"
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 #include "compare/text/table.h"
 
 enum { DIGITS = 30 };
@@ -53,16 +53,16 @@ void reason(struct question *q, const char *format, ...) { APPEND(q->row.reason)
 
 void command(struct question *q, const char *before, const struct scallop_crawler *c, const char *format, ...)
 {
-  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
   const struct scallop_crawler d = scallop_crawler_default();
-  const double defaults[] = { d.m1, d.m2, d.F1, d.F2, d.L, d.T, d.alpha };
-  const double values[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  double defaults[CRAWLER_NUMBERS], values[CRAWLER_NUMBERS];
   char number[NUMBER_TEXT];
+  crawler_numbers(&d, defaults);
+  crawler_numbers(c, values);
   reason(q, "%s", before);
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
     if (values[i] != defaults[i]) {
       number_text(number, values[i], 0);
-      reason(q, " --%s %s", names[i], number);
+      reason(q, " --%s %s", crawler_parameters[i], number);
     }
   if (c->gait != d.gait)
     reason(q, " --gait %s", c->gait->name);

@@ -13,6 +13,7 @@ struct question {
   struct scallop_crawler crawler; /* with the gait in question                                        */
   bool of_the_paper;              /* it is the one of the paper's figures                             */
   const char *whose;              /* "the paper's crawler" or "the ledger's crawler"                  */
+  const void *with;               /* the parameter that the row of the claim has for its function     */
   struct claim_row row;           /* claim, equation, quantity, gait and inside are set               */
   bool solved;                    /* every certified solution so far                                  */
   /* What the functions below hand out; it lasts as long as the question. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 #include "compare/text/table.h"
 
 /* Slopes over 2^-40 lose 12 digits of these; 2^-60 is 18 digits. */

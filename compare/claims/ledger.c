@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/text/decimal.h"
+#include "compare/answers/point_flint.h"
 #include "compare/text/memory.h"
 
 /* The order is fitted over the smallest T. */

@@ -282,12 +282,7 @@ static void prove_end(struct proof *proof, const struct end_claim *claim, const 
 static void measure_end(struct claim_row *row, const struct end_claim *claim, const struct scallop_piece *last)
 {
   enum { PRECISION = 1400 };
-  arb_t h, zero, error, rate, square;
-  arb_init(h);
-  arb_init(zero);
-  arb_init(error);
-  arb_init(rate);
-  arb_init(square);
+  arb_ptr x = _arb_vec_init(5), h = x, zero = x + 1, error = x + 2, rate = x + 3, square = x + 4;
   scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
   for (int k = 1; k < CLAIM_POINTS; k++) {
     arb_one(h);
@@ -308,11 +303,7 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
   }
   const struct order_point *finest = &row->points[row->count - 1];
   row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
-  arb_clear(h);
-  arb_clear(zero);
-  arb_clear(error);
-  arb_clear(rate);
-  arb_clear(square);
+  _arb_vec_clear(x, 5);
 }
 
 static void add_ends(struct part *part)

@@ -1,9 +1,8 @@
 /* The claims in words about a single phase, and those of the appendices that are not about an order. Each is decided by a certified
  * example, whose numbers are doubles exactly. */
 #include <math.h>
-#include <stdio.h>
 
-#include "compare/claims/words.h"
+#include "compare/claims/decide.h"
 
 /* Equal friction: (8), and the centre */
 
@@ -118,13 +117,16 @@ static void line(arb_t x, double a, double b)
 }
 
 /* v1 and v2 at a quarter of the duration, both bodies having moved oppositely from rest */
-static void slower_body(struct question *q, struct scallop_crawler c)
+void body_1_slower(struct question *q)
 {
+  struct scallop_crawler c = paper_crawler(q);
+  c.m1 = *(const double *)q->with;
   double tau = scallop_phase_duration(&c, SCALLOP_EXTENSION), M = c.m1 + c.m2;
   double gained = (c.F1 - c.F2) * tau / 4 * tau / c.L; /* x_C' M, in L/tau */
   arb_ptr quarter = certified_number(q), rate = certified_number(q), sum = certified_number(q);
   arb_ptr v1 = certified_number(q), v2 = certified_number(q);
   const struct scallop_certified_phase *p = certified_phase(q, &c, SCALLOP_EXTENSION, 0);
+  under(q, "the paper's crawler, %sfrom rest", c.m1 == 1 ? "" : "m1 = 0.5, ");
   arb_set_d(quarter, tau / 4);
   bool opposed = p->switches && arb_lt(quarter, p->t1);
   arb_set_d(quarter, 0.25);
@@ -137,20 +139,6 @@ static void slower_body(struct question *q, struct scallop_crawler c)
            middle(v1) / (M * tau / c.T), middle(v2) / (M * tau / c.T));
   command(q, "scallop trajectory --start rest --periods 1 --samples 16", &c, " | grep '^0.1875' | cut -f 5,6");
   settle(q, opposed && arb_is_positive(sum), opposed && arb_is_negative(sum));
-}
-
-void body_1_slower(struct question *q)
-{
-  under(q, "the paper's crawler, from rest");
-  slower_body(q, paper_crawler(q));
-}
-
-void light_body_1_slower(struct question *q)
-{
-  struct scallop_crawler c = paper_crawler(q);
-  c.m1 = 0.5;
-  under(q, "the paper's crawler, m1 = 0.5, from rest");
-  slower_body(q, c);
 }
 
 /* Without the last interval, the friction of the first one acting to the end, the centre would come as far as (21) has it. */
@@ -188,8 +176,9 @@ void opposite_phases(struct question *q)
 
 /* Is the first switching time a smaller and smaller part of the duration as T -> 0? From the steady start velocity, or v0 = 1 */
 
-static void small_t1(struct question *q, bool from_steady_state)
+void t1_is_small(struct question *q)
 {
+  bool from_steady_state = q->with != NULL;
   double part[2], v0 = 1;
   bool turns = true;
   struct scallop_crawler c = paper_crawler(q);
@@ -201,21 +190,10 @@ static void small_t1(struct question *q, bool from_steady_state)
     turns = p->switches && turns;
     part[i] = middle(p->t1) / scallop_phase_duration(&c, SCALLOP_EXTENSION);
   }
+  under(q, "the paper's crawler, from %s", from_steady_state ? "its steady v_start ~ 1/T, to a double's digits" : "v0 = 1");
   measured(q, "certified: t1 is %.4g of the duration at T = 1e-10 and %.4g at T = 1e-20", part[0], part[1]);
   command(q, "scallop phase", &c, " --v0 %.7g | cut -f 6,11", v0);
   settle(q, turns && part[1] < 1e-6 * part[0], turns);
-}
-
-void t1_from_1(struct question *q)
-{
-  under(q, "the paper's crawler, from v0 = 1");
-  small_t1(q, false);
-}
-
-void t1_from_steady_state(struct question *q)
-{
-  under(q, "the paper's crawler, from its steady v_start ~ 1/T, to a double's digits");
-  small_t1(q, true);
 }
 
 void swallowed_term(struct question *q)
@@ -284,8 +262,12 @@ static void printed_time(arb_t time, const struct scallop_crawler *c, enum scall
   arb_clear(below);
 }
 
-static void without_remainder(struct question *q, enum scallop_phase_kind kind, bool is_t1, double v0)
+void without_remainder(struct question *q)
 {
+  const struct printed *given = q->with;
+  const enum scallop_phase_kind kind = given->kind;
+  const bool is_t1 = given->is_t1;
+  const double v0 = given->v0;
   struct scallop_crawler c = paper_crawler(q);
   const struct scallop_certified_phase *p = certified_phase(q, &c, kind, v0);
   arb_srcptr exact = is_t1 ? p->t1 : p->dT;
@@ -301,9 +283,3 @@ static void without_remainder(struct question *q, enum scallop_phase_kind kind, 
           kind == SCALLOP_EXTENSION ? "extension" : "contraction", is_t1 ? 11 : 12);
   settle(q, holds, p->switches && arb_is_nonzero(difference));
 }
-
-void dT_from_rest(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, false, 0); }
-void t1_of_extension(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, true, 1); }
-void dT_of_extension(struct question *q) { without_remainder(q, SCALLOP_EXTENSION, false, 1); }
-void t1_of_contraction(struct question *q) { without_remainder(q, SCALLOP_CONTRACTION, true, 1); }
-void dT_of_contraction(struct question *q) { without_remainder(q, SCALLOP_CONTRACTION, false, 1); }

@@ -3,10 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/claims/words.h"
+#include "compare/claims/decide.h"
 
-/* What is measured of a crawler; for a statement about what a crawler does or does not do, DOES or DOES_NOT */
-typedef double probe(struct scallop_crawler c);
 static const double DOES = 1, DOES_NOT = -1;
 /* Of a crawler that the statement is not about */
 static const double NOT_MEANT = -INFINITY;
@@ -35,13 +33,13 @@ static struct largest largest(probe *p, const struct scallop_gait *gait, int cou
   return most;
 }
 
-/* The claim that the largest value is not above a limit: what is measured where that is so, and where it is not */
-static void at_most(struct question *q, const char *conditions, double limit, probe *p, const char *below, const char *above)
+void at_most(struct question *q)
 {
-  under(q, "%s", conditions);
-  struct largest x = largest(p, q->crawler.gait, RANDOM_CRAWLERS);
-  bool holds = x.value <= limit && x.of > 0;
-  measured(q, "%s", holds ? below : above);
+  const struct bound *b = q->with;
+  under(q, "%s", b->conditions);
+  struct largest x = largest(b->probe, q->crawler.gait, RANDOM_CRAWLERS);
+  bool holds = x.value <= b->limit && x.of > 0;
+  measured(q, "%s", holds ? b->below : b->above);
   if (x.of < RANDOM_CRAWLERS)
     measured(q, " (%d crawlers)", x.of);
   settle(q, holds, x.of > 0);
@@ -53,24 +51,21 @@ static const char whole_set[] = SET ", sliding to stick-slip", from_rest[] = SET
 /* Steady states */
 
 static double moved(struct scallop_crawler c) { return fabs(steady_state(&c).period.displacement); }
-static void does_not_move(struct question *q, probe *p)
-{
-  at_most(q, whole_set, EVIDENCE_ZERO, p, "largest |displacement|/L: below 1e-14", "largest |displacement|/L: above 1e-14");
-}
+static const char still[] = "largest |displacement|/L: below 1e-14", moving[] = "largest |displacement|/L: above 1e-14";
 
 static double moved_by_equal_forces(struct scallop_crawler c)
 {
   c.F2 = c.F1;
   return moved(c);
 }
-void equal_forces_do_not_move(struct question *q) { does_not_move(q, moved_by_equal_forces); }
+const struct bound equal_forces_do_not_move = { whole_set, EVIDENCE_ZERO, moved_by_equal_forces, still, moving };
 
 static double moved_by_symmetric_timing(struct scallop_crawler c)
 {
   c.alpha = 0.5;
   return moved(c);
 }
-void symmetric_timing_does_not_move(struct question *q) { does_not_move(q, moved_by_symmetric_timing); }
+const struct bound symmetric_timing_does_not_move = { whole_set, EVIDENCE_ZERO, moved_by_symmetric_timing, still, moving };
 
 static double multiplier(struct scallop_crawler c) { return steady_state(&c).period.multiplier; }
 void steady_state_attracts(struct question *q)
@@ -91,11 +86,9 @@ static double unsettled(struct scallop_crawler c)
       return NAN;
   return fabs(p.v_end - v) * c.T / c.L;
 }
-void motion_settles(struct question *q)
-{
-  at_most(q, whole_set, 1e-6, unsettled, "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6",
-          "largest |v - v_start| T/L after at most 20000 periods from rest: above 1e-6");
-}
+const struct bound motion_settles = { whole_set, 1e-6, unsettled,
+                                      "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6",
+                                      "largest |v - v_start| T/L after at most 20000 periods from rest: above 1e-6" };
 
 /* -displacement/L in the direction in which a longer extension should carry: sign (F1 - F2)(2 alpha - 1) */
 static double backward(struct scallop_crawler c, bool sliding)
@@ -107,26 +100,18 @@ static double backward(struct scallop_crawler c, bool sliding)
 static double backward_sliding(struct scallop_crawler c) { return backward(c, true); }
 static double backward_sticking(struct scallop_crawler c) { return backward(c, false); }
 
-static void moves_forward(struct question *q, probe *p)
+void moves_forward(struct question *q)
 {
-  struct largest x = largest(p, q->crawler.gait, RANDOM_CRAWLERS);
+  bool sliding = q->with != NULL;
+  struct largest x = largest(sliding ? backward_sliding : backward_sticking, q->crawler.gait, RANDOM_CRAWLERS);
   const struct scallop_crawler *c = &x.where;
   bool holds = x.value <= EVIDENCE_ZERO;
+  under(q, "400 quasi-random crawlers: those %s", sliding ? "that slide" : "in stick-slip");
+  q->row.inside = sliding;
   measured(q, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", holds ? 0 : x.value);
   reason(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c->m1, c->m2,
          c->F1, c->F2, c->T, c->alpha, c->gait->name);
   settle(q, holds, true);
-}
-void sliding_moves_forward(struct question *q)
-{
-  under(q, "400 quasi-random crawlers: those that slide");
-  moves_forward(q, backward_sliding);
-}
-void sticking_moves_forward(struct question *q)
-{
-  under(q, "400 quasi-random crawlers: those in stick-slip");
-  q->row.inside = false;
-  moves_forward(q, backward_sticking);
 }
 
 static double both_rest(struct scallop_crawler c)
@@ -138,11 +123,9 @@ static double both_rest(struct scallop_crawler c)
         return DOES;
   return DOES_NOT;
 }
-void one_body_moves(struct question *q)
-{
-  at_most(q, whole_set, 0, both_rest, "x2' - x1' = l'; both bodies at rest at once in a steady state: never",
-          "both bodies at rest at once in a steady state: for one at least");
-}
+const struct bound one_body_moves = { whole_set, 0, both_rest,
+                                      "x2' - x1' = l'; both bodies at rest at once in a steady state: never",
+                                      "both bodies at rest at once in a steady state: for one at least" };
 
 static double not_mirrored(struct scallop_crawler c)
 {
@@ -150,12 +133,9 @@ static double not_mirrored(struct scallop_crawler c)
   mirrored.m1 = c.m2, mirrored.m2 = c.m1, mirrored.F1 = c.F2, mirrored.F2 = c.F1;
   return fabs(steady_state(&c).period.displacement + steady_state(&mirrored).period.displacement);
 }
-void bodies_are_exchanged(struct question *q)
-{
-  at_most(q, SET "; m1 and m2, F1 and F2 exchanged", EVIDENCE_ZERO, not_mirrored,
-          "displacement of one plus that of the other, over L: below 1e-14",
-          "displacement of one plus that of the other, over L: above 1e-14");
-}
+const struct bound bodies_are_exchanged = { SET "; m1 and m2, F1 and F2 exchanged", EVIDENCE_ZERO, not_mirrored,
+                                            "displacement of one plus that of the other, over L: below 1e-14",
+                                            "displacement of one plus that of the other, over L: above 1e-14" };
 
 static bool modes_are(const struct scallop_modes *modes, const char *text)
 {
@@ -171,11 +151,9 @@ static double not_opposed(struct scallop_crawler c)
   bool opposed = modes_are(&s.period.modes[0], "-+") && modes_are(&s.period.modes[1], "+-");
   return opposed ? fabs(s.period.v_start) * c.T / c.L : DOES;
 }
-void equal_forces_oppose(struct question *q)
-{
-  at_most(q, SET "; F2 = F1", EVIDENCE_ZERO, not_opposed, "the modes are -+ | +- and |v_start| T/L is below 1e-14",
-          "other modes, or |v_start| T/L above 1e-14");
-}
+const struct bound equal_forces_oppose = { SET "; F2 = F1", EVIDENCE_ZERO, not_opposed,
+                                           "the modes are -+ | +- and |v_start| T/L is below 1e-14",
+                                           "other modes, or |v_start| T/L above 1e-14" };
 
 /* F1 > F2, the paper's convention; F1 = F2 is for the caller to leave out. */
 static struct scallop_crawler stronger_first(struct scallop_crawler c)
@@ -192,11 +170,8 @@ static double slows_in_extension(struct scallop_crawler c)
   struct scallop_steady_result r = steady_state(&c);
   return r.period.regime == SCALLOP_SLIDING && c.F1 > c.F2 ? (r.period.v_start - r.period.v_mid) * c.T / c.L : NOT_MEANT;
 }
-void velocity_rises(struct question *q)
-{
-  at_most(q, SET ", F1 > F2, the steady states that slide", 0, slows_in_extension, "v_mid > v_start for all",
-          "v_mid < v_start for one at least");
-}
+const struct bound velocity_rises = { SET ", F1 > F2, the steady states that slide", 0, slows_in_extension,
+                                      "v_mid > v_start for all", "v_mid < v_start for one at least" };
 
 /* How far v_start is from -v_mid, and on the side of F1 - F2 */
 static double symmetric_start(struct scallop_crawler c)
@@ -206,12 +181,9 @@ static double symmetric_start(struct scallop_crawler c)
   double sign = c.F1 > c.F2 ? 1 : -1;
   return fmax(fabs(s.period.v_start + s.period.v_mid), sign * s.period.v_start) * c.T / c.L;
 }
-void symmetric_timing_starts_backward(struct question *q)
-{
-  at_most(q, SET "; alpha = 1/2", EVIDENCE_ZERO, symmetric_start,
-          "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2",
-          "v_start is not -v_mid, or on the side of F1 - F2");
-}
+const struct bound symmetric_timing_starts_backward = { SET "; alpha = 1/2", EVIDENCE_ZERO, symmetric_start,
+                                                        "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2",
+                                                        "v_start is not -v_mid, or on the side of F1 - F2" };
 
 /* At a Froude number of 1e8 */
 static double starts_against_motion(struct scallop_crawler c)
@@ -220,11 +192,9 @@ static double starts_against_motion(struct scallop_crawler c)
   struct scallop_steady_result s = steady_state(&c);
   return s.period.v_start * s.period.displacement < 0 ? DOES : DOES_NOT;
 }
-void starts_forward_at_high_froude(struct question *q)
-{
-  at_most(q, SET ", Froude number 1e8", 0, starts_against_motion, "v_start against the displacement: never",
-          "v_start against the displacement: for one at least");
-}
+const struct bound starts_forward_at_high_froude = { SET ", Froude number 1e8", 0, starts_against_motion,
+                                                     "v_start against the displacement: never",
+                                                     "v_start against the displacement: for one at least" };
 
 static double is_single(struct scallop_crawler c)
 {
@@ -256,10 +226,8 @@ static double centre_goes_back(struct scallop_crawler c)
   c.m2 = c.m1;
   return c.F1 == c.F2 ? NOT_MEANT : -extension(&c, 0).dxC;
 }
-void centre_moves_forward(struct question *q)
-{
-  at_most(q, SET ", F1 > F2, m1 = m2, from rest", 0, centre_goes_back, "dx_C > 0 for all", "dx_C < 0 for one at least");
-}
+const struct bound centre_moves_forward = { SET ", F1 > F2, m1 = m2, from rest", 0, centre_goes_back, "dx_C > 0 for all",
+                                            "dx_C < 0 for one at least" };
 
 static double not_two_intervals(struct scallop_crawler c)
 {
@@ -269,10 +237,8 @@ static double not_two_intervals(struct scallop_crawler c)
     return NOT_MEANT;
   return modes_are(&r.modes, "-+ ++") ? DOES_NOT : DOES;
 }
-void two_intervals(struct question *q)
-{
-  at_most(q, from_rest, 0, not_two_intervals, "the modes are -+ ++ for all", "other modes for one at least");
-}
+const struct bound two_intervals = { from_rest, 0, not_two_intervals, "the modes are -+ ++ for all",
+                                     "other modes for one at least" };
 
 static double last_interval(struct scallop_crawler c)
 {
@@ -280,11 +246,9 @@ static double last_interval(struct scallop_crawler c)
   struct scallop_phase_result r = extension(&c, 0);
   return r.regime == SCALLOP_SLIDING && c.F1 > c.F2 ? r.dT / (c.alpha * c.T) : NOT_MEANT;
 }
-void first_interval_is_greater(struct question *q)
-{
-  at_most(q, from_rest, 0.5, last_interval, "dT is less than half of the duration for all",
-          "dT is more than half of the duration for one at least");
-}
+const struct bound first_interval_is_greater = { from_rest, 0.5, last_interval,
+                                                 "dT is less than half of the duration for all",
+                                                 "dT is more than half of the duration for one at least" };
 
 /* By how much the last interval of an extension from rest shrinks when the duration grows by 1 % */
 static double last_interval_shrinks(struct scallop_crawler c)
@@ -296,30 +260,24 @@ static double last_interval_shrinks(struct scallop_crawler c)
   bool slide = r.regime == SCALLOP_SLIDING && longer.regime == SCALLOP_SLIDING && c.F1 > c.F2;
   return slide ? (r.dT - longer.dT) / r.dT : NOT_MEANT;
 }
-void last_interval_grows(struct question *q)
-{
-  at_most(q, from_rest, 0, last_interval_shrinks, "dT grows with the duration for all, here by 1 %",
-          "dT shrinks for one at least, the duration growing by 1 %");
-}
+const struct bound last_interval_grows = { from_rest, 0, last_interval_shrinks,
+                                           "dT grows with the duration for all, here by 1 %",
+                                           "dT shrinks for one at least, the duration growing by 1 %" };
 
 /* From v0 = L over the duration times a tenth of alpha, against rest */
 static double holds_back(struct scallop_crawler c) { return extension(&c, 0).dxC - extension_from(&c, 0.1 * c.alpha).dxC; }
-void start_velocity_adds_displacement(struct question *q)
-{
-  at_most(q, SET ", v0 = alpha/10 L over the duration", 0, holds_back, "dx_C is larger than from rest for all",
-          "dx_C is smaller than from rest for one at least");
-}
+const struct bound start_velocity_adds_displacement = { SET ", v0 = alpha/10 L over the duration", 0, holds_back,
+                                                        "dx_C is larger than from rest for all",
+                                                        "dx_C is smaller than from rest for one at least" };
 
 static double adds_velocity(struct scallop_crawler c)
 {
   double unit = c.L / (c.alpha * c.T), v0 = 0.1 * c.alpha;
   return extension_from(&c, v0).v_end / unit - v0 - extension(&c, 0).v_end / unit;
 }
-void start_velocity_takes_velocity(struct question *q)
-{
-  at_most(q, SET ", v0 = alpha/10 L over the duration", 0, adds_velocity, "v_end - v0 is smaller than from rest for all",
-          "v_end - v0 is larger than from rest for one at least");
-}
+const struct bound start_velocity_takes_velocity = { SET ", v0 = alpha/10 L over the duration", 0, adds_velocity,
+                                                     "v_end - v0 is smaller than from rest for all",
+                                                     "v_end - v0 is larger than from rest for one at least" };
 
 static double falls_with_duration(struct scallop_crawler c)
 {

@@ -87,29 +87,17 @@ static void leading_term(arb_t x, const struct trial *m, const struct scallop_fo
 /* exact - formula at one T, enclosed */
 static bool error_at(arb_t error, const struct sample *s, const struct trial *m, const struct scallop_formula *f)
 {
-  const struct ring ring = { 1, 4 * s->digits + 64 };
+  const slong precision = 4 * s->digits + 64;
   const enum scallop_phase_kind kind = m->condition->kind;
   const arb_struct *exact = s->solved ? s->exact.value[quantity_of_formula(f, kind)] : NULL;
-  struct scallop_symbols symbols;
-  struct series value;
-  bool evaluated = exact != NULL;
-  scallop_symbols_init(&symbols);
-  series_init(&value);
-  if (evaluated && f->text) {
-    scallop_symbols_set(&symbols, &m->crawler, kind, m->v0, NULL, &ring);
-    series_set_rational(&symbols.value[SYMBOL_T], s->T);
-    series_set_ball(&symbols.value[SYMBOL_t1], s->exact.phase.t1);
-    series_set_ball(&symbols.value[SYMBOL_dT], s->exact.phase.dT);
-    series_set_ball(&symbols.value[SYMBOL_x_switch], s->exact.phase.at_last);
-    evaluated = scallop_formula_expand(&value, f, &symbols, kind, &ring);
-    series_coefficient(error, &value, 0, ring.precision);
-  } else if (evaluated)
-    leading_term(error, m, f, s->T, ring.precision);
-  if (evaluated)
-    arb_sub(error, exact, error, ring.precision);
-  scallop_symbols_clear(&symbols);
-  series_clear(&value);
-  return evaluated;
+  if (!exact)
+    return false;
+  if (!f->text)
+    leading_term(error, m, f, s->T, precision);
+  else if (!published_in_balls(error, f, &m->crawler, kind, m->v0, s->T, &s->exact, precision))
+    return false;
+  arb_sub(error, exact, error, precision);
+  return true;
 }
 
 /* fmpq_get_d does not round to nearest. */

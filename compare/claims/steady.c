@@ -1,32 +1,30 @@
 /* The claims in words about steady states: what is needed to move, which way, how many there are, when one is reached, and (27) for
  * which alpha. Each is decided by a certified example. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/evaluate.h"
-#include "compare/answers/answer.h"
-#include "compare/claims/words.h"
-#include "compare/answers/rational.h"
+#include "compare/answers/answer_flint.h"
+#include "compare/claims/decide.h"
+#include "compare/answers/point_flint.h"
 
 /* One steady state that decides */
 
-static bool slides_and_moves(const struct scallop_certified_steady *s)
+bool slides_and_moves(const struct scallop_certified_steady *s)
 {
   return s->regime == SCALLOP_SLIDING && arb_is_nonzero(s->displacement);
 }
 
-static bool sticks_and_moves(const struct scallop_certified_steady *s)
+bool sticks_and_moves(const struct scallop_certified_steady *s)
 {
   return s->regime == SCALLOP_STICK_SLIP && arb_is_nonzero(s->displacement);
 }
 
-static bool never_moves(const struct scallop_certified_steady *s)
+bool never_moves(const struct scallop_certified_steady *s)
 {
   return s->regime == SCALLOP_AT_REST && arb_is_zero(s->displacement);
 }
 
-static bool body_2_alone_sticks(const struct scallop_certified_steady *s)
+bool body_2_alone_sticks(const struct scallop_certified_steady *s)
 {
   bool second = false, first = false;
   for (int kind = 0; kind < 2; kind++)
@@ -37,7 +35,7 @@ static bool body_2_alone_sticks(const struct scallop_certified_steady *s)
   return second && !first;
 }
 
-static bool starts_and_moves_back(const struct scallop_certified_steady *s)
+bool starts_and_moves_back(const struct scallop_certified_steady *s)
 {
   return s->regime == SCALLOP_SLIDING && arb_is_negative(s->v_start) && arb_is_negative(s->displacement);
 }
@@ -54,47 +52,18 @@ static const struct scallop_certified_steady *describe(struct question *q, const
   return s;
 }
 
-typedef bool deed(const struct scallop_certified_steady *s);
-
-/* The paper's crawler with these numbers (0: the paper's) does that; does this refute the claim, or show it? */
-static void example(struct question *q, const char *conditions, struct scallop_crawler with, deed *does, bool refutes)
+void example(struct question *q)
 {
+  const struct example *e = q->with;
   struct scallop_crawler c = paper_crawler(q);
   double *const to[] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
-  const double from[] = { with.m1, with.m2, with.F1, with.F2, with.L, with.T, with.alpha };
-  for (int i = 0; i < 7; i++)
+  double from[CRAWLER_NUMBERS];
+  crawler_numbers(&e->with, from);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
     *to[i] = from[i] > 0 ? from[i] : *to[i];
-  under(q, "%s", conditions);
-  bool shown = does(describe(q, &c));
-  settle(q, shown && !refutes, shown);
-}
-
-#define WITH(...) ((struct scallop_crawler){ __VA_ARGS__ })
-
-void body_2_sticks(struct question *q)
-{
-  example(q, "m1 = 0.1, m2 = 1.9, F1 = 5.1, F2 = 1.2, L = 1, T = 0.93, alpha = 0.71",
-          WITH(0.1, 1.9, 5.1, 1.2, 1, 0.93, 0.71, NULL), body_2_alone_sticks, true);
-}
-void low_froude(struct question *q)
-{
-  example(q, "the paper's crawler, F1 = 34.9776: sliding", WITH(.F1 = 34.9776), slides_and_moves, true);
-}
-void lower_froude(struct question *q) { example(q, "the paper's crawler, T = 6", WITH(.T = 6), sticks_and_moves, true); }
-void lowest_froude(struct question *q) { example(q, "the paper's crawler, T = 14", WITH(.T = 14), sticks_and_moves, true); }
-void sliding_moves(struct question *q) { example(q, "the paper's crawler", WITH(.m1 = 0), slides_and_moves, false); }
-void stick_slip_moves(struct question *q)
-{
-  example(q, "the paper's crawler, F1 = 300", WITH(.F1 = 300), sticks_and_moves, false);
-}
-void stays_at_rest(struct question *q) { example(q, "the paper's crawler, F1 = 1000", WITH(.F1 = 1000), never_moves, true); }
-void equal_coefficients_move(struct question *q)
-{
-  example(q, "the paper's crawler, m1 = 4: F1/m1 = F2/m2", WITH(.m1 = 4), slides_and_moves, false);
-}
-void starts_back(struct question *q)
-{
-  example(q, "the paper's crawler, F1 = 90, alpha = 0.55", WITH(.F1 = 90, .alpha = 0.55), starts_and_moves_back, true);
+  under(q, "%s", e->conditions);
+  bool shown = e->does(describe(q, &c));
+  settle(q, shown && !e->refutes, shown);
 }
 
 /* Two regimes of sliding: v_start in the direction of translation at a small ratio of forces, and against it at a large one */
@@ -226,11 +195,8 @@ void kinematic_length(struct question *q)
 /* (27) over the certified v_start at T = 1e-20, minus 1; mirrored: of the bodies exchanged, and with the opposite sign */
 static double relative_error(const struct scallop_crawler *crawler, double alpha, bool mirrored)
 {
-  const struct ring ring = { 1, EVIDENCE_BITS };
   const struct scallop_formula *formula = scallop_published;
   struct scallop_rational_crawler exact;
-  struct scallop_symbols symbols;
-  struct series value;
   struct question q;
   struct scallop_crawler c = *crawler;
   double error = NAN;
@@ -239,18 +205,13 @@ static double relative_error(const struct scallop_crawler *crawler, double alpha
   c.alpha = alpha;
   c.T = 1e-20;
   question_init(&q);
-  series_init(&value);
-  scallop_symbols_init(&symbols);
   scallop_rational_init(&exact);
   arb_srcptr v_start = certified_steady(&q, &c)->v_start;
+  arb_ptr ratio = certified_number(&q);
   if (mirrored)
     c = (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
   rational_crawler(&exact, &c);
-  scallop_symbols_set(&symbols, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
-  series_set_rational(&symbols.value[SYMBOL_T], exact.T);
-  if (q.solved && scallop_formula_expand(&value, formula, &symbols, SCALLOP_EXTENSION, &ring)) {
-    arb_ptr ratio = certified_number(&q);
-    series_coefficient(ratio, &value, 0, EVIDENCE_BITS);
+  if (q.solved && published_in_balls(ratio, formula, &exact, SCALLOP_EXTENSION, NULL, exact.T, NULL, EVIDENCE_BITS)) {
     arb_div(ratio, ratio, v_start, EVIDENCE_BITS);
     if (mirrored)
       arb_neg(ratio, ratio);
@@ -258,15 +219,15 @@ static double relative_error(const struct scallop_crawler *crawler, double alpha
     error = middle(ratio);
   }
   scallop_rational_clear(&exact);
-  scallop_symbols_clear(&symbols);
-  series_clear(&value);
   question_clear(&q);
   return error;
 }
 
-/* alpha in hundredths, from first on by 8; shown: one alpha to name */
-static void velocity_in_the_limit(struct question *q, int first, int shown, bool mirrored)
+void velocity_in_the_limit(struct question *q)
 {
+  const struct alphas *alphas = q->with;
+  const int first = alphas->first, shown = alphas->shown;
+  const bool mirrored = alphas->mirrored;
   int last = first + 48, at = first;
   double worst = 0;
   for (int i = first; i <= last; i += 8) {
@@ -292,9 +253,6 @@ static void velocity_in_the_limit(struct question *q, int first, int shown, bool
   }
   settle(q, holds, isfinite(worst));
 }
-void velocity_of_longer_extension(struct question *q) { velocity_in_the_limit(q, 51, 75, false); }
-void velocity_of_longer_contraction(struct question *q) { velocity_in_the_limit(q, 1, 25, false); }
-void velocity_mirrored(struct question *q) { velocity_in_the_limit(q, 1, 25, true); }
 
 /* Is the steady state reached? */
 
@@ -313,10 +271,10 @@ static int periods_until(const struct scallop_crawler *c, bool same)
   return 0;
 }
 
-static void reached(struct question *q, double T)
+void reached(struct question *q)
 {
   struct scallop_crawler c = q->crawler;
-  c.T = T;
+  c.T = *(const double *)q->with;
   arb_srcptr multiplier = certified_steady(q, &c)->multiplier;
   bool zero = arb_is_zero(multiplier), proven = q->solved && (zero || arb_is_positive(multiplier));
   if (!proven)
@@ -327,13 +285,11 @@ static void reached(struct question *q, double T)
     measured(q,
              "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d periods",
              middle(multiplier), periods_until(&c, false));
-  under(q, "the paper's crawler, T = %g, from rest; read as: after finitely many periods", T);
+  under(q, "the paper's crawler, T = %g, from rest; read as: after finitely many periods", c.T);
   reason(q, "the multiplier is not 0: ");
   command(q, "scallop steady --certified", &c, " | cut -f 14");
   settle(q, proven && zero, proven);
 }
-void reached_at_T_2(struct question *q) { reached(q, 2); }
-void reached_at_T_4(struct question *q) { reached(q, 4); }
 
 /* Two gaits that the paper does not have */
 

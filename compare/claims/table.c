@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/rational.h"
+#include "compare/answers/point_flint.h"
 #include "compare/claims/claims.h"
 #include "compare/answers/points.h"
 #include "compare/text/memory.h"

@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/rational.h"
-#include "compare/text/decimal.h"
+#include "compare/answers/point_flint.h"
 #include "compare/command/series_flint.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };

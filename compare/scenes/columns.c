@@ -1,4 +1,5 @@
-/* The columns of a want: what is asked for, or what its kind has. */
+/* Quantities and formulas in a scene, and the columns of a want: what is asked for, or what its kind has. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,6 +27,36 @@ bool refuse_quantity(const struct reading *r, const config_setting_t *at, const 
 {
   const char *near = quantity_near(&r->scene->quantities, name);
   return refuse_at(r, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
+}
+
+/* Is the quantity known before anything is solved at a point? */
+static bool is_of_parameters(const struct quantity *q)
+{
+  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
+         || q->kind == QUANTITY_F1_OVER_F2 || q->kind == QUANTITY_M1_OVER_M2;
+}
+
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
+{
+  const char *text, *name = config_setting_name(at);
+  int places[FORMULA_STEPS];
+  if (is_number(at, &end->number, &text))
+    return isfinite(end->number) || refuse_at(r, at, "%s is a finite number", name);
+  if (!text)
+    return refuse_at(r, at, "%s is a number, or a formula in quotes", name);
+  const char *wrong = read_formula(r, &end->formula, text);
+  if (wrong)
+    return refuse_at(r, at, "%s = \"%.100s\": %s", name, text, wrong);
+  end->is_formula = true;
+  for (int i = formula_places(&end->formula, places); i-- > 0;) {
+    const struct quantity *q = &r->scene->quantities.item[places[i]];
+    *onset |= q->kind == QUANTITY_ONSET;
+    if (!is_of_parameters(q))
+      return refuse_at(r, at,
+                       "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
+                       name, q->name);
+  }
+  return true;
 }
 
 /* Does a scene like this one have the quantity? */
@@ -120,40 +151,24 @@ bool add_labels(const struct reading *r, const config_setting_t *at, struct scen
   return true;
 }
 
-static bool certified_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
-                              const char *const *names, int count)
+/* The numbers of a motion, in doubles or certified. */
+bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of)
 {
-  for (int i = 0; i < count; i++) {
-    char column[FORMULA_TEXT];
-    snprintf(column, sizeof column, "%s = certified.%s", names[i], names[i]);
-    if (!read_column(r, at, w, column))
-      return false;
-  }
-  return true;
-}
-
-bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", NULL };
-  static const char *const before[] = { "froude", NULL }, *const after[] = { "regime", "modes", "status", NULL };
-  static const char *const status[] = { "status", NULL };
-  bool doubles = w->digits <= DIGITS_OF_DOUBLE;
-  return add_columns(r, at, w, crawler_parameters)
-         && (doubles ? add_columns(r, at, w, before) && add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 5) && add_columns(r, at, w, status));
-}
-
-bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w)
-{
-  static const char *const numbers[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
-  static const char *const before[] = { "phase", "v0", NULL };
-  static const char *const after[] = { "regime = phase_regime", "modes = phase_modes", "status", NULL }, *const status[] = {
-    "status", NULL
+  static const char *const start[] = { "phase", "v0", NULL }, *const status[] = { "status", NULL };
+  static const char *const how[][3] = {
+    [OF_STEADY] = { "regime", "modes", NULL }, [OF_PHASE] = { "regime = phase_regime", "modes = phase_modes", NULL }
   };
   bool doubles = w->digits <= DIGITS_OF_DOUBLE;
-  return add_columns(r, at, w, crawler_parameters) && add_columns(r, at, w, before)
-         && (doubles ? add_columns(r, at, w, numbers) && add_columns(r, at, w, after)
-                     : certified_columns(r, at, w, numbers, 6) && add_columns(r, at, w, status));
+  if (!add_columns(r, at, w, crawler_parameters) || (of == OF_PHASE && !add_columns(r, at, w, start)))
+    return false;
+  for (int q = quantity_first(of); q < (int)quantity_end(of); q++) {
+    const char *name = quantity_rows[q].name;
+    char column[FORMULA_TEXT];
+    snprintf(column, sizeof column, doubles ? "%s" : "%s = certified.%s", name, name);
+    if ((doubles || q != Q_FROUDE) && !read_column(r, at, w, column)) /* froude is known without a solution */
+      return false;
+  }
+  return (!doubles || add_columns(r, at, w, how[of])) && add_columns(r, at, w, status);
 }
 
 /* Are formulas of the phase meant, where nothing is said? Where the scene says something about a phase. */
@@ -179,22 +194,18 @@ static bool is_at_hand(const struct reading *r, const struct scallop_formula *f)
 
 static bool usual_series(const struct reading *r, struct series_names *names)
 {
-  static const char *const of_steady[] = { "v_start", "v_mid", "displacement", "mean_velocity", NULL };
-  static const char *const of_phase[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC", NULL };
+  enum quantity_of of = is_about_phase(r) ? OF_PHASE : OF_STEADY;
   if (names->source == PUBLISHED) {
     for (const struct scallop_formula *f = scallop_published; f->name && names->count < SCENE_COLUMNS; f++)
       if (is_at_hand(r, f))
         names->name[names->count++] = f->name;
     return true;
   }
-  for (const char *const *value = is_about_phase(r) ? of_phase : of_steady; *value; value++) {
-    char head[40];
-    int length = snprintf(head, sizeof head, names->source == DERIVED ? "derived_%ld." : "limit.", names->order);
-    const char *name = keep_text(r, head, length, *value);
-    if (!name)
+  char head[40];
+  int length = snprintf(head, sizeof head, names->source == DERIVED ? "derived_%ld." : "limit.", names->order);
+  for (int q = quantity_first(of); q < (int)quantity_end(of); q++)
+    if (quantity_rows[q].has_series && !(names->name[names->count++] = keep_text(r, head, length, quantity_rows[q].name)))
       return false;
-    names->name[names->count++] = name;
-  }
   return true;
 }
 
@@ -233,4 +244,21 @@ bool series_columns(const struct reading *r, const config_setting_t *at, struct 
         return false;
     }
   return add_columns(r, at, w, status);
+}
+
+int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])
+{
+  int count = 0;
+  for (int i = 0; i < w->columns; i++) {
+    const struct scene_column *c = &w->column[i];
+    if (c->quantity >= 0)
+      places[count++] = c->quantity;
+    else
+      count += formula_places(&c->formula, places + count);
+  }
+  if (w->until.is_formula && count <= WANT_QUANTITIES - FORMULA_STEPS)
+    count += formula_places(&w->until.formula, places + count);
+  for (int i = 0; i < w->series && count < WANT_QUANTITIES; i++)
+    places[count++] = w->of[i];
+  return count;
 }

@@ -170,36 +170,6 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
   return true;
 }
 
-/* Is the quantity known before anything is solved at a point? */
-static bool is_of_parameters(const struct quantity *q)
-{
-  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
-         || q->kind == QUANTITY_F1_OVER_F2 || q->kind == QUANTITY_M1_OVER_M2;
-}
-
-bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
-{
-  const char *text, *name = config_setting_name(at);
-  int places[FORMULA_STEPS];
-  if (is_number(at, &end->number, &text))
-    return isfinite(end->number) || refuse_at(r, at, "%s is a finite number", name);
-  if (!text)
-    return refuse_at(r, at, "%s is a number, or a formula in quotes", name);
-  const char *wrong = read_formula(r, &end->formula, text);
-  if (wrong)
-    return refuse_at(r, at, "%s = \"%.100s\": %s", name, text, wrong);
-  end->is_formula = true;
-  for (int i = formula_places(&end->formula, places); i-- > 0;) {
-    const struct quantity *q = &r->scene->quantities.item[places[i]];
-    *onset |= q->kind == QUANTITY_ONSET;
-    if (!is_of_parameters(q))
-      return refuse_at(r, at,
-                       "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
-                       name, q->name);
-  }
-  return true;
-}
-
 const char *keep_text(const struct reading *r, const char *text, int length, const char *more)
 {
   size_t head = (size_t)length, tail = strlen(more);

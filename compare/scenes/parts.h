@@ -62,8 +62,6 @@ int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
 bool is_number(const config_setting_t *at, double *value, const char **text);
-/* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
-bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;
@@ -93,8 +91,7 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
 bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
 bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool steady_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool phase_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of);
 /* The series of a want: those of `of`, or, filled in by find_series, the usual ones of its source and order. */
 struct series_names {
   int count;
@@ -110,6 +107,8 @@ bool series_columns(const struct reading *r, const config_setting_t *at, struct 
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
 /* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
 const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
+/* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
+bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
 

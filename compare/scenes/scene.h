@@ -10,7 +10,7 @@
 #define SCALLOP_SCENE_H
 
 #include "compare/answers/counts.h"
-#include "compare/answers/quantity.h"
+#include "compare/answers/quantities.h"
 #include "compare/answers/sweep.h"
 #include "compare/answers/points.h"
 #include "asymptotics/formula.h"

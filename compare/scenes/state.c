@@ -6,18 +6,16 @@
 
 #include "compare/answers/counts.h"
 #include "compare/answers/gaits.h"
-#include "compare/text/halfway.h"
-#include "compare/scenes/flint.h"
 
 void state_init(struct scene_state *s, const struct scene *scene)
 {
-  *s = (struct scene_state){ .scene = scene, .needs = scene->plan.needs, .at = scene->base };
+  *s = (struct scene_state){ .scene = scene, .at = scene->base, .asked = { .scene = scene, .at = &s->at } };
 }
 
 void state_clear(struct scene_state *s)
 {
-  if (s->flint)
-    scene_flint.free(s->flint);
+  if (s->asked.flint)
+    scene_flint.free(s->asked.flint);
 }
 
 double state_fail(struct scene_state *s, const char *why)
@@ -51,8 +49,8 @@ void state_move(struct scene_state *s, const struct sweep_product *product, cons
   s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = false;
   memset(s->has, 0, sizeof s->has);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
-  if (s->flint)
-    scene_flint.forget(s->flint);
+  if (s->asked.flint)
+    scene_flint.forget(s->asked.flint);
   sweep_move(&s->swept, &s->at, product, index, formula_so_far, s);
   s->why[0] = '\0'; /* what a formula could not have */
   if (s->swept.why[0] != '\0')
@@ -94,6 +92,22 @@ double state_v0(struct scene_state *s)
   return a ? a->value[s->scene->phase == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
 
+/* Makes ready for what needs FLINT. False: it is of the phase, which has no start velocity. */
+static bool ask(struct scene_state *s, const struct quantity *q)
+{
+  s->asked.v0 = quantity_is_of_phase(&s->scene->quantities, q) ? state_v0(s) : 0;
+  s->asked.why[0] = '\0';
+  return !isnan(s->asked.v0);
+}
+
+/* Why the last thing asked for could not be had, if so. Returns x. */
+static double note_failure(struct scene_state *s, double x)
+{
+  if (s->asked.why[0] != '\0')
+    state_fail(s, s->asked.why);
+  return x;
+}
+
 /* Where the rear body turns takes a second walk through the phase. */
 static void find_turnings(struct scene_state *s)
 {
@@ -114,41 +128,19 @@ static double number_of(struct scene_state *s, enum quantity_of of, int q)
   return a->value[q].high;
 }
 
-static bool slides(struct scene_state *s, double T)
-{
-  struct scallop_crawler c = s->at.crawler;
-  struct scallop_phase_result r;
-  c.T = T;
-  return scallop_phase(&c, SCALLOP_EXTENSION, 0, &r) == SCALLOP_OK && r.regime == SCALLOP_SLIDING;
-}
-
-static bool same_but_T(const struct scallop_crawler *a, const struct scallop_crawler *b)
-{
-  return a->m1 == b->m1 && a->m2 == b->m2 && a->F1 == b->F1 && a->F2 == b->F2 && a->L == b->L && a->alpha == b->alpha
-         && a->gait == b->gait;
-}
-
 /* The longest period at which an extension from rest does not stick; no body need ever stick. */
 static double onset_of_sticking(struct scene_state *s)
 {
-  enum { MOST_DOUBLINGS = 400 };
-  if (s->has_onset && same_but_T(&s->onset_of, &s->at.crawler))
-    return s->onset;
-  double sliding = 0, sticking = 1;
-  int doublings = 0;
-  while (slides(s, sticking) && doublings++ < MOST_DOUBLINGS)
-    sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
-    *(slides(s, mid) ? &sliding : &sticking) = mid;
-  s->has_onset = true;
-  s->onset_of = s->at.crawler;
-  s->onset = doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
-  count_add(COUNT_ONSETS, 1);
+  struct scallop_crawler c = s->at.crawler;
+  c.T = 1; /* the onset is the same for each T */
+  if (!s->has_onset || !same_crawler(&s->onset_of, &c)) {
+    s->has_onset = true;
+    s->onset_of = c;
+    s->onset = sticking_onset(&c);
+    count_add(COUNT_ONSETS, 1);
+  }
   return s->onset;
 }
-
-const char no_ends[] =
-    "l'' = 0 where a phase of this gait begins or ends: the published formulas, which divide by it, have no value";
 
 static double published(struct scene_state *s, const struct scallop_formula *f)
 {
@@ -169,7 +161,7 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
     value = published_value(f, &point, &m, given);
   }
   if (!isfinite(value) && !gait_has_ends(s->at.crawler.gait))
-    return state_fail(s, no_ends);
+    return state_fail(s, gait_no_ends);
   return isfinite(value) ? value : NAN;
 }
 
@@ -187,13 +179,15 @@ static const struct scene_comparison *compared(struct scene_state *s, int place)
   const struct quantity *series = &s->scene->quantities.item[place];
   struct scene_comparison *c = &s->comparison[place];
   long before = s->failures;
-  if (!c->done && s->needs.certified_errors)
-    c->error = scene_flint.error(s, series, &c->value, &c->exact);
-  else if (!c->done) {
+  if (!c->done && s->scene->plan.needs.certified_errors) {
+    c->error = c->value = c->exact = NAN;
+    if (ask(s, series))
+      c->error = note_failure(s, scene_flint.error(&s->asked, series, &c->value, &c->exact));
+  } else if (!c->done) {
     c->exact = exact_in_double(s, series);
     c->value = state_number(s, place);
     c->error = c->value - c->exact;
-    if (fabs(c->error) < s->needs.accuracy * fabs(c->exact))
+    if (fabs(c->error) < s->scene->plan.needs.accuracy * fabs(c->exact))
       c->error = 0;
   }
   c->done = s->failures == before;
@@ -221,7 +215,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   double numbers[CRAWLER_NUMBERS];
   if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
-  if (s->needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
+  if (s->scene->plan.needs.certified_errors && quantity_is_series(q) && quantity_is_compared(&s->scene->quantities, q))
     return compared(s, quantity_find(&s->scene->quantities, q->name))->value; /* rounded from the one that the error is of */
   enum quantity_of of = q->kind == QUANTITY_ANSWER ? quantity_rows[q->which].of : OF_STEADY;
   switch (q->kind) {
@@ -234,7 +228,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_ANSWER: return solved(s, of) ? number_of(s, of, q->which) : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return scene_flint.sum(s, q);
+  case QUANTITY_LIMIT: return ask(s, q) ? note_failure(s, scene_flint.sum(&s->asked, q)) : NAN;
   case QUANTITY_EXACT:
   case QUANTITY_ERROR:
   case QUANTITY_RELATIVE: return about_series(s, q);
@@ -269,6 +263,15 @@ static const char *answer_text(struct scene_state *s, const struct quantity *q)
   return q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime) : motion_modes_text(s->text, of, a->modes);
 }
 
+static const char *certified_text(struct scene_state *s, const struct quantity *q, long digits)
+{
+  if (s->is_outside || !ask(s, q))
+    return "nan";
+  const char *text = scene_flint.certified(&s->asked, q, digits);
+  note_failure(s, 0);
+  return text;
+}
+
 static const char *status_text(struct scene_state *s)
 {
   if (s->why[0] != '\0')
@@ -286,7 +289,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return answer_text(s, q);
-  case QUANTITY_CERTIFIED: return s->is_outside ? "nan" : scene_flint.certified(s, q, digits);
+  case QUANTITY_CERTIFIED: return certified_text(s, q, digits);
   default: return status_text(s);
   }
 }

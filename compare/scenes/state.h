@@ -4,9 +4,7 @@
 
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
-#include "compare/scenes/scene.h"
-
-struct scene_flint; /* flint.h: series and certified values */
+#include "compare/scenes/flint.h"
 
 struct scene_comparison { /* of a series with what it should be                                      */
   bool done;
@@ -15,7 +13,6 @@ struct scene_comparison { /* of a series with what it should be                 
 
 struct scene_state {
   const struct scene *scene;
-  struct scene_needs needs;
   struct point at;        /* the parameters */
   struct swept swept;     /* what is beside them */
   char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
@@ -32,7 +29,7 @@ struct scene_state {
   double value[MOST_QUANTITIES];
   struct scene_comparison comparison[MOST_QUANTITIES];
   char text[MOTION_MODES_TEXT + ANSWER_STATUS]; /* what state_text returns                            */
-  struct scene_flint *flint;                    /* made when it is first needed                                     */
+  struct scene_asked asked;                     /* for series and certified values                              */
 };
 
 void state_init(struct scene_state *state, const struct scene *scene);
@@ -56,7 +53,5 @@ double state_end(struct scene_state *state, const struct sweep_end *end);
 double state_v0(struct scene_state *state);
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double state_fail(struct scene_state *state, const char *why);
-
-extern const char no_ends[]; /* why a formula has no value                                           */
 
 #endif

@@ -61,14 +61,12 @@ static bool read_rows(const struct reading *r, const config_setting_t *at, struc
   if (wanted->count > 0)
     return read_columns(r, at, w, wanted) && check_digits(r, at, w);
   return add_labels(r, at, w)
-         && (is_series || is_error            ? series_columns(r, at, w, &wanted->series, is_error)
-             : strcmp(w->what, "steady") == 0 ? steady_columns(r, at, w)
-                                              : phase_columns(r, at, w));
+         && (is_series || is_error ? series_columns(r, at, w, &wanted->series, is_error)
+                                   : motion_columns(r, at, w, strcmp(w->what, "steady") == 0 ? OF_STEADY : OF_PHASE));
 }
 
 static bool read_trajectory(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
 {
-  static const char *const usual[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
   const config_setting_t *until = config_setting_get_member(at, "until");
   bool onset = false;
   w->until = (struct sweep_end){ .number = INFINITY };
@@ -86,7 +84,7 @@ static bool read_trajectory(const struct reading *r, const config_setting_t *at,
     if (!there && !read_column(r, at, w, v->name))
       return false;
   }
-  return add_columns(r, at, w, usual);
+  return add_columns(r, at, w, quantity_samples);
 }
 
 /* T varies, alone, in the last group of each product: an order is one of a row of such points. */

@@ -1,10 +1,12 @@
-#include "compare/answers/written_gait.h"
+#include "compare/answers/point_flint.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/gait_file.h"
 #include "compare/answers/gaits.h"
+#include "compare/text/digits.h"
+#include "compare/text/table.h"
 #include "model/fractions.h"
 
 enum { MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE, OWN = 3 };
@@ -187,3 +189,61 @@ bool written_gait_has_own(const struct scallop_gait *gait, fmpq_t L, fmpq_t T, f
   fmpq_set(alpha, w->own + 2);
   return true;
 }
+
+static void rational_number(fmpq_t x, double value)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, value, 0);
+  if (!scallop_rational_parse(x, text))
+    scallop_rational_set_double(x, value);
+}
+
+void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
+{
+  fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
+  double values[CRAWLER_NUMBERS];
+  crawler_numbers(c, values);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    rational_number(fields[i], values[i]);
+  exact->gait = written_gait(c->gait);
+}
+
+/* L, T and alpha that come of the table of a measured gait are those of its decimals. */
+static void take_own(struct scallop_rational_crawler *exact, const struct point *p)
+{
+  enum { FIRST = 4 }; /* of L, T and alpha among the crawler's numbers */
+  fmpq_t own[OWN];
+  double L, T, alpha;
+  for (int i = 0; i < OWN; i++)
+    fmpq_init(own[i]);
+  if (gait_has_own(p->crawler.gait, &L, &T, &alpha) && written_gait_has_own(p->crawler.gait, own[0], own[1], own[2])) {
+    const double is[OWN] = { p->crawler.L, p->crawler.T, p->crawler.alpha }, was[OWN] = { L, T, alpha };
+    fmpq *const fields[OWN] = { exact->L, exact->T, exact->alpha };
+    for (int i = 0; i < OWN; i++)
+      if (!p->written[FIRST + i] && is[i] == was[i])
+        fmpq_set(fields[i], own[i]);
+  }
+  for (int i = 0; i < OWN; i++)
+    fmpq_clear(own[i]);
+}
+
+void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *p)
+{
+  fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
+  rational_crawler(exact, &p->crawler);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    if (p->written[i])
+      scallop_rational_parse(fields[i], p->written[i]);
+  take_own(exact, p);
+  if (!v0)
+    return;
+  rational_number(v0, p->v0);
+  if (p->written_v0)
+    scallop_rational_parse(v0, p->written_v0);
+}
+
+char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS); }
+
+char *decimal_fraction(const fmpq_t x) { return fmpq_get_str(NULL, 10, x); }
+
+char *decimal_ball(const arb_t x, long digits) { return arb_get_str(x, digits, 0); }
