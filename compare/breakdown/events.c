@@ -7,6 +7,7 @@
 
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/motion.h"
+#include "compare/text/halfway.h"
 #include "compare/text/memory.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */

@@ -61,7 +61,7 @@ static void judge_number(const char *text)
     fuzz_fail("'%s' is refused, and is %a", text, wanted);
 }
 
-static bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler *b)
+static bool same_numbers(const struct scallop_crawler *a, const struct scallop_crawler *b)
 {
   double x[CRAWLER_NUMBERS], y[CRAWLER_NUMBERS];
   bool same = a->gait == b->gait;
@@ -78,7 +78,7 @@ static void judge_parameters(const char *text)
   for (const char *const *name = crawler_parameters; *name; name++) {
     const struct scallop_crawler before = o.crawler;
     const char *wrong = point_set(&o, *name, text);
-    if (wrong && (!same_crawler(&before, &o.crawler) || *wrong == '\0'))
+    if (wrong && (!same_numbers(&before, &o.crawler) || *wrong == '\0'))
       fuzz_fail("%s was refused '%s', and changed", *name, text);
     if (scallop_crawler_check(&o.crawler, NULL) != SCALLOP_OK)
       fuzz_fail("%s may be '%s'", *name, text);
