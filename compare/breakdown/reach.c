@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "compare/text/halfway.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
 
