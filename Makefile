@@ -37,7 +37,7 @@ cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
-folders  = model asymptotics numerics compare/* tests tests/fuzz bench
+code     = model asymptotics numerics compare/* tests tests/fuzz bench
 units    = $(wildcard $(1)/*.c)
 parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call units,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
@@ -219,12 +219,12 @@ rooms: setup-build
 size:
 	@/usr/bin/python3 scripts/rooms.py $(B) --size
 
-sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(folders),$(wildcard $(r)/*.c)))
+sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(code),$(wildcard $(r)/*.c)))
 ## lint:       rooms, clang-format, cppcheck and clang-tidy
 lint:
 	@scripts/setup.sh build tests lint
 	@$(MAKE) --no-print-directory rooms
-	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,$(folders),$(wildcard $(r)/*.h))
+	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,$(code),$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy
 
