@@ -177,15 +177,15 @@ static void find_from_level(const struct scallop_scaled *s, struct period *p, st
     struct period q;
     q.base[kind] = level;
     q.base[1 - kind] = same != 0 ? same : there;
-    if (find_root(s, 0, NAN, &within, &q, work) != SCALLOP_OK || !(fabs(q.c_start) < 0.75 * reach))
-      continue;
-    period_sum_up(s, &q);
-    q.base[0] = q.base[1] = 0;
-    q.c_start += base;
-    q.c_mid += base;
-    q.c_end += base;
-    *p = q;
-    return;
+    if (find_root(s, 0, NAN, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach) {
+      period_sum_up(s, &q);
+      q.base[0] = q.base[1] = 0;
+      q.c_start += base;
+      q.c_mid += base;
+      q.c_end += base;
+      *p = q;
+      return;
+    }
   }
 }
 

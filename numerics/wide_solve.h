@@ -472,15 +472,15 @@ static void find_from_level(const struct wide_scaled *s, struct scallop_modes mo
     struct wide_period q;
     from_level.phase[kind].base = level;
     from_level.phase[1 - kind].base = same != 0 ? same : base * b;
-    if (!find_steady(&from_level, 0, reach, these, &q) || !(4 * magnitude(q.c_start) < 3 * reach))
-      continue;
-    q.c_start += base;
-    q.c_mid += base;
-    q.c_end += base;
-    *p = q;
-    modes[0] = these[0];
-    modes[1] = these[1];
-    return;
+    if (find_steady(&from_level, 0, reach, these, &q) && 4 * magnitude(q.c_start) < 3 * reach) {
+      q.c_start += base;
+      q.c_mid += base;
+      q.c_end += base;
+      *p = q;
+      modes[0] = these[0];
+      modes[1] = these[1];
+      return;
+    }
   }
 }
 

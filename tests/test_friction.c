@@ -221,6 +221,10 @@ static void refusals(void **state)
   c.F1 = c.F2 = 1e308;
   c.m1 = c.m2 = 1e300;
   assert_int_equal(scallop_friction_work(&c, 0, 0, &work), SCALLOP_ERANGE);
+  const struct scallop_crawler light = {
+    3e-308, 3e-308, 4e-308, 3e-308, 0.01, 0.1, 0.75, &scallop_gait_quadratic
+  }; /* the work is subnormal */
+  assert_int_equal(scallop_friction_work(&light, 0, 0, &work), SCALLOP_ERANGE);
   assert_true(work == 42);
 }
 
