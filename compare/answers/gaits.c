@@ -21,8 +21,6 @@ enum { MOST_GAITS = 65536, BUCKETS = 4096, MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEG
 
 static char message[MESSAGE];
 
-/* ---- the gaits that were made ---- */
-
 struct made {
   struct made *next;
   char *text;
@@ -82,8 +80,6 @@ static void keep(struct made *made)
   *bucket = made;
 }
 
-/* ---- numbers ---- */
-
 /* Numbers between commas, at most `most`. Returns how many there are, or -1 where one is none: message says so. */
 static int numbers_of(const char *text, double *numbers, int most)
 {
@@ -106,8 +102,6 @@ static int numbers_of(const char *text, double *numbers, int most)
   }
   return count;
 }
-
-/* ---- kinds ---- */
 
 struct kind {
   const char *name;

@@ -65,8 +65,6 @@ static bool of_numbers(struct written *w, const struct scallop_gait *gait, const
   return right;
 }
 
-/* ---- tables ---- */
-
 struct table_of { /* a period of it, from the least row on: 0 to last, and the same as fractions                      */
   fmpq *t, *l;
   long last, most;

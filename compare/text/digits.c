@@ -92,8 +92,6 @@ static struct wide times_power(uint64_t factor, int k)
   return upper;
 }
 
-/* ---- writing ---- */
-
 /* V = x 10^k with 17 or 18 digits before the point, 10^16 <= V < 2 10^17, as whole + 2^-64 fraction: wrong by less than 2^-64. */
 struct magnified {
   uint64_t whole, fraction;
@@ -270,8 +268,6 @@ size_t digits_write(char *text, double x)
   size_t length = digits_write_quickly(text, x);
   return length > 0 ? length : digits_write_plainly(text, x);
 }
-
-/* ---- reading ---- */
 
 /* w 10^k to the nearest, 0 < w < 10^19 */
 static bool nearest_double(uint64_t w, long k, double *x)
