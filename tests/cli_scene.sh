@@ -391,6 +391,12 @@ want = ( { what = "steady"; columns = [ "friction_work", "cost_of_transport", "c
 E2
 run 0 run still.cfg
 [ "$(tail -n 1 out)" = "$(printf '40\tnan\t40.000000000000000\tnan\t40\tnan')" ] || note "a crawler that goes nowhere: $(tail -n 1 out)"
+scene beyond.cfg <<'E2'
+crawler = { m1 = 3e-308; m2 = 3e-308; F1 = 4e-308; F2 = 3e-308; L = 0.01; T = 0.1; };
+want = ( { what = "steady"; columns = [ "friction_work", "status" ]; } );
+E2
+run 3 run beyond.cfg
+[ "$(tail -n 1 out)" = "$(printf 'nan\tout of range: a scaled quantity overflows or underflows')" ] || note "a work of friction out of range: $(tail -n 1 out)"
 scene small.cfg <<'E2'
 crawler = { alpha = 0.6; T = 0.001; };
 want = ( { what = "error"; columns = [ "S = text_steady_xC", "exact.text_steady_xC", "e = error.text_steady_xC" ]; } );

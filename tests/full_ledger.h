@@ -22,16 +22,31 @@ static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawl
   scallop_rational_clear(&exact);
 }
 
-/* conditions: all of them, or NULL for any */
-static inline const struct claim_row *find_row(const struct ledger *ledger, const char *claim, const char *gait,
-                                               const char *conditions, bool inside)
+/* That of the tests' crawler: a group's setup, with or without the claims about orders, and its end */
+static struct ledger ledger;
+
+static inline int fill(bool orders)
 {
-  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++)
+  fill_ledger(&ledger, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic }, orders);
+  return 0;
+}
+
+static inline int empty(void **state)
+{
+  (void)state;
+  ledger_free(&ledger);
+  return 0;
+}
+
+/* Its row. conditions: all of them, or NULL for any */
+static inline const struct claim_row *find(const char *claim, const char *gait, const char *conditions, bool inside)
+{
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
     if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, gait) == 0 && row->inside == inside
         && (!conditions || strcmp(row->conditions, conditions) == 0))
       return row;
   fail_msg("no row %s, %s", claim, gait);
-  return ledger->rows;
+  return ledger.rows;
 }
 
 #endif

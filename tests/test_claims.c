@@ -2,25 +2,10 @@
  * committed table is compared byte by byte elsewhere. */
 #include "tests/full_ledger.h"
 
-static struct ledger ledger;
-
-static int fill(void **state)
+static int begin(void **state)
 {
   (void)state;
-  fill_ledger(&ledger, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic }, true);
-  return 0;
-}
-
-static int empty(void **state)
-{
-  (void)state;
-  ledger_free(&ledger);
-  return 0;
-}
-
-static const struct claim_row *find(const char *claim, const char *gait, const char *conditions, bool inside)
-{
-  return find_row(&ledger, claim, gait, conditions, inside);
+  return fill(true);
 }
 
 /* The order of the first term that a formula leaves out, where the paper's conditions hold. */
@@ -184,5 +169,5 @@ int main(void)
     cmocka_unit_test(equalities),           cmocka_unit_test(mirrored_rows_are_about_the_motion_itself),
     cmocka_unit_test(units_do_not_matter),
   };
-  return cmocka_run_group_tests_name("claims", tests, fill, empty);
+  return cmocka_run_group_tests_name("claims", tests, begin, empty);
 }

@@ -2,25 +2,10 @@
 #include "tests/full_ledger.h"
 #include "tests/random_crawler.h"
 
-static struct ledger ledger;
-
-static int fill(void **state)
+static int begin(void **state)
 {
   (void)state;
-  fill_ledger(&ledger, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic }, false);
-  return 0;
-}
-
-static int empty(void **state)
-{
-  (void)state;
-  ledger_free(&ledger);
-  return 0;
-}
-
-static const struct claim_row *find(const char *claim, const char *gait, const char *conditions, bool inside)
-{
-  return find_row(&ledger, claim, gait, conditions, inside);
+  return fill(false);
 }
 
 static void words(void **state)
@@ -360,5 +345,5 @@ int main(void)
     cmocka_unit_test(onset_of_sticking),
     cmocka_unit_test(speeds_where_T_is_varied),
   };
-  return cmocka_run_group_tests_name("claims about figures", tests, fill, empty);
+  return cmocka_run_group_tests_name("claims about figures", tests, begin, empty);
 }

@@ -3,9 +3,7 @@
 #include "tests/full_ledger.h"
 #include "tests/random_crawler.h"
 
-static struct ledger ledger;
-
-static int fill(void **state)
+static int begin(void **state)
 {
   const struct scallop_crawler crawler = scallop_crawler_default();
   (void)state;
@@ -13,17 +11,10 @@ static int fill(void **state)
   return 0;
 }
 
-static int empty(void **state)
-{
-  (void)state;
-  ledger_free(&ledger);
-  return 0;
-}
-
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
 
 /* The row whose conditions hold the text */
-static const struct claim_row *find(const char *claim, int g, const char *conditions)
+static const struct claim_row *row_of(const char *claim, int g, const char *conditions)
 {
   for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
     if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, gaits[g]->name) == 0 && strstr(row->conditions, conditions))
@@ -48,69 +39,70 @@ static double number_after(const struct claim_row *row, const char *text)
   return x;
 }
 
+static const struct {
+  const char *claim, *conditions;
+  enum claim_verdict quadratic, sinusoidal;
+} known[] = {
+  { "one_body_always_moves", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "which_body_is_1_does_not_matter", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "equal_forces_bodies_oppose", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "velocity_rises_over_extension", "steady states", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "velocity_rises_over_extension", "v0 = 20", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "symmetric_timing_starts_backward", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "centre_moves_forward_in_an_extension", "m1 = m2", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "centre_moves_forward_in_an_extension", "m2 = 4", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "centre_moves_backward_in_a_contraction", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "longer_extension_is_faster", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "extension_from_rest_has_two_intervals", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "first_interval_is_the_greater_part", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "first_interval_accelerates_l", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "body_1_is_slower_in_the_first_interval", "crawler, from rest", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "body_1_is_slower_in_the_first_interval", "m1 = 0.5", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "last_interval_carries_the_centre_forward", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "last_interval_grows_with_duration", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "start_velocity_adds_displacement", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "start_velocity_takes_velocity_change", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "contraction_is_the_opposite_of_the_extension", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "kinematic_length", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "the_forces_must_differ_not_the_coefficients", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "equal_forces_centre", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "equal_forces_and_masses_keep_the_centre", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "only_body_1_sticks", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "with_one_body_stuck_that_of_less_friction_moves", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "moving_needs_a_high_Froude_number", "sliding", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "moving_needs_a_high_Froude_number", "T = 6", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "moving_needs_a_high_Froude_number", "T = 14", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "one_degree_of_freedom_can_move", "the paper's crawler", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "one_degree_of_freedom_can_move", "F1 = 300", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "two_asymmetries_suffice_to_move", "F1 varied", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "two_asymmetries_suffice_to_move", "F1 = 1000", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "start_velocity_is_forward_where_dv_C_rises", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "start_velocity_is_backward_where_dv_C_falls", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "v_mid_peaks_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "v_mid_peaks_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "v_mid_peaks_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "contraction_loses_least_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "contraction_loses_least_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "contraction_loses_least_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "start_velocity_is_forward_at_high_Froude", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "start_velocity_opposes_motion_at_low_Froude", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "start_velocity_has_two_regimes", "", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "t1_is_small", "v0 = 1", CLAIM_HOLDS, CLAIM_HOLDS },
+  { "t1_is_small", "v_start", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "B_x2_first_switch_exceeds_its_remainder", "", CLAIM_REFUTED, CLAIM_REFUTED },
+  { "rest_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+  { "A_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+  { "A_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+  { "B_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+  { "B_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
+};
+
 static void verdicts(void **state)
 {
   (void)state;
-  static const struct {
-    const char *claim, *conditions;
-    enum claim_verdict quadratic, sinusoidal;
-  } known[] = {
-    { "one_body_always_moves", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "which_body_is_1_does_not_matter", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "equal_forces_bodies_oppose", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "velocity_rises_over_extension", "steady states", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "velocity_rises_over_extension", "v0 = 20", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "symmetric_timing_starts_backward", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "centre_moves_forward_in_an_extension", "m1 = m2", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "centre_moves_forward_in_an_extension", "m2 = 4", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "centre_moves_backward_in_a_contraction", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "longer_extension_is_faster", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "extension_from_rest_has_two_intervals", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "first_interval_is_the_greater_part", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "first_interval_accelerates_l", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "body_1_is_slower_in_the_first_interval", "crawler, from rest", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "body_1_is_slower_in_the_first_interval", "m1 = 0.5", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "last_interval_carries_the_centre_forward", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "last_interval_grows_with_duration", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "start_velocity_adds_displacement", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "start_velocity_takes_velocity_change", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "contraction_is_the_opposite_of_the_extension", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "kinematic_length", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "the_forces_must_differ_not_the_coefficients", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "equal_forces_centre", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "equal_forces_and_masses_keep_the_centre", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "only_body_1_sticks", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "with_one_body_stuck_that_of_less_friction_moves", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "moving_needs_a_high_Froude_number", "sliding", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "moving_needs_a_high_Froude_number", "T = 6", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "moving_needs_a_high_Froude_number", "T = 14", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "one_degree_of_freedom_can_move", "the paper's crawler", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "one_degree_of_freedom_can_move", "F1 = 300", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "two_asymmetries_suffice_to_move", "F1 varied", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "two_asymmetries_suffice_to_move", "F1 = 1000", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "start_velocity_is_forward_where_dv_C_rises", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "start_velocity_is_backward_where_dv_C_falls", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "v_mid_peaks_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "v_mid_peaks_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "v_mid_peaks_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "contraction_loses_least_where_v_start_is_0", "F1/F2", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "contraction_loses_least_where_v_start_is_0", "together", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "contraction_loses_least_where_v_start_is_0", "T alone", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "start_velocity_is_forward_at_high_Froude", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "start_velocity_opposes_motion_at_low_Froude", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "start_velocity_has_two_regimes", "", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "t1_is_small", "v0 = 1", CLAIM_HOLDS, CLAIM_HOLDS },
-    { "t1_is_small", "v_start", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "B_x2_first_switch_exceeds_its_remainder", "", CLAIM_REFUTED, CLAIM_REFUTED },
-    { "rest_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
-    { "A_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
-    { "A_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
-    { "B_t1_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
-    { "B_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
-  };
   for (size_t k = 0; k < sizeof known / sizeof *known; k++)
     for (int g = 0; g < 2; g++) {
-      const struct claim_row *row = find(known[k].claim, g, known[k].conditions);
+      const struct claim_row *row = row_of(known[k].claim, g, known[k].conditions);
       if (row->verdict != (g ? known[k].sinusoidal : known[k].quadratic))
         print_error("%s %s, %s: %s\n", row->claim, row->gait, known[k].conditions, row->measured);
       assert_int_equal(row->verdict, g ? known[k].sinusoidal : known[k].quadratic);
@@ -144,7 +136,7 @@ static void both_asymmetries_and_no_displacement(void **state)
 {
   (void)state;
   for (int g = 0; g < 2; g++) {
-    const struct claim_row *row = find("two_asymmetries_suffice_to_move", g, "F1 varied");
+    const struct claim_row *row = row_of("two_asymmetries_suffice_to_move", g, "F1 varied");
     double low, high, up, down;
     assert_int_equal(sscanf(after(row, "displacement/L "), "%lf at F1 = %lf, %lf at %lf", &up, &low, &down, &high), 4);
     assert_true(low < high && high < low * (1 + 1e-9));
@@ -171,7 +163,7 @@ static void figures_of_steady_states(void **state)
     const char *claim, *conditions;
     double m1, F1, T, alpha;
     enum scallop_regime regime;
-  } known[] = {
+  } rows[] = {
     { "moving_needs_a_high_Froude_number", "sliding", 1, 34.9776, 1, 0.75, SCALLOP_SLIDING },
     { "moving_needs_a_high_Froude_number", "T = 6", 1, 4, 6, 0.75, SCALLOP_STICK_SLIP },
     { "moving_needs_a_high_Froude_number", "T = 14", 1, 4, 14, 0.75, SCALLOP_STICK_SLIP },
@@ -180,13 +172,13 @@ static void figures_of_steady_states(void **state)
     { "start_velocity_opposes_motion_at_low_Froude", "", 1, 90, 1, 0.55, SCALLOP_SLIDING },
     { "the_forces_must_differ_not_the_coefficients", "", 4, 4, 1, 0.75, SCALLOP_SLIDING },
   };
-  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     for (int g = 0; g < 2; g++) {
-      const struct claim_row *row = find(known[k].claim, g, known[k].conditions);
+      const struct claim_row *row = row_of(rows[k].claim, g, rows[k].conditions);
       struct scallop_crawler c = paper(g);
-      c.m1 = known[k].m1, c.F1 = known[k].F1, c.T = known[k].T, c.alpha = known[k].alpha;
+      c.m1 = rows[k].m1, c.F1 = rows[k].F1, c.T = rows[k].T, c.alpha = rows[k].alpha;
       struct scallop_steady_result s = steady(&c);
-      assert_int_equal(s.period.regime, known[k].regime);
+      assert_int_equal(s.period.regime, rows[k].regime);
       CHECK_RELATIVE(number_after(row, "Froude "), s.froude, 1e-5);
       CHECK_NEAR(number_after(row, "v_start T/L = "), s.period.v_start * c.T / c.L, 1e-6);
       CHECK_NEAR(number_after(row, "displacement/L = "), s.period.displacement / c.L, 1e-6);
@@ -198,7 +190,7 @@ static void two_regimes(void **state)
 {
   (void)state;
   for (int g = 0; g < 2; g++) {
-    const struct claim_row *row = find("start_velocity_has_two_regimes", g, "4 and 40");
+    const struct claim_row *row = row_of("start_velocity_has_two_regimes", g, "4 and 40");
     double v[2], moved[2];
     assert_int_equal(sscanf(after(row, "v_start T/L = "), "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40",
                             &v[0], &moved[0], &v[1], &moved[1]),
@@ -237,7 +229,7 @@ static void slope_of_figure_4B(void **state)
   double s[2];
   for (int i = 0; i < 2; i++)
     s[i] = 3 * (i ? 1.65 : 1.64) * (i ? 1.65 : 1.64) / 40;
-  CHECK_NEAR(number_after(find("start_velocity_is_backward_where_dv_C_falls", 0, ""), "dv_C changes by "),
+  CHECK_NEAR(number_after(row_of("start_velocity_is_backward_where_dv_C_falls", 0, ""), "dv_C changes by "),
              (3 - 8 * s[1] / (1 + s[1])) * 1.65 / 2 - (3 - 8 * s[0] / (1 + s[0])) * 1.64 / 2, 1e-6);
 }
 
@@ -260,8 +252,8 @@ static void boundary_from_trajectories(void **state)
   static const char *const which[] = { "F1/F2", "together", "T alone" };
   for (int k = 0; k < 6; k++) {
     int g = k / 3, varied = k % 3;
-    const struct claim_row *row = find("v_mid_peaks_where_v_start_is_0", g, which[varied]);
-    const struct claim_row *moves = find("contraction_loses_least_where_v_start_is_0", g, which[varied]);
+    const struct claim_row *row = row_of("v_mid_peaks_where_v_start_is_0", g, which[varied]);
+    const struct claim_row *moves = row_of("contraction_loses_least_where_v_start_is_0", g, which[varied]);
     double v[3], x[3], back[3], out[3];
     assert_int_equal(sscanf(after(row, "v_mid T/L = "), "%lf, %lf, %lf", &v[0], &v[1], &v[2]), 3);
     assert_int_equal(sscanf(after(row, varied == 0   ? "F1/F2 = "
@@ -296,23 +288,23 @@ static void by_hand(void **state)
 {
   (void)state;
   double tau = 0.75, s = 3 * tau * tau / 40, dT = tau * s / (1 + s);
-  const struct claim_row *row = find("body_1_is_slower_in_the_first_interval", 0, "m1 = 0.5");
+  const struct claim_row *row = row_of("body_1_is_slower_in_the_first_interval", 0, "m1 = 0.5");
   CHECK_NEAR(number_after(row, "v1 T/L = "), -1 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
   CHECK_NEAR(number_after(row, "v2 T/L = "), 0.5 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
-  row = find("last_interval_carries_the_centre_forward", 0, "");
+  row = row_of("last_interval_carries_the_centre_forward", 0, "");
   CHECK_NEAR(number_after(row, "dx_C/L = "), (3 * tau * tau / 4 - 4 * dT * dT / 2) / 10, 1e-9); /* - F1 dT^2/M */
   CHECK_NEAR(number_after(row, "would be "), 3 * tau * tau / 40, 1e-9);
-  row = find("first_interval_accelerates_l", 0, "");
+  row = row_of("first_interval_accelerates_l", 0, "");
   CHECK_NEAR(number_after(row, "ends, "), s / (1 + s), 1e-6);
   CHECK_NEAR(number_after(row, "l'' = "), -4, 1e-6);
-  row = find("equal_forces_centre", 0, ""); /* dx_1 = -m2 L/M, dx_2 = m1 L/M */
+  row = row_of("equal_forces_centre", 0, ""); /* dx_1 = -m2 L/M, dx_2 = m1 L/M */
   CHECK_NEAR(number_after(row, "dx_C/L = "), (-1. / 3 + 2. / 3) / 2, 1e-6);
   CHECK_NEAR(number_after(row, "(8) gives "), (2 - 1) / 2. * (-1. / 3), 1e-6);
-  CHECK_NEAR(number_after(find("kinematic_length", 0, ""), "= "), 1, 1e-12);
-  CHECK_NEAR(number_after(find("kinematic_length", 1, ""), "= "), 9.869604401089358 / 8, 1e-12);
+  CHECK_NEAR(number_after(row_of("kinematic_length", 0, ""), "= "), 1, 1e-12);
+  CHECK_NEAR(number_after(row_of("kinematic_length", 1, ""), "= "), 9.869604401089358 / 8, 1e-12);
   /* x0' t1/2 = x0'^2 M tau^2/(2 m1 4 L); t1 = x0' M tau^2/(4 m2 L) = U alpha tau/(2 L), U = 30/9.25 from (28) */
-  CHECK_NEAR(number_after(find("B_x2_first_switch_exceeds_its_remainder", 0, ""), "x2(0), is "), 2 / 80., 1e-6);
-  CHECK_NEAR(number_after(find("t1_is_small", 0, "v_start"), "t1 is "), 30 / 9.25 * 0.75 / 20, 5e-5);
+  CHECK_NEAR(number_after(row_of("B_x2_first_switch_exceeds_its_remainder", 0, ""), "x2(0), is "), 2 / 80., 1e-6);
+  CHECK_NEAR(number_after(row_of("t1_is_small", 0, "v_start"), "t1 is "), 30 / 9.25 * 0.75 / 20, 5e-5);
 }
 
 /* The formulas printed without a remainder, once more from the paper; the exact times from the double solver */
@@ -326,7 +318,7 @@ static void formulas_without_remainder(void **state)
     const struct {
       const char *claim;
       double exact, printed;
-    } known[] = {
+    } formulas[] = {
       { "rest_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
       { "A_t1_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
       { "A_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).dT,
@@ -335,11 +327,11 @@ static void formulas_without_remainder(void **state)
       { "B_dT_without_remainder", phase(&c, SCALLOP_CONTRACTION, v0).dT,
         1 / (kT - F) * (v0 * M * (k0 - F) / (k0 - S) - F * k) },
     };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-      const struct claim_row *row = find(known[i].claim, g, "");
-      CHECK_NEAR(number_after(row, " = "), known[i].exact, 1e-12);
-      CHECK_NEAR(number_after(row, "gives "), known[i].printed, 1e-12);
-      assert_int_equal(fabs(known[i].exact - known[i].printed) > 1e-8, g);
+    for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
+      const struct claim_row *row = row_of(formulas[i].claim, g, "");
+      CHECK_NEAR(number_after(row, " = "), formulas[i].exact, 1e-12);
+      CHECK_NEAR(number_after(row, "gives "), formulas[i].printed, 1e-12);
+      assert_int_equal(fabs(formulas[i].exact - formulas[i].printed) > 1e-8, g);
     }
   }
 }
@@ -372,7 +364,7 @@ static void statements_about_every_crawler(void **state)
                                          "last_interval_grows_with_duration" };
   for (size_t i = 0; i < sizeof counted / sizeof *counted; i++)
     for (int g = 0; g < 2; g++)
-      CHECK_AT_MOST(300, number_after(find(counted[i], g, "quasi-random"), "("));
+      CHECK_AT_MOST(300, number_after(row_of(counted[i], g, "quasi-random"), "("));
 }
 
 int main(void)
@@ -388,5 +380,5 @@ int main(void)
     cmocka_unit_test(formulas_without_remainder),
     cmocka_unit_test(statements_about_every_crawler),
   };
-  return cmocka_run_group_tests_name("claims in words", tests, fill, empty);
+  return cmocka_run_group_tests_name("claims in words", tests, begin, empty);
 }

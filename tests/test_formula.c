@@ -200,58 +200,59 @@ static void the_places_it_uses(void **state)
   assert_int_equal(formula_places(&formula, places), 0);
 }
 
+static const char meaning[] = " has no meaning: a formula is of numbers, names, + - * / ^ ( ) and commas";
+static const struct {
+  const char *text, *wrong, *more;
+} formulas[] = {
+  { "", "character 1: there is no formula", "" },
+  { " \t ", "character 4: there is no formula", "" },
+  { "F3", "character 1: 'F3' is no quantity known here", "" },
+  { "T*(F1+foo)", "character 7: 'foo' is no quantity known here", "" },
+  { "T+serie:dT.15", "character 3: 'serie:dT.15' is no quantity known here: did you mean 'series:dT.15'?", "" },
+  { "pi2", "character 1: 'pi2' is no quantity known here", "" },
+  { "pi(2)", "character 1: 'pi' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
+  { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
+  { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
+  { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
+  { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
+  { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },
+  { "*2", "character 1: a number, a name or '(' is missing before '*'", "" },
+  { "+2", "character 1: a number, a name or '(' is missing before '+'", "" },
+  { "2^", "character 3: a number, a name or '(' is missing before the end", "" },
+  { "-", "character 2: a number, a name or '(' is missing before the end", "" },
+  { "()", "character 2: a number, a name or '(' is missing before ')'", "" },
+  { "abs()", "character 5: a number, a name or '(' is missing before ')'", "" },
+  { "min(1,)", "character 7: a number, a name or '(' is missing before ')'", "" },
+  { "(1+2", "character 1: this '(' is not closed", "" },
+  { "2*(1+(3)", "character 3: this '(' is not closed", "" },
+  { "abs(1", "character 4: this '(' is not closed", "" },
+  { "1+2)", "character 4: this ')' closes nothing", "" },
+  { "1,2", "character 2: this ',' is not between the arguments of a function", "" },
+  { "(1,2)", "character 3: a function is missing before ','", "" },
+  { "2x", "character 2: an operator is missing before 'x'", "" },
+  { "T F1", "character 3: an operator is missing before 'F'", "" },
+  { "(1)(2)", "character 4: an operator is missing before '('", "" },
+  { "(1 2)", "character 4: an operator or ')' is missing before '2'", "" },
+  { "1.2.3", "character 4: an operator is missing before '.'", "" },
+  { "2e", "character 2: an operator is missing before 'e'", "" },
+  { ".", "character 1: there is no digit beside the point", "" },
+  { "T*.e5", "character 3: there is no digit beside the point", "" },
+  { "0x10", "character 1: a number is decimal, as 16 or 1.6e1", "" },
+  { "1e999", "character 1: the number is too large for a double", "" },
+  { "1+0.01e-999", "character 3: the number is too small for a double", "" },
+  { "1%2", "character 2: '%'", meaning },
+  { "[T]", "character 1: '['", meaning },
+  { "T \n", "character 3: the byte 0x0a", meaning },
+  { "\xce\xb1", "character 1: the byte 0xce", meaning },
+  { "(T]", "character 3: ']'", meaning },
+  { "_x", "character 1: '_'", meaning },
+  { "abs(1,2)", "character 1: abs takes one argument, not 2", "" },
+  { "1+max(T)", "character 3: max takes two arguments or more, not 1", "" },
+};
+
 static void what_is_wrong_is_said(void **state)
 {
   (void)state;
-  static const char meaning[] = " has no meaning: a formula is of numbers, names, + - * / ^ ( ) and commas";
-  static const struct {
-    const char *text, *wrong, *more;
-  } formulas[] = {
-    { "", "character 1: there is no formula", "" },
-    { " \t ", "character 4: there is no formula", "" },
-    { "F3", "character 1: 'F3' is no quantity known here", "" },
-    { "T*(F1+foo)", "character 7: 'foo' is no quantity known here", "" },
-    { "T+serie:dT.15", "character 3: 'serie:dT.15' is no quantity known here: did you mean 'series:dT.15'?", "" },
-    { "pi2", "character 1: 'pi2' is no quantity known here", "" },
-    { "pi(2)", "character 1: 'pi' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-    { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
-    { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-    { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-    { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
-    { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },
-    { "*2", "character 1: a number, a name or '(' is missing before '*'", "" },
-    { "+2", "character 1: a number, a name or '(' is missing before '+'", "" },
-    { "2^", "character 3: a number, a name or '(' is missing before the end", "" },
-    { "-", "character 2: a number, a name or '(' is missing before the end", "" },
-    { "()", "character 2: a number, a name or '(' is missing before ')'", "" },
-    { "abs()", "character 5: a number, a name or '(' is missing before ')'", "" },
-    { "min(1,)", "character 7: a number, a name or '(' is missing before ')'", "" },
-    { "(1+2", "character 1: this '(' is not closed", "" },
-    { "2*(1+(3)", "character 3: this '(' is not closed", "" },
-    { "abs(1", "character 4: this '(' is not closed", "" },
-    { "1+2)", "character 4: this ')' closes nothing", "" },
-    { "1,2", "character 2: this ',' is not between the arguments of a function", "" },
-    { "(1,2)", "character 3: a function is missing before ','", "" },
-    { "2x", "character 2: an operator is missing before 'x'", "" },
-    { "T F1", "character 3: an operator is missing before 'F'", "" },
-    { "(1)(2)", "character 4: an operator is missing before '('", "" },
-    { "(1 2)", "character 4: an operator or ')' is missing before '2'", "" },
-    { "1.2.3", "character 4: an operator is missing before '.'", "" },
-    { "2e", "character 2: an operator is missing before 'e'", "" },
-    { ".", "character 1: there is no digit beside the point", "" },
-    { "T*.e5", "character 3: there is no digit beside the point", "" },
-    { "0x10", "character 1: a number is decimal, as 16 or 1.6e1", "" },
-    { "1e999", "character 1: the number is too large for a double", "" },
-    { "1+0.01e-999", "character 3: the number is too small for a double", "" },
-    { "1%2", "character 2: '%'", meaning },
-    { "[T]", "character 1: '['", meaning },
-    { "T \n", "character 3: the byte 0x0a", meaning },
-    { "\xce\xb1", "character 1: the byte 0xce", meaning },
-    { "(T]", "character 3: ']'", meaning },
-    { "_x", "character 1: '_'", meaning },
-    { "abs(1,2)", "character 1: abs takes one argument, not 2", "" },
-    { "1+max(T)", "character 3: max takes two arguments or more, not 1", "" },
-  };
   for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
     struct formula formula, before;
     memset(&formula, 0x5a, sizeof formula);

@@ -135,14 +135,15 @@ double sticking_onset(const struct scallop_crawler *c)
   return doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
 }
 
-bool answer_friction(struct answer *a, const struct motion *m)
+enum scallop_status answer_friction(struct answer *a, const struct motion *m)
 {
   const struct scallop_crawler *c = &m->crawler;
   double *work = &a->value[Q_FRICTION_WORK].high, way = fabs(a->value[Q_DISPLACEMENT].high);
-  if (scallop_friction_work(c, a->value[Q_V_START].high, a->value[Q_V_MID].high, work) != SCALLOP_OK)
-    return false;
+  enum scallop_status status = scallop_friction_work(c, a->value[Q_V_START].high, a->value[Q_V_MID].high, work);
+  if (status != SCALLOP_OK)
+    return status;
   a->value[Q_COST_OF_TRANSPORT].high = way == 0 ? NAN : *work / (c->F1 + c->F2) / way;
-  return true;
+  return SCALLOP_OK;
 }
 
 double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,

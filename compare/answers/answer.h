@@ -31,7 +31,7 @@ bool answer_in_double(struct answer *answer, const struct motion *motion);
 /* Of a phase in double, the positions Q_AT_FIRST and Q_AT_LAST as well: they take a second walk through the phase. */
 bool answer_turnings(struct answer *answer, const struct motion *motion);
 /* Of a steady state in double, Q_FRICTION_WORK and Q_COST_OF_TRANSPORT as well: likewise. */
-bool answer_friction(struct answer *answer, const struct motion *motion);
+enum scallop_status answer_friction(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
 /* The answer in double, and for each of its numbers an estimate of the error (numerics/wide.h); nan where there is none. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "numerics/certified.h"
-#include "asymptotics/derived.h"
 #include "asymptotics/evaluate.h"
 #include "compare/answers/point_flint.h"
 

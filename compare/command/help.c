@@ -55,11 +55,21 @@ static void describe(const struct arguments *initial, const struct option *o, ch
            place ? place + 2 : "");
 }
 
+/* The columns of a motion, as their table has them */
+static void list_quantities(FILE *to, enum quantity_of of)
+{
+  fputs("\nQuantities (with their units):\n", to);
+  for (int q = (int)quantity_first(of); q < (int)quantity_end(of); q++)
+    fprintf(to, "  %-18s  %s [%s]\n", quantity_rows[q].name, quantity_rows[q].sentence, quantity_rows[q].unit);
+}
+
 void help_command(FILE *to, const struct command *command)
 {
-  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n\nOptions (defaults in brackets):\n", command->example,
-          command->name, command->operand ? " " : "", command->operand ? command->operand : "", command->summary,
-          command->about);
+  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n", command->example, command->name,
+          command->operand ? " " : "", command->operand ? command->operand : "", command->summary, command->about);
+  if (command->quantities)
+    list_quantities(to, *command->quantities);
+  fputs("\nOptions (defaults in brackets):\n", to);
   struct arguments initial;
   options_initial(&initial, command);
   for (const struct option *o = command->options; o->name; o++) {

@@ -144,7 +144,7 @@ static const char *row(struct table *t, const struct point *p, const void *conte
 static enum exit_code run(const struct arguments *arguments, const struct motion_options *o, enum quantity_of of)
 {
   enum { MOST = 2 * QUANTITIES + 4, NAME = 32 };
-  static const char *const none[] = { NULL }, *const of_phase[] = { "phase", "v0", NULL };
+  static const char *const none[] = { NULL }, *const start[] = { "phase", "v0", NULL };
   const char *columns[MOST];
   char errors[QUANTITIES][NAME];
   const struct asked asked = { of, o };
@@ -162,7 +162,7 @@ static enum exit_code run(const struct arguments *arguments, const struct motion
   columns[n++] = "status";
   columns[n] = NULL;
   const struct point_table table = {
-    .extra = of == OF_PHASE ? of_phase : none, .columns = columns, .row = row, .context = &asked
+    .extra = of == OF_PHASE ? start : none, .columns = columns, .row = row, .context = &asked
   };
   return for_each_point(&o->request, &table);
 }
@@ -187,6 +187,8 @@ static bool is_sound(const void *options)
   return false;
 }
 
+static const enum quantity_of of_steady = OF_STEADY, of_phase = OF_PHASE;
+
 #define ABOUT_ARITHMETICS \
   "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
   "doubles\n" \
@@ -203,12 +205,11 @@ const struct command command_steady = {
   .options = steady_options,
   .size = sizeof(struct motion_options),
   .is_sound = is_sound,
-  .about = "Columns: the parameters; froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity of both bodies\n"
-           "at the start of the extension and of the contraction; displacement of the geometric centre over a period,\n"
-           "and mean_velocity = displacement / T; multiplier, the derivative of the period map (how fast a deviation\n"
-           "decays: its factor per period); regime: sliding, stick-slip or at-rest; modes: directions of body 1 and\n"
-           "body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
-           "answer.\n" ABOUT_ARITHMETICS,
+  .about =
+      "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
+      "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
+      "answer.\n" ABOUT_ARITHMETICS,
+  .quantities = &of_steady,
   .run = run_steady,
 };
 
@@ -219,11 +220,9 @@ const struct command command_phase = {
   .options = phase_options,
   .size = sizeof(struct motion_options),
   .is_sound = is_sound,
-  .about =
-      "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-      "Columns: the parameters, phase and v0; t1, the first change of mode after the start; dT, from the last\n"
-      "change of mode to the end of the phase (nan: the mode does not change); v_end, the velocity of both bodies\n"
-      "at the end; dx1 dx2 dxC, displacements of body 1, body 2 and the geometric centre (x1 + x2)/2; regime;\n"
-      "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
+  .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
+           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
+           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
+  .quantities = &of_phase,
   .run = run_phase,
 };

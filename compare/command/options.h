@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "compare/answers/points.h"
+#include "compare/answers/quantities.h"
 #include "compare/text/values.h"
 
 /* The text of what a macro stands for, so that --help tells the numbers that are used */
@@ -132,6 +133,7 @@ struct command {
   size_t size;                            /* of its struct                                                             */
   const void *initial;                    /* what that holds before anything is read, but for the request; NULL: zeros */
   const char *about;                      /* what the columns mean                                                     */
+  const enum quantity_of *quantities;     /* of what motion the quantities are that --help lists; NULL: it lists none  */
   const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                                           */
   /* What the options have to do with each other: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);

@@ -46,7 +46,7 @@ void state_move(struct scene_state *s, const struct sweep_product *product, cons
   s->at.has_v0 = scene->start != START_STEADY;
   s->why[0] = '\0';
   s->is_outside = false;
-  s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = false;
+  s->has_answer[OF_STEADY] = s->has_answer[OF_PHASE] = s->has_turnings = s->has_friction = false;
   memset(s->has, 0, sizeof s->has);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
   if (s->asked.flint)
@@ -117,14 +117,22 @@ static void find_turnings(struct scene_state *s)
   count_add(COUNT_PHASES, 1);
 }
 
+static void find_friction(struct scene_state *s)
+{
+  if (!s->has_friction)
+    s->friction = answer_friction(&s->answer[OF_STEADY], &s->motion[OF_STEADY]);
+  s->has_friction = true;
+  check(s, s->friction, 0);
+}
+
 /* Those that are no columns unless they are asked for take another walk. */
 static double number_of(struct scene_state *s, enum quantity_of of, int q)
 {
   struct answer *a = &s->answer[of];
   if (q == Q_AT_FIRST || q == Q_AT_LAST)
     find_turnings(s);
-  if ((q == Q_FRICTION_WORK || q == Q_COST_OF_TRANSPORT) && isnan(a->value[Q_FRICTION_WORK].high))
-    answer_friction(a, &s->motion[OF_STEADY]);
+  if (q == Q_FRICTION_WORK || q == Q_COST_OF_TRANSPORT)
+    find_friction(s);
   return a->value[q].high;
 }
 

@@ -16,8 +16,9 @@ struct scene_state {
   struct point at;        /* the parameters */
   struct swept swept;     /* what is beside them */
   char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
-  bool has_answer[2], has_turnings;
-  struct motion motion[2]; /* of the steady state and of the phase, by enum quantity_of */
+  bool has_answer[2], has_turnings, has_friction;
+  enum scallop_status friction; /* of the walk that gives its work */
+  struct motion motion[2];      /* of the steady state and of the phase, by enum quantity_of */
   struct answer answer[2];
   bool is_outside;   /* the parameters are no point: nothing but they can be told               */
   bool tells_steady; /* the row has something of the steady state in doubles                     */

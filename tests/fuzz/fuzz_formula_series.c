@@ -11,14 +11,14 @@ enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions 
 static const struct ring ring = { .length = 6, .precision = 100 };
 
 /* x is the variable, h is 1/2, b a ball */
-static const char quantities[] = "xhb";
-enum { QUANTITIES = sizeof quantities - 1 };
+static const char symbols[] = "xhb";
+enum { SYMBOLS = sizeof symbols - 1 };
 
 static int place_of(void *context, const char *name)
 {
   (void)context;
-  const char *found = strlen(name) == 1 ? strchr(quantities, *name) : NULL;
-  return found ? (int)(found - quantities) : -1;
+  const char *found = strlen(name) == 1 ? strchr(symbols, *name) : NULL;
+  return found ? (int)(found - symbols) : -1;
 }
 
 static bool evaluate_text(struct series *value, const char *text)
@@ -26,12 +26,12 @@ static bool evaluate_text(struct series *value, const char *text)
   static const struct formula_names names = { .place = place_of };
   struct formula formula;
   char message[FORMULA_MESSAGE];
-  struct series values[QUANTITIES];
+  struct series values[SYMBOLS];
   fmpq_t half;
   arb_t pi;
   if (formula_read(&formula, text, &names, message))
     return false;
-  for (int i = 0; i < QUANTITIES; i++)
+  for (int i = 0; i < SYMBOLS; i++)
     series_init(&values[i]);
   fmpq_init(half);
   arb_init(pi);
@@ -41,7 +41,7 @@ static bool evaluate_text(struct series *value, const char *text)
   series_set_rational(&values[1], half);
   series_set_ball(&values[2], pi);
   bool evaluated = !formula_series(value, &formula, values, &ring, message);
-  for (int i = 0; i < QUANTITIES; i++)
+  for (int i = 0; i < SYMBOLS; i++)
     series_clear(&values[i]);
   fmpq_clear(half);
   arb_clear(pi);
