@@ -8,18 +8,12 @@
 /* Slopes over 2^-40 lose 12 digits of these; 2^-60 is 18 digits. */
 enum { DIGITS = 32, BITS = 160, NEAR = 40 };
 
-const char *family_name(const struct family *f)
+struct scallop_crawler family_member(const struct scallop_crawler *crawler, enum varied varied, double x)
 {
-  static const char *const name[] = { "F1/F2", "F2", "T" };
-  return name[f->varied];
-}
-
-struct scallop_crawler family_member(const struct family *f, double x)
-{
-  struct scallop_crawler c = f->crawler;
-  if (f->varied == VARY_PERIOD)
+  struct scallop_crawler c = *crawler;
+  if (varied == VARY_PERIOD)
     c.T = x;
-  else if (f->varied == VARY_RATIO)
+  else if (varied == VARY_RATIO)
     c.F1 = x * c.F2;
   else {
     c.F1 = x * (c.F1 / c.F2);
@@ -30,7 +24,7 @@ struct scallop_crawler family_member(const struct family *f, double x)
 
 static struct place place_at(const struct family *f, double x)
 {
-  struct scallop_crawler c = family_member(f, x);
+  struct scallop_crawler c = family_member(&f->crawler, f->varied, x);
   struct scallop_steady_result r = steady_state(&c);
   return (struct place){ .x = x,
                          .speed = r.mean_velocity * f->crawler.T / f->crawler.L,
@@ -38,11 +32,9 @@ static struct place place_at(const struct family *f, double x)
                          .sliding = isfinite(r.mean_velocity) && r.period.regime == SCALLOP_SLIDING };
 }
 
-double family_speed(const struct family *f, double x) { return place_at(f, x).speed; }
-
 /* In doubles */
 
-static double speed_of(const void *family, double x) { return family_speed(family, x); }
+static double speed_of(const void *family, double x) { return place_at(family, x).speed; }
 static double start_of(const void *family, double x) { return place_at(family, x).v_start; }
 
 static double rough_boundary(const struct family *f)
@@ -156,7 +148,7 @@ static void members_clear(struct member *m, int count)
   }
 }
 
-bool family_rises(const struct family *f, double x, double y)
+static bool family_rises(const struct family *f, double x, double y)
 {
   struct member m[2];
   members_init(m, 2);
@@ -252,32 +244,4 @@ void family_prove_boundary(struct family *f)
 bool family_peak_is_proven(const struct family *f)
 {
   return f->found && f->rises_before && f->falls_after && family_peaks_at_boundary(f);
-}
-
-void family_command(struct question *q, const struct family *f, const double *x, int count, const char *rest)
-{
-  static const char *const head[] = { "F1", "F1\\tF2", "T" };
-  const struct scallop_crawler d = scallop_crawler_default();
-  struct scallop_crawler others = f->crawler; /* what is in the table is no option */
-  reason(q, "printf '%s\\n", head[f->varied]);
-  for (int i = 0; i < count; i++) {
-    struct scallop_crawler c = family_member(f, x[i]);
-    reason(q, "%.10g", f->varied == VARY_PERIOD ? c.T : c.F1);
-    if (f->varied == VARY_FORCES)
-      reason(q, "\\t%.10g", c.F2);
-    reason(q, "\\n");
-  }
-  if (f->varied == VARY_PERIOD)
-    others.T = d.T;
-  else
-    others.F1 = d.F1;
-  if (f->varied == VARY_FORCES)
-    others.F2 = d.F2;
-  command(q, "' | scallop steady --points -", &others, "%s", rest);
-}
-
-const char *family_cut(const struct family *f)
-{
-  static const char *const cut[] = { " | cut -f 3,13", " | cut -f 3,4,13", " | cut -f 6,12,13" };
-  return cut[f->varied];
 }
