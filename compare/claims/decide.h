@@ -16,7 +16,8 @@
  * Statements  FORMULA > FORMULA, or <, <=, =. In balls "=" holds if the difference is 0 to 2^-80, and fails if it is not 0.
  * Texts       {3f FORMULA} a number with three digits, in the way of %.3f (e, g likewise); {modes}, {options} of the first motion, its modes and
  *             the options that make the default crawler this one, {modes:2}, {options:0} of another; {whose}, {quantity};
- *             {+TEXT}, {-TEXT} where the claim holds, where it does not. */
+ *             {+TEXT}, {-TEXT} where the claim holds, is refuted; {1} what the decider worded; {table} a command that prints the steady states,
+ *             with the numbers in which they differ. */
 #ifndef SCALLOP_CLAIMS_DECIDE_H
 #define SCALLOP_CLAIMS_DECIDE_H
 
@@ -29,13 +30,15 @@ typedef void decide(struct question *q);
 struct claim {
   const char *name, *place, *quantity; /* place: in the paper                                             */
   decide *decide;
-  const char *conditions, *motions, *needs, *says; /* needs: a formula that must be positive, or NULL; says: the statement */
-  const char *measured, *reason;                   /* texts, and so are conditions                                   */
-  const void *with;                                /* a parameter of the function                                    */
-  enum varied varied;      /* of the family                                                          */
-  bool outside;            /* of the paper's conditions                                              */
-  bool of_its_gaits_alone; /* the paper's: no row for another                                        */
-  bool of_its_crawler;     /* the paper's, not the ledger's                                          */
+  const char *conditions, *motions;  /* conditions, measured and reason: texts                         */
+  const char *says, *needs;          /* a statement, and a formula that must be positive for that to count, or NULL */
+  const char *shown_by, *refuted_by; /* or one formula: positive, an example shows the claim, or refutes it      */
+  const char *measured, *reason;     /* reason: of what does not hold                                  */
+  const void *with;                  /* a parameter of the function                                    */
+  enum varied varied;                /* of the family                                                          */
+  bool outside;                      /* of the paper's conditions                                              */
+  bool of_its_gaits_alone;           /* the paper's: no row for another                                        */
+  bool of_its_crawler;               /* the paper's, not the ledger's                                          */
 };
 /* In the order of the ledger; the last has name NULL. Decided once; for each gait with the paper's crawler (examples), or with random
  * ones; and for each gait with the paper's crawler and with the ledger's (families). */
@@ -79,9 +82,9 @@ double number_of(struct question *q, const char *formula);
 /* What the claim says, of the motions that were solved: 1 it holds, -1 it does not, 0 undecided. excess: left side - right side, with > the
  * other way round: where it is largest the claim is nearest to failing. */
 int judge(struct question *q, arb_t excess);
-/* holds or refuted where one of them is proven, else undecided; and the texts of the row: appended, measured only where decided. */
+/* holds or refuted where one of them is proven, and every motion that was asked for is solved, else undecided; and the texts of the row. */
 void settle(struct question *q, bool holds, bool fails);
-/* settle by judge */
+/* settle by what the claim says, or by its example */
 void conclude(struct question *q);
 /* Appends a text with its {...}. size: of text */
 void say(struct question *q, char *text, size_t size, const char *format);

@@ -32,8 +32,10 @@ static void moved_clear(struct moved *m)
 void question_init(struct question *q, const struct scallop_crawler *crawler)
 {
   *q = (struct question){ .crawler = *crawler, .solved = true };
-  for (int i = 0; i < MOTIONS; i++)
+  for (int i = 0; i < MOTIONS; i++) {
     moved_init(&q->motion[i]);
+    q->motion[i].crawler = *crawler;
+  }
 }
 
 void question_clear(struct question *q)
@@ -64,7 +66,7 @@ static void duration_of(fmpq_t T, const struct moved *m)
 /* |l'|, or its rate l'', in L over the duration (squared), a part of the duration before its end */
 static void law_before_end(arb_t x, const struct moved *m, const arb_t part, bool rate)
 {
-  const struct scallop_shape *shape = &m->crawler.gait->phase[m->kind];
+  const struct scallop_shape *shape = &m->exact.gait->phase[m->kind];
   const struct scallop_piece *piece = shape->pieces, *last = piece + shape->count - 1;
   arb_t since;
   arb_init(since);

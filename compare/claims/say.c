@@ -94,7 +94,7 @@ static void append_braced(struct question *q, const struct out *out, const char 
                       : strncmp(inside, "modes", 5) == 0 ? motion_modes_text(modes, m->of, m->modes)
                                                          : NULL;
   if (*inside == '+' || *inside == '-') {
-    if ((*inside == '+') == (q->row.verdict == CLAIM_HOLDS))
+    if (q->row.verdict == (*inside == '+' ? CLAIM_HOLDS : CLAIM_REFUTED))
       say(q, out->text, out->size, inside + 1);
   } else if (inside[0] && !inside[1])
     say(q, out->text, out->size, q->word[*inside - '1']);
@@ -125,30 +125,23 @@ void say(struct question *q, char *text, size_t size, const char *format)
   }
 }
 
-static void say_if_any(struct question *q, char *text, size_t size, const char *format)
-{
-  if (format)
-    say(q, text, size, format);
-}
-
 void settle(struct question *q, bool holds, bool fails)
 {
   struct claim_row *row = &q->row;
   row->verdict = !q->solved ? CLAIM_UNDECIDED : holds ? CLAIM_HOLDS : fails ? CLAIM_REFUTED : CLAIM_UNDECIDED;
-  say_if_any(q, row->conditions, sizeof row->conditions, q->claim->conditions);
-  say_if_any(q, row->measured, sizeof row->measured, row->verdict == CLAIM_UNDECIDED ? "not proven" : q->claim->measured);
-  if (row->verdict == CLAIM_REFUTED)
-    say_if_any(q, row->reason, sizeof row->reason, q->claim->reason);
+  say(q, row->conditions, sizeof row->conditions, q->claim->conditions);
+  say(q, row->measured, sizeof row->measured, q->solved ? q->claim->measured : "not proven");
+  if (row->verdict != CLAIM_HOLDS && q->claim->reason)
+    say(q, row->reason, sizeof row->reason, q->claim->reason);
 }
 
 void conclude(struct question *q)
 {
-  const char *needs = q->claim->needs;
+  const struct claim *claim = q->claim;
   arb_t x;
   arb_init(x);
-  if (needs)
-    value_of(x, q, needs);
-  int holds = needs && !arb_is_positive(x) ? 0 : judge(q, x);
+  value_of(x, q, claim->says ? claim->needs ? claim->needs : "1" : claim->shown_by ? claim->shown_by : claim->refuted_by);
+  int holds = !arb_is_positive(x) ? 0 : claim->says ? judge(q, x) : claim->shown_by ? 1 : -1;
   settle(q, holds > 0, holds < 0);
   arb_clear(x);
 }

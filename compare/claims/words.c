@@ -15,7 +15,8 @@ static const char lower[] = "mean_velocity is lower at the boundary, the first r
 #define CHANGES(by) \
   { \
     "start_velocity_changes_sign", "4.4", "v_start", start_velocity_changes_sign, survey, \
-        .varied = (by), .measured = "certified: v_start > 0 at {2} = {10g x1} (1 - 2^-60) and not at (1 + 2^-60)" \
+        .varied = (by), .measured = "{+certified: v_start > 0 at {2} = {10g x1} (1 - 2^-60) and not at (1 + 2^-60)}", \
+        .reason = "no change of sign was proven" \
   }
 #define PEAKS(by) \
   { \
