@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "compare/answers/point.h"
-#include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
+#include "compare/claims/family.h"
 
 enum { SHORT = 6 };
 

@@ -3,12 +3,13 @@
  * random crawlers. The others find numbers, or solve many crawlers, and then conclude as these do. Needs FLINT. Not public.
  *
  * Motions     "steady F1=40; contraction v0=v_mid:1": the steady state of the base crawler with F1 = 40, then a contraction. A number
- *             is set to a formula (asymptotics/formula.h); v0~FORMULA rounds to a double. The base crawler, motion 0, is the one that the row is
+ *             is set to a formula (asymptotics/formula.h); v0~FORMULA rounds to a double; at=FORMULA takes the member of the
+ *             family. The base crawler, motion 0, is the one that the row is
  *             for; in `at_random` a random one. A start velocity in a ball is solved for both of its ends: all that is asked of a
  *             phase rises or falls with v0, since motions under one l never cross.
  * Names       in formulas: the quantities (compare/answers/quantities.h) and parameters, `NAME:2` those of the second motion, without a number of the
  *             first (when motions are set, of the base crawler); the formulas of the paper and the names in them (l0, lT, M; T is the period, and
- *             `duration` that of the phase); x1, x2, ... what the decider found; speed_at_quarter and rate_at_dT, |l'| and l'' in L over
+ *             `duration` that of the phase); x1, x2, ... and root, what the decider found (shortest decimals; exactly); speed_at_quarter and rate_at_dT, |l'| and l'' in L over
  *             the duration (squared) at a quarter of it and dT before its end; x_first, where the rear body is at t1. 1 if it is so,
  *             else 0: sliding, sticking, resting (the regime), switches (the mode), sticks_1, sticks_2, sticks_both (in some mode),
  *             oppose (modes -+ | +-), turns_once (-+ ++), like_first (the modes of the first motion), single (one steady state),
@@ -22,10 +23,13 @@
 #define SCALLOP_CLAIMS_DECIDE_H
 
 #include "compare/answers/answer_flint.h"
-#include "compare/claims/family.h"
+#include "compare/claims/claims.h"
 
 struct question;
 typedef void decide(struct question *q);
+
+/* What varies in a family of crawlers: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
+enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
 
 struct claim {
   const char *name, *place, *quantity; /* place: in the paper                                             */
@@ -69,6 +73,7 @@ struct question {
   int motions;
   bool solved;             /* all of them                                                              */
   double found[FOUND];     /* x1, x2, ...                                                              */
+  arb_t root;              /* likewise, exactly                                                         */
   const char *word[FOUND]; /* {1}, {2}, ...                                                        */
 };
 void question_init(struct question *q, const struct scallop_crawler *crawler);

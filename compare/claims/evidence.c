@@ -30,6 +30,16 @@ struct scallop_phase_result extension(const struct scallop_crawler *c, double v0
 
 double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
+double nearest_double(const fmpq_t x)
+{
+  arb_t ball;
+  arb_init(ball);
+  arb_set_fmpq(ball, x, 64);
+  double value = middle(ball);
+  arb_clear(ball);
+  return value;
+}
+
 /* 10^x for x in [-1, 1] by its own series: the same bits on every machine */
 static double power_of_ten(double x)
 {

@@ -12,6 +12,7 @@ double natural_time(const struct scallop_crawler *c);
 struct scallop_steady_result steady_state(const struct scallop_crawler *c);
 struct scallop_phase_result extension(const struct scallop_crawler *c, double v0);
 double middle(const arb_t x);
+double nearest_double(const fmpq_t x); /* fmpq_get_d does not round to nearest */
 
 /* Masses and forces within a factor of 10 of 1, L = 1, 0.05 < alpha < 0.95, eps from 0.01 to 10: a Sobol sequence, the same bits on
  * every machine. Returns count, or 0: out of memory. */

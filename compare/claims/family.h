@@ -2,10 +2,7 @@
 #ifndef SCALLOP_CLAIMS_FAMILY_H
 #define SCALLOP_CLAIMS_FAMILY_H
 
-#include "compare/claims/evidence.h"
-
-/* x: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
-enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
+#include "compare/claims/decide.h"
 
 struct place {
   double x, speed, v_start; /* nan where there is no steady state                                    */
@@ -40,8 +37,5 @@ void family_prove_maxima(struct family *f);
 bool family_peaks_at_boundary(const struct family *f);
 /* Proven: v_start vanishes, mean velocity rises up to there and falls behind, and nowhere in the scan is it higher. */
 bool family_peak_is_proven(const struct family *f);
-
-/* The crawler with x set. */
-struct scallop_crawler family_member(const struct scallop_crawler *crawler, enum varied varied, double x);
 
 #endif

@@ -8,6 +8,7 @@
 #include "compare/answers/point_flint.h"
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
+#include "compare/text/table.h"
 
 enum { DIGITS = 30, NAMES = 32 };
 
@@ -32,6 +33,7 @@ static void moved_clear(struct moved *m)
 void question_init(struct question *q, const struct scallop_crawler *crawler)
 {
   *q = (struct question){ .crawler = *crawler, .solved = true };
+  arb_init(q->root);
   for (int i = 0; i < MOTIONS; i++) {
     moved_init(&q->motion[i]);
     q->motion[i].crawler = *crawler;
@@ -40,6 +42,7 @@ void question_init(struct question *q, const struct scallop_crawler *crawler)
 
 void question_clear(struct question *q)
 {
+  arb_clear(q->root);
   for (int i = 0; i < MOTIONS; i++)
     moved_clear(&q->motion[i]);
 }
@@ -52,6 +55,15 @@ static void set_double(arb_t x, double value)
     arb_indeterminate(x);
   else
     arb_set_d(x, value);
+}
+
+/* A number that was found is what a command says: its shortest decimal. */
+static void set_decimal(arb_t x, double value)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, value, 0);
+  if (arb_set_str(x, text, EVIDENCE_BITS))
+    arb_indeterminate(x);
 }
 
 /* The period, or the duration of a phase */
@@ -158,7 +170,9 @@ static void set_named(arb_t x, const struct question *q, const struct moved *m, 
   else if (quantity < NAMED_QUANTITIES)
     arb_set(x, &m->value[quantity]);
   else if (name[0] == 'x' && name[1] >= '1' && name[1] <= '9')
-    set_double(x, q->found[name[1] - '1']);
+    set_decimal(x, q->found[name[1] - '1']);
+  else if (strcmp(name, "root") == 0)
+    arb_set(x, q->root);
   else if (strcmp(name, "x_first") == 0)
     arb_set(x, &m->value[Q_AT_FIRST]);
   else if (strcmp(name, "v0") == 0)
@@ -267,61 +281,92 @@ static bool solve_in_double(struct moved *m)
 }
 
 /* Begins a motion: the base crawler, from rest */
-static struct moved *begin_motion(struct question *q, int i)
+static struct moved *begin_motion(struct question *q, int i, bool in_balls)
 {
   struct moved *m = &q->motion[i];
   m->crawler = q->crawler;
+  (in_balls ? rational_crawler : scallop_rational_of)(&m->exact, &m->crawler);
   arb_zero(m->v0);
   q->motions = i;
   return m;
 }
 
-/* NAME=FORMULA or NAME~FORMULA */
-static void assign(struct question *q, struct moved *m, const char *text)
+/* The number, if it is known exactly; else its nearest double, in balls as the shortest decimal. 0: it is none. */
+static void set_exactly(fmpq_t exact, const arb_t x, bool in_balls)
 {
+  char text[NUMBER_TEXT];
+  number_text(text, middle(x), 0);
+  if (in_balls && arb_is_exact(x) && arb_is_finite(x))
+    arf_get_fmpq(exact, arb_midref(x));
+  else if (in_balls ? !scallop_rational_parse(exact, text) : !arb_is_finite(x))
+    fmpq_zero(exact);
+  else if (!in_balls)
+    scallop_rational_set_double(exact, middle(x));
+}
+
+/* The member of the family */
+static void vary(struct scallop_rational_crawler *c, enum varied varied, const fmpq_t x)
+{
+  if (varied == VARY_PERIOD)
+    fmpq_set(c->T, x);
+  else if (varied == VARY_RATIO)
+    fmpq_mul(c->F1, c->F2, x);
+  else {
+    fmpq_div(c->F1, c->F1, c->F2);
+    fmpq_mul(c->F1, c->F1, x);
+    fmpq_set(c->F2, x);
+  }
+}
+
+/* NAME=FORMULA or NAME~FORMULA */
+static void assign(struct question *q, struct moved *m, const char *text, bool in_balls)
+{
+  struct scallop_rational_crawler *e = &m->exact;
   struct scallop_crawler *c = &m->crawler;
+  fmpq *const exact[] = { e->m1, e->m2, e->F1, e->F2, e->L, e->T, e->alpha };
   double *const numbers[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
   char name[8];
   size_t length = strcspn(text, "=~");
   arb_t x;
+  fmpq_t value;
   arb_init(x);
+  fmpq_init(value);
   snprintf(name, sizeof name, "%.*s", (int)length, text);
   evaluate(x, q, text + length + 1, 0);
+  set_exactly(value, x, in_balls);
   int place = crawler_place(name);
   if (strcmp(name, "at") == 0)
-    *c = family_member(c, q->claim->varied, middle(x));
+    vary(e, q->claim->varied, value);
   else if (place < CRAWLER_NUMBERS)
-    *numbers[place] = middle(x);
+    fmpq_set(exact[place], value);
   else if (text[length] == '~')
     arb_set_d(m->v0, middle(x));
   else
     arb_set(m->v0, x);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    *numbers[i] = nearest_double(exact[i]);
   arb_clear(x);
+  fmpq_clear(value);
 }
 
 void solve_motions(struct question *q, bool in_balls)
 {
-  void (*const make_exact)(struct scallop_rational_crawler *,
-                           const struct scallop_crawler *) = in_balls ? rational_crawler : scallop_rational_of;
-  struct moved *m = begin_motion(q, 0);
-  make_exact(&m->exact, &m->crawler);
+  struct moved *m = begin_motion(q, 0, in_balls);
   q->solved = true;
   for (const char *at = q->claim->motions; at && *at; at += strspn(at, "; ")) {
     char word[100];
     size_t length = strcspn(at, "; ");
     snprintf(word, sizeof word, "%.*s", (int)length, at);
     if (strpbrk(word, "=~"))
-      assign(q, m, word);
+      assign(q, m, word, in_balls);
     else {
-      m = begin_motion(q, q->motions + 1);
+      m = begin_motion(q, q->motions + 1, in_balls);
       m->of = *word == 's' ? OF_STEADY : OF_PHASE;
       m->kind = *word == 'c' ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     }
     at += length;
-    if (*at == ' ')
-      continue;
-    make_exact(&m->exact, &m->crawler);
-    q->solved = (in_balls ? solve_in_balls : solve_in_double)(m) && q->solved;
+    if (*at != ' ')
+      q->solved = (in_balls ? solve_in_balls : solve_in_double)(m) && q->solved;
   }
 }
 

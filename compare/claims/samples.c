@@ -100,17 +100,6 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* fmpq_get_d does not round to nearest. */
-static double nearest_double(const fmpq_t x)
-{
-  arb_t ball;
-  arb_init(ball);
-  arb_set_fmpq(ball, x, 64);
-  double value = middle(ball);
-  arb_clear(ball);
-  return value;
-}
-
 /* log |error|, if the ball says something of it */
 static double log_size(const arb_t error)
 {
