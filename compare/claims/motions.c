@@ -62,8 +62,9 @@ static void set_decimal(arb_t x, double value)
 {
   char text[NUMBER_TEXT];
   number_text(text, value, 0);
-  if (arb_set_str(x, text, EVIDENCE_BITS))
-    arb_indeterminate(x);
+  set_double(x, value);
+  if (isfinite(value))
+    arb_set_str(x, text, EVIDENCE_BITS);
 }
 
 /* The period, or the duration of a phase */
@@ -112,8 +113,8 @@ static void published(arb_t x, const struct moved *m, const char *name)
         formula = *f;
   duration_of(T, m);
   arf_get_fmpq(v0, arb_midref(m->v0));
-  if (!published_in_balls(x, &formula, &m->exact, m->kind, v0, T, NULL, EVIDENCE_BITS))
-    arb_indeterminate(x);
+  arb_indeterminate(x);
+  published_in_balls(x, &formula, &m->exact, m->kind, v0, T, NULL, EVIDENCE_BITS);
   fmpq_clear(T);
   fmpq_clear(v0);
 }
@@ -208,10 +209,10 @@ static int place_of(void *context, const char *name)
   size_t length = strcspn(name, ":");
   int motion = name[length] ? atoi(name + length + 1) : v->usual;
   snprintf(own, sizeof own, "%.*s", (int)length, name);
-  if (v->count == NAMES || motion >= MOTIONS)
-    return -1;
-  set_named(v->value + v->count, v->q, &v->q->motion[motion], own);
-  return v->count++;
+  bool known = v->count < NAMES && motion < MOTIONS;
+  if (known)
+    set_named(v->value + v->count, v->q, &v->q->motion[motion], own);
+  return known ? v->count++ : -1;
 }
 
 static void evaluate(arb_t x, const struct question *q, const char *text, int usual)
@@ -296,11 +297,12 @@ static void set_exactly(fmpq_t exact, const arb_t x, bool in_balls)
 {
   char text[NUMBER_TEXT];
   number_text(text, middle(x), 0);
-  if (in_balls && arb_is_exact(x) && arb_is_finite(x))
+  fmpq_zero(exact);
+  if (in_balls && arb_is_exact(x))
     arf_get_fmpq(exact, arb_midref(x));
-  else if (in_balls ? !scallop_rational_parse(exact, text) : !arb_is_finite(x))
-    fmpq_zero(exact);
-  else if (!in_balls)
+  else if (in_balls && arb_is_finite(x))
+    scallop_rational_parse(exact, text);
+  else if (arb_is_finite(x))
     scallop_rational_set_double(exact, middle(x));
 }
 

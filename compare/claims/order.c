@@ -61,49 +61,43 @@ static void name_row(char name[CLAIM_NAME], const struct claimed *claimed)
            claimed->mirrored ? ":mirrored" : "");
 }
 
-/* Each motion is solved once, and serves all the formulas about it. */
-struct solved {
-  bool opened, expands; /* expands: it has an expansion                                            */
-  struct trial trial;
-  struct sample *samples;
-};
-
 /* One gait's part of the ledger while it is filled */
 struct part {
   const struct scallop_rational_crawler *crawler; /* with the gait                                */
   const char *only;                               /* the requested rows, NULL for all             */
   struct ledger *ledger;
-  struct solved solved[CONDITIONS][2]; /* [1]: in a mirror                                        */
+  /* Each motion is solved once, and serves all the formulas about it. [1]: in a mirror */
+  struct trial trial[CONDITIONS][2];
+  bool opened[CONDITIONS][2], expands[CONDITIONS][2];
 };
 
 /* NULL if it has no expansion */
-static const struct solved *solve(struct part *part, const struct condition *condition, bool mirrored)
+static const struct trial *solve(struct part *part, const struct condition *condition, bool mirrored)
 {
-  struct solved *s = &part->solved[condition - conditions][mirrored];
-  if (!s->opened) {
-    s->opened = true;
-    s->expands = trial_init(&s->trial, part->crawler, condition, mirrored);
-    s->samples = s->expands ? samples_take(&s->trial) : NULL;
+  ptrdiff_t i = condition - conditions;
+  struct trial *trial = &part->trial[i][mirrored];
+  if (!part->opened[i][mirrored]) {
+    part->opened[i][mirrored] = true;
+    part->expands[i][mirrored] = trial_init(trial, part->crawler, condition, mirrored);
+    trial->samples = part->expands[i][mirrored] ? samples_take(trial) : NULL;
   }
-  return s->expands ? s : NULL;
+  return part->expands[i][mirrored] ? trial : NULL;
 }
 
 static void clear_part(struct part *part)
 {
-  for (int i = 0; i < 2 * CONDITIONS; i++) {
-    struct solved *s = &part->solved[i / 2][i % 2];
-    if (s->opened) {
-      samples_free(s->samples);
-      trial_clear(&s->trial);
+  for (int i = 0; i < 2 * CONDITIONS; i++)
+    if (part->opened[i / 2][i % 2]) {
+      samples_free(part->trial[i / 2][i % 2].samples);
+      trial_clear(&part->trial[i / 2][i % 2]);
     }
-  }
 }
 
 /* Does a body turn in both phases of the limit? Seen in a mirror if the condition is reversed. */
 static enum scallop_turns turns_in_limit(struct part *part, const struct condition *condition)
 {
-  const struct solved *s = solve(part, condition, condition->reversed);
-  const char *modes = s ? trial_modes(&s->trial) : "", *bar = strchr(modes, '|');
+  const struct trial *trial = solve(part, condition, condition->reversed);
+  const char *modes = trial ? trial_modes(trial) : "", *bar = strchr(modes, '|');
   if (bar && strcmp(bar, "| ++") == 0)
     return SCALLOP_NO_TURN_IN_CONTRACTION;
   return strncmp(modes, "++ |", 4) == 0 ? SCALLOP_NO_TURN_IN_EXTENSION : SCALLOP_TURNS_IN_BOTH;
@@ -152,15 +146,15 @@ static void decide(struct part *part, struct claim_row *row, const struct claime
                    const struct condition *condition)
 {
   const struct scallop_formula *f = claimed->formula;
-  const struct solved *s = solve(part, condition, claimed->mirrored);
+  const struct trial *trial = solve(part, condition, claimed->mirrored);
   struct proof proof;
   proof_init(&proof);
-  if (!s || !trial_prove(&proof, &s->trial, f)) {
+  if (!trial || !trial_prove(&proof, trial, f)) {
     row->verdict = CLAIM_UNDECIDED;
     snprintf(row->reason, sizeof row->reason, "this motion has no expansion in powers of T");
   } else {
     const struct claimed right = correction(part, claimed, condition);
-    row->count = samples_measure(row->points, &row->slope, s->samples, &s->trial, f);
+    samples_measure(row, trial, f);
     if (claimed->mirrored)
       see_in_mirror(&proof, row, f->quantity);
     ledger_judge(row, &proof);

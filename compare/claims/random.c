@@ -47,8 +47,7 @@ static void settles(struct question *q)
     double v = steady_state(&c[i]).period.v_start, unit = c[i].L / c[i].T;
     struct scallop_period_result p = { .v_end = 0 };
     for (int n = 0; n < 20000 && fabs(p.v_end - v) > 1e-6 * unit; n++)
-      if (scallop_period(&c[i], p.v_end, &p) < 0)
-        p.v_end = NAN;
+      p.v_end = scallop_period(&c[i], p.v_end, &p) < 0 ? NAN : p.v_end;
     double far = fabs(p.v_end - v) / unit;
     q->found[0] = far <= q->found[0] ? q->found[0] : far;
   }

@@ -33,6 +33,7 @@ struct trial {
   struct expanded *others[TRIAL_IDENTITIES];
   /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL where pi does not come in */
   struct expanded *numbers[TRIAL_NUMBERS];
+  struct sample *samples; /* samples.h */
 };
 /* False: it has no expansion in powers of T. To be cleared all the same. */
 bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
