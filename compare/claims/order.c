@@ -137,7 +137,7 @@ static void see_in_mirror(struct proof *proof, struct claim_row *row, enum scall
 {
   if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
     return;
-  series_neg(&proof->coefficient, &proof->coefficient);
+  series_neg(&proof->left_out, &proof->left_out);
   for (int i = 0; i < row->count; i++)
     row->points[i].err = -row->points[i].err;
 }
@@ -248,36 +248,33 @@ static void speed_before_end(struct series *speed, const struct scallop_piece *l
 static void prove_end(struct proof *proof, const struct end_claim *claim, const struct scallop_piece *last)
 {
   const struct ring ring = { 40, 256 };
-  struct series left_out, one;
+  struct series *left_out = &proof->left_out, one;
   arb_t x;
-  series_init(&left_out);
   series_init(&one);
   arb_init(x);
-  speed_before_end(&left_out, last, &ring);
+  speed_before_end(left_out, last, &ring);
   if (!claim->velocity) {
-    series_integral(&left_out, &left_out, &ring);
+    series_integral(left_out, left_out, &ring);
     series_set_si(&one, claim->with_length ? 0 : 1);
-    series_sub(&left_out, &one, &left_out, &ring);
+    series_sub(left_out, &one, left_out, &ring);
   }
-  while (proof->order < ring.length && series_coefficient_is_zero(&left_out, proof->order))
+  while (proof->order < ring.length && series_coefficient_is_zero(left_out, proof->order))
     proof->order++;
   proof->known = ring.length;
   proof->general = proof->order;
   proof->found = proof->order < ring.length;
-  proof_set_coefficient(proof, &left_out, proof->order);
-  series_coefficient(x, &proof->coefficient, 0, ring.precision);
+  series_coefficient(x, left_out, proof->order, ring.precision);
   proof->undecided = !arb_is_exact(x) && arb_contains_zero(x);
-  series_clear(&left_out);
   series_clear(&one);
   arb_clear(x);
 }
 
-/* The same, measured at h = 4^-k */
+/* The same, measured at h = 4^-k: l' and l of the gait, and h l'' and h^2/2 l'' of an extension at its end */
 static void measure_end(struct claim_row *row, const struct end_claim *claim, const struct scallop_piece *last)
 {
   enum { PRECISION = 1400 };
-  arb_ptr x = _arb_vec_init(5), h = x, zero = x + 1, error = x + 2, rate = x + 3, square = x + 4;
-  scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
+  arb_ptr x = _arb_vec_init(4), h = x, zero = x + 1, error = x + 2, rate = x + 3;
+  scallop_ball_rate(rate, last, zero, PRECISION);
   for (int k = 1; k < CLAIM_POINTS; k++) {
     arb_one(h);
     arb_mul_2exp_si(h, h, -2 * k);
@@ -286,18 +283,17 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
       arb_addmul(error, h, rate, PRECISION);
     } else {
       scallop_ball_way(error, last, h, zero, PRECISION);
+      arb_mul_2exp_si(h, h, -2 * k - 1);
+      arb_addmul(error, h, rate, PRECISION);
       arb_neg(error, error);
       arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
-      arb_mul(square, h, h, PRECISION);
-      arb_mul_2exp_si(square, square, -1);
-      arb_submul(error, square, rate, PRECISION);
     }
     row->points[row->count++] =
         (struct order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
   }
   const struct order_point *finest = &row->points[row->count - 1];
   row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
-  _arb_vec_clear(x, 5);
+  _arb_vec_clear(x, 4);
 }
 
 static void add_ends(struct part *part)

@@ -225,10 +225,10 @@ void trial_clear(struct trial *m)
 void proof_init(struct proof *p)
 {
   *p = (struct proof){ .found = false };
-  series_init(&p->coefficient);
+  series_init(&p->left_out);
 }
 
-void proof_clear(struct proof *p) { series_clear(&p->coefficient); }
+void proof_clear(struct proof *p) { series_clear(&p->left_out); }
 
 slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
@@ -292,9 +292,9 @@ static bool vanishes(const struct trial *m, const struct scallop_formula *f, slo
   return zero;
 }
 
-static bool look_for_order(struct proof *proof, struct series *difference, const struct trial *m,
-                           const struct scallop_formula *f)
+static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
+  struct series *difference = &proof->left_out;
   if (!left_out(difference, m->expanded, m, f))
     return false;
   while ((proof->order = first_power(difference)) < difference->known && holds_zero(difference, proof->order)) {
@@ -308,38 +308,20 @@ static bool look_for_order(struct proof *proof, struct series *difference, const
   return true;
 }
 
-void proof_set_coefficient(struct proof *proof, const struct series *left_out_there, slong power)
-{
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
-  if (series_rational_coefficient(q, left_out_there, power))
-    series_set_rational(&proof->coefficient, q);
-  else {
-    series_coefficient(x, left_out_there, power, PRECISION);
-    series_set_ball(&proof->coefficient, x);
-  }
-  fmpq_clear(q);
-  arb_clear(x);
-}
-
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
-  struct series difference;
-  series_init(&difference);
-  bool expanded = look_for_order(proof, &difference, m, f);
+  bool expanded = look_for_order(proof, m, f);
   bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
   if (expanded && !proof->found && !proof->undecided && rational && m->expanded->terms < MANY_TERMS) /* perhaps further on */
-    expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, &difference, m, f);
-  if (expanded && proof->found)
-    proof_set_coefficient(proof, &difference, proof->order);
+    expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, m, f);
+  struct series other;
+  series_init(&other);
   proof->general = proof->order;
   for (int i = 0; expanded && i < TRIAL_IDENTITIES; i++)
     if (m->others[i]) {
-      slong order = left_out(&difference, m->others[i], m, f) ? first_power(&difference) : -4;
+      slong order = left_out(&other, m->others[i], m, f) ? first_power(&other) : -4;
       proof->general = order < proof->general ? order : proof->general;
     }
-  series_clear(&difference);
+  series_clear(&other);
   return expanded;
 }
