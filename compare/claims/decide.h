@@ -3,22 +3,23 @@
  * random crawlers. The others find numbers, or solve many crawlers, and then conclude as these do. Needs FLINT. Not public.
  *
  * Motions     "steady F1=40; contraction v0=v_mid:1": the steady state of the base crawler with F1 = 40, then a contraction. A number
- *             is set to a formula (asymptotics/formula.h); v0~FORMULA rounds to a double; at=FORMULA takes the member of the
- *             family. The base crawler, motion 0, is the one that the row is
- *             for; in `at_random` a random one. A start velocity in a ball is solved for both of its ends: all that is asked of a
- *             phase rises or falls with v0, since motions under one l never cross.
- * Names       in formulas: the quantities (compare/answers/quantities.h) and parameters, `NAME:2` those of the second motion, without a number of the
- *             first (when motions are set, of the base crawler); the formulas of the paper and the names in them (l0, lT, M; T is the period, and
- *             `duration` that of the phase); x1, x2, ... and root, what the decider found (shortest decimals; exactly); speed_at_quarter and rate_at_dT, |l'| and l'' in L over
- *             the duration (squared) at a quarter of it and dT before its end; x_first, where the rear body is at t1. 1 if it is so,
- *             else 0: sliding, sticking, resting (the regime), switches (the mode), sticks_1, sticks_2, sticks_both (in some mode),
- *             oppose (modes -+ | +-), turns_once (-+ ++), like_first (the modes of the first motion), single (one steady state),
- *             stronger_1 (F1 > F2), longer (alpha > 1/2), sinusoidal (the gait).
+ *             is set to a formula (asymptotics/formula.h) without blanks; v0~FORMULA rounds to a double; at=FORMULA takes the member
+ *             of the claim's family. The base crawler, motion 0, is the one that the row is for, in `at_random` a random one. A start
+ *             velocity in a ball is solved for both of its ends: all that is asked of a phase rises or falls with v0, since motions
+ *             under one l never cross.
+ * Names       in formulas. A parameter or a quantity (compare/answers/quantities.h) is that of the first motion, `NAME:2` that of the
+ *             second; where motions are set, a parameter is that of the base crawler. A formula of the paper by its name, and
+ *             the names in its texts (l0, lT, M). T is the period, `duration` that of the phase. x1, x2, ... and root: what the
+ *             decider found, as the shortest decimals, and exactly. x_first: where the rear body is at t1. speed_at_quarter,
+ *             rate_at_dT: |l'| at a quarter of the duration, and l'' dT before its end, in L over the duration (squared).
+ *             1 if it is so, else 0: sliding, sticking, resting (the regime), switches (the mode), sticks_1, sticks_2,
+ *             sticks_both (in some mode), oppose (modes -+ | +-), turns_once (-+ ++), like_first (the modes of the first motion),
+ *             single (one steady state), stronger_1 (F1 > F2), longer (alpha > 1/2), sinusoidal (the gait).
  * Statements  FORMULA > FORMULA, or <, <=, =. In balls "=" holds if the difference is 0 to 2^-80, and fails if it is not 0.
- * Texts       {3f FORMULA} a number with three digits, in the way of %.3f (e, g likewise); {modes}, {options} of the first motion, its modes and
- *             the options that make the default crawler this one, {modes:2}, {options:0} of another; {whose}, {quantity};
- *             {+TEXT}, {-TEXT} where the claim holds, is refuted; {1} what the decider worded; {table} a command that prints the steady states,
- *             with the numbers in which they differ. */
+ * Texts       {3f FORMULA}: a number with three digits, as %.3f prints it (likewise e, g). {modes}: those of the first motion;
+ *             {options}: what makes the default crawler the first motion's; {modes:2}, {options:0}: of another. {table}: a command that
+ *             prints the steady states, with the numbers in which they differ. {whose}, {gait}: of the row.
+ *             {1}: what the decider worded. {+TEXT}, {-TEXT}: where the claim holds, where it is refuted. */
 #ifndef SCALLOP_CLAIMS_DECIDE_H
 #define SCALLOP_CLAIMS_DECIDE_H
 

@@ -89,7 +89,6 @@ static void append_braced(struct question *q, const struct out *out, const char 
   const char *colon = strchr(inside, ':');
   const struct moved *m = &q->motion[colon ? atoi(colon + 1) : 1];
   const char *plain = strcmp(inside, "whose") == 0       ? q->of_the_paper ? "the paper's crawler" : "the ledger's crawler"
-                      : strcmp(inside, "quantity") == 0  ? q->row.quantity
                       : strcmp(inside, "gait") == 0      ? q->crawler.gait->name
                       : strncmp(inside, "modes", 5) == 0 ? motion_modes_text(modes, m->of, m->modes)
                                                          : NULL;
