@@ -21,7 +21,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/command/with_flint.h).
-flint_parts := $(addprefix model/,ball fractions exact_gaits) $(filter-out $(addprefix asymptotics/,appendix_a appendix_b formula formula_double formulas point text),$(basename $(wildcard asymptotics/*.c))) \
+flint_parts := $(addprefix model/,ball fractions exact_gaits) $(basename $(wildcard asymptotics/derived/*.c)) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(filter-out compare/workprec/stopwatch,$(basename $(wildcard compare/*/*flint.c $(patsubst %,compare/%/*.c,claims breakdown maps stress workprec))))
 flint_tests := certified friction written_gaits rises certified_edges certified_laws claims claims_check claims_figures claims_words series series_terms formula_series derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
@@ -37,9 +37,10 @@ cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
-code     = model asymptotics numerics compare/* tests tests/fuzz bench
+rooms   := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
+code     = $(rooms) tests tests/fuzz bench
 units    = $(wildcard $(1)/*.c)
-parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call units,$(r))))
+parts    = $(patsubst %.c,%,$(foreach r,$(rooms),$(call units,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
 core    := $(call objects,$(filter-out compare/command/main $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts shipped_completion)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))

@@ -4,7 +4,7 @@
 #define SCALLOP_EVALUATE_H
 
 #include "asymptotics/asymptotics.h"
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 #include "model/ball.h"
 
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */

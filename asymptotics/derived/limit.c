@@ -1,6 +1,6 @@
-#include "asymptotics/limit.h"
+#include "asymptotics/derived/limit.h"
 
-#include "asymptotics/holds.h"
+#include "asymptotics/derived/holds.h"
 
 #include <stddef.h>
 

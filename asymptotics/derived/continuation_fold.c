@@ -1,7 +1,7 @@
 /* Branch points. With v_p as the parameter t all is analytic in t, also z; the branch, a function of z, is not where z'(t) = 0. */
 #include <math.h>
 
-#include "asymptotics/continuation.h"
+#include "asymptotics/derived/continuation.h"
 
 enum { NEIGHBOURHOOD_BITS = 64 };
 

@@ -1,6 +1,6 @@
-#include "asymptotics/singularity.h"
+#include "asymptotics/derived/singularity.h"
 
-#include "asymptotics/cover.h"
+#include "asymptotics/derived/cover.h"
 
 void scallop_singularity_init(struct scallop_singularity *s)
 {

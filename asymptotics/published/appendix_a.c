@@ -1,5 +1,5 @@
 /* The formulas of Appendix A, as printed: an extension that begins with velocity v0 > 0. */
-#include "asymptotics/terms.h"
+#include "asymptotics/published/terms.h"
 
 double A_v1_first_switch(point *p)
 {

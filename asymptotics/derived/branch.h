@@ -9,7 +9,7 @@
 #ifndef SCALLOP_BRANCH_H
 #define SCALLOP_BRANCH_H
 
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 #include "model/ball.h"
 
 enum { MOST_CROSSINGS = 16 };

@@ -1,6 +1,6 @@
 /* The formulas of Appendix B, as printed: a contraction that begins with velocity v0 > 0. Positions
  * are counted from where the body (or the centre) was at the start. */
-#include "asymptotics/terms.h"
+#include "asymptotics/published/terms.h"
 
 double B_t1_unexpanded(point *p) { return p->v0 * mass(p) / (-p->m1 * p->l0 / (p->T * p->T) + p->F1 + p->F2); }
 

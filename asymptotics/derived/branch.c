@@ -1,4 +1,4 @@
-#include "asymptotics/branch.h"
+#include "asymptotics/derived/branch.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 
 static slong least(slong a, slong b) { return a < b ? a : b; }
 

@@ -1,5 +1,5 @@
 /* The formulas of the main text, as printed. */
-#include "asymptotics/terms.h"
+#include "asymptotics/published/terms.h"
 
 typedef const struct scallop_crawler crawler;
 

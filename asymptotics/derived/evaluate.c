@@ -1,8 +1,8 @@
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 
 #include <string.h>
 
-#include "asymptotics/formula_flint.h"
+#include "asymptotics/derived/formula_flint.h"
 
 static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
                                             "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };

@@ -1,6 +1,6 @@
 /* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the lengths of paths,
  * which numerics/ adds up. */
-#include "asymptotics/limit.h"
+#include "asymptotics/derived/limit.h"
 
 /* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times |l'|. */
 static void power_of_region(fmpq_t power, const struct phase_constants *p, int region)

@@ -9,7 +9,7 @@
 #define SCALLOP_DERIVED_H
 
 #include "asymptotics/asymptotics.h"
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 #include "model/ball.h"
 
 enum { SCALLOP_MOST_TERMS = 1000, SCALLOP_BRANCH_TEXT = 120 };

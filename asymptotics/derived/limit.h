@@ -7,7 +7,7 @@
 #ifndef SCALLOP_LIMIT_H
 #define SCALLOP_LIMIT_H
 
-#include "asymptotics/branch.h"
+#include "asymptotics/derived/branch.h"
 
 struct limit {
   struct phase_constants phase[2];

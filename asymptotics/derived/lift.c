@@ -1,5 +1,5 @@
 /* A branch as power series: every crossing by Newton's method in truncated series arithmetic. */
-#include "asymptotics/branch.h"
+#include "asymptotics/derived/branch.h"
 
 void lift_init(struct lift *l)
 {

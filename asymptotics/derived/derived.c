@@ -1,10 +1,10 @@
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/evaluate.h"
-#include "asymptotics/limit.h"
+#include "asymptotics/derived/evaluate.h"
+#include "asymptotics/derived/limit.h"
 
 /* ---- texts ---- */
 

@@ -1,4 +1,4 @@
-#include "asymptotics/continuation.h"
+#include "asymptotics/derived/continuation.h"
 
 /* ---- the equations ---- */
 

@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COVER_H
 #define SCALLOP_COVER_H
 
-#include "asymptotics/continuation.h"
+#include "asymptotics/derived/continuation.h"
 
 /* Part of the proof: for |z| up to r, in the directions from `from` pi to `to` pi, the branch is an analytic function of z. */
 struct sector {

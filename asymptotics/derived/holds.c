@@ -1,4 +1,4 @@
-#include "asymptotics/holds.h"
+#include "asymptotics/derived/holds.h"
 
 #include <math.h>
 #include <stddef.h>

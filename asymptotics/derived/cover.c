@@ -1,4 +1,4 @@
-#include "asymptotics/cover.h"
+#include "asymptotics/derived/cover.h"
 
 #include <math.h>
 

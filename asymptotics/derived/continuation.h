@@ -14,8 +14,8 @@
 #ifndef SCALLOP_CONTINUATION_H
 #define SCALLOP_CONTINUATION_H
 
-#include "asymptotics/limit.h"
-#include "asymptotics/singularity.h"
+#include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/singularity.h"
 
 struct continued_crossing {
   bool sine, joined; /* joined: with the crossing before, as above                                 */

@@ -3,7 +3,7 @@
 #ifndef SCALLOP_HOLDS_H
 #define SCALLOP_HOLDS_H
 
-#include "asymptotics/limit.h"
+#include "asymptotics/derived/limit.h"
 
 /* For every eps and the start velocities w and w_mid of the two phases within the balls, the branches' offsets enclosing the
  * crossings for them. NULL, or what keeps it from being shown (static text): just before the end of a branch, what happens there. */

@@ -1,5 +1,5 @@
 /* The curves of a branch at complex times. */
-#include "asymptotics/continuation.h"
+#include "asymptotics/derived/continuation.h"
 
 /* As many terms of the sum over k of y^k/(2k + 1)! as leave out less than 2^-precision of it and of its first two derivatives. *rest: what they
  * leave out, at most twice k^2 max(1, |y|)^k/(2k)! of the first term, for |y| < 400, where k^2 terms fall by half and more from k = 16 on. */

@@ -3,7 +3,7 @@
 #define SCALLOP_FORMULA_FLINT_H
 
 #include "asymptotics/formula.h"
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 
 enum { FORMULA_SERIES_POWER = 64 };
 

@@ -5,7 +5,7 @@
  *
  * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle, so that what the
  * entries of J share cancels before it becomes a width. */
-#include "asymptotics/continuation.h"
+#include "asymptotics/derived/continuation.h"
 
 struct krawczyk {
   const struct continuation *c;

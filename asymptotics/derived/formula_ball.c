@@ -1,4 +1,4 @@
-#include "asymptotics/formula_flint.h"
+#include "asymptotics/derived/formula_flint.h"
 
 #include <string.h>
 
