@@ -25,8 +25,6 @@ void scallop_bound_clear(struct scallop_bound *b)
   arb_clear(b->T_end);
 }
 
-/* ---- from eps = 0 on ---- */
-
 static void copy_branches(struct limit *to, const struct limit *from)
 {
   for (int k = 0; k < 2; k++) {
@@ -41,8 +39,6 @@ static void copy_branches(struct limit *to, const struct limit *from)
   }
   series_set(&to->w, &from->w);
 }
-
-/* ---- for every eps in a ball ---- */
 
 enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the middle of a ball to all of it */
 
@@ -344,8 +340,6 @@ static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_
   limit_clear(&cover.trial);
   return found;
 }
-
-/* ---- in units of the crawler ---- */
 
 /* (F1 + F2)/(M L): eps / T^2 */
 static void eps_over_T2(arb_t kappa, const struct scallop_rational_crawler *c, slong precision)

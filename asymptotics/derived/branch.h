@@ -60,8 +60,6 @@ bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sig
  * False: c touches a curve, or is too wide to tell. */
 bool branch_of_level(struct branch *b, const struct phase_constants *p, const arb_t c, slong precision);
 
-/* ---- at the base point ---- */
-
 struct base {                       /* what a phase does to c, in balls                                              */
   arb_t c_end, balance;             /* balance: (c_end - c_start)/eps, formed without a division           */
   arb_t c_end_slope, balance_slope; /* their derivatives by the unknown that c_start depends on */
@@ -73,8 +71,6 @@ void base_clear(struct base *b);
  * False: no enclosure was found; the offsets are then as before. */
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                  const arb_t c_slope, bool same, slong precision);
-
-/* ---- around the base point ---- */
 
 struct lift {                         /* the same as series in x                                                       */
   struct series when[MOST_CROSSINGS]; /* times of the crossings, from the start of the phase   */

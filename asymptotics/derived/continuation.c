@@ -1,6 +1,5 @@
+/* The equations of a branch at complex z, their derivatives, and Newton's method for them. */
 #include "asymptotics/derived/continuation.h"
-
-/* ---- the equations ---- */
 
 /* before: the crossing before in the same phase, of to[-1], that it may be joined with; or NULL. */
 static void set_law(struct continued_crossing *to, const struct crossing *at, const struct crossing *before, slong precision)
@@ -167,8 +166,6 @@ void continuation_clear(struct continuation *c)
   acb_mat_clear(c->per_eps);
   _acb_vec_clear(c->start, c->n + 1);
 }
-
-/* ---- their values ---- */
 
 void continued_eps(acb_t eps, const struct continuation *c, const acb_t z, slong k, slong precision)
 {

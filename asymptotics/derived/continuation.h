@@ -40,8 +40,6 @@ void continue_phase(struct continuation *c, const struct branch *branch, const s
                     const fmpq_t velocity, const fmpq_t kappa, bool join, slong precision);
 void continuation_clear(struct continuation *c);
 
-/* ---- values ---- */
-
 /* q_i lambda_i(b), or of a joined crossing q_i (lambda_i(b) - lambda_i(a))/(b - a), with first and second derivatives */
 enum { JET_VALUE, JET_A, JET_B, JET_AA, JET_AB, JET_BB, JET };
 void continued_law(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision);
@@ -59,16 +57,12 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
 void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v, acb_srcptr direction,
                     slong precision);
 
-/* ---- proofs ---- */
-
 /* v[p] is a ball, the others are a place near: they become balls that hold a solution for every value of v[p], the only one within
  * `around` (v[p] the same there). By Krawczyk's operator, see docs/theory.md. False: not shown. */
 bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision);
 /* The derivatives by v[p] of what v encloses: all first ones, and the second one of z. False: not found. */
 bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,
                               slong precision);
-
-/* ---- branch points ---- */
 
 /* Where z as a function of v_p has a simple critical point: the branch point. Up to the distance `size` of v_p from there it has no other,
  * and at that distance |z - v[n]| >= clear: so in the disc of that radius around v[n] the solutions within `around` are analytic but at v[n]. */

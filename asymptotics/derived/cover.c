@@ -1,3 +1,4 @@
+/* A disk of complex z covered with boxes, in each of which the branch is proven to be analytic or is divided further. */
 #include "asymptotics/derived/cover.h"
 
 #include <math.h>
@@ -52,8 +53,6 @@ static const struct continuation *equations_at(const struct search *s, acb_srcpt
   mag_clear(size);
   return use;
 }
-
-/* ---- sectors ---- */
 
 static struct sector *add_sector(struct search *s, double r, double step, double from, double to)
 {
@@ -145,8 +144,6 @@ static bool split(struct search *s, int i)
   return found;
 }
 
-/* ---- branch points ---- */
-
 static double upper_size(const acb_t z)
 {
   arb_t size;
@@ -229,8 +226,6 @@ static bool ends_in_fold(const struct search *s, const struct sector *sector)
   acb_clear(way);
   return ends;
 }
-
-/* ---- the search ---- */
 
 static int nearest_sector(const struct search *s)
 {

@@ -1,3 +1,4 @@
+/* The expansions of derived.h: a phase or the steady state around T = 0, from the branch that its limit begins. */
 #include "asymptotics/derived/derived.h"
 
 #include <stdio.h>
@@ -6,8 +7,6 @@
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/derived/limit.h"
 
-/* ---- texts ---- */
-
 static void modes_text(char *text, size_t size, const struct branch *b, enum scallop_phase_kind kind)
 {
   static const char *const names[2][3] = { { "++", "-+", "--" }, { "++", "+-", "--" } };
@@ -15,8 +14,6 @@ static void modes_text(char *text, size_t size, const struct branch *b, enum sca
   for (int i = 0; i <= b->count && at < size; i++)
     at += (size_t)snprintf(text + at, size - at, "%s%s", i ? " " : "", names[kind][branch_region(b, i)]);
 }
-
-/* ---- one phase ---- */
 
 #define PHASE_SERIES(e) \
   { \
@@ -251,8 +248,6 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   return status;
 }
 
-/* ---- the steady state ---- */
-
 void scallop_steady_expansion_init(struct scallop_steady_expansion *e)
 {
   series_init(&e->v_start);
@@ -347,8 +342,6 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   limit_clear(&l);
   return status;
 }
-
-/* ---- by the names of the formulas ---- */
 
 const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
                                             enum scallop_quantity quantity)

@@ -63,8 +63,6 @@ const struct series *scallop_phase_quantity(const struct scallop_phase_expansion
                                             enum scallop_quantity quantity);
 const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity);
 
-/* ---- error bounds ---------------------------------------------------------------------------------- */
-
 struct scallop_bound { /* |exact - terms below T^order| <= C T^power for 0 < T <= T0                */
   int power;
   arb_t C, T0;      /* upper end of C and lower end of T0 are meant                              */

@@ -1,3 +1,4 @@
+/* The texts of the formulas as series in T: values for their symbols, and what a formula leaves out. */
 #include "asymptotics/derived/evaluate.h"
 
 #include <string.h>

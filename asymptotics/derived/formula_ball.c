@@ -1,3 +1,4 @@
+/* The operations of a formula in balls. */
 #include "asymptotics/derived/formula_flint.h"
 
 #include <string.h>

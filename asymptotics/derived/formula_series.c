@@ -1,3 +1,4 @@
+/* The operations of a formula on series in T. */
 #include "asymptotics/derived/formula_flint.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* c on each segment of a motion, and the proof that it stays between the curves that bound its region. */
 #include "asymptotics/derived/holds.h"
 
 #include <math.h>

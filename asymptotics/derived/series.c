@@ -1,3 +1,4 @@
+/* Arithmetic of truncated Laurent series; each result knows the power from which on it is unknown. */
 #include "asymptotics/derived/series.h"
 
 static slong least(slong a, slong b) { return a < b ? a : b; }

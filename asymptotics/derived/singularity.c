@@ -1,3 +1,4 @@
+/* The branch points nearest to T = 0: searched for along the branch, then proven to be the nearest. */
 #include "asymptotics/derived/singularity.h"
 
 #include "asymptotics/derived/cover.h"

@@ -1,3 +1,4 @@
+/* The parameters of a phase as the paper's formulas take them. */
 #include "asymptotics/asymptotics.h"
 
 #include <math.h>

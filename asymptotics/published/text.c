@@ -3,8 +3,6 @@
 
 typedef const struct scallop_crawler crawler;
 
-/* ---- section 4.1 ---- */
-
 double equal_v1_end(point *p)
 {
   const double speed = 0; /* l'(T) */
@@ -14,8 +12,6 @@ double equal_v1_end(point *p)
 double equal_x1_end(point *p) { return -p->m2 / mass(p) * (p->l_end - p->l_start); }
 
 double equal_xC_end(point *p) { return 0.5 * (p->m1 / p->m2 - 1) * equal_x1_end(p); }
-
-/* ---- section 4.3.1 ---- */
 
 double rest_v1_switch(point *p) { return p->dT * (p->m2 * p->lT / (p->T * p->T) - p->F1 + p->F2) + (p->F1 - p->F2) * p->T; }
 
@@ -32,8 +28,6 @@ double rest_x1_end(point *p) { return -p->m2 / (p->m1 + p->m2) * p->l_end + driv
 double rest_x2_end(point *p) { return p->m1 / (p->m1 + p->m2) * p->l_end + 0.5 * drive(p) * p->T * p->T; }
 
 double rest_xC_end(point *p) { return 0.5 * (p->m1 - p->m2) / (p->m1 + p->m2) * p->l_end + 0.5 * drive(p) * p->T * p->T; }
-
-/* ---- sections 4.3.2 and 4.3.3 ---- */
 
 double text_extension_velocity_change(point *p)
 {
@@ -59,8 +53,6 @@ double text_contraction_xC_end(point *p)
   return -0.5 * (p->m1 - p->m2) / (p->m1 + p->m2) * p->l_start + p->v0 * T - 0.5 * drive(p) * T * T
          + p->v0 * 2 * p->F2 / (p->m1 * p->l0) * (T * T * T);
 }
-
-/* ---- steady state ---- */
 
 static double reduced_mass(crawler *c) { return c->m1 * c->m2 / (c->m1 + c->m2); }
 
