@@ -1,5 +1,5 @@
 #!/bin/sh
-# Memory errors and leaks, found by valgrind's memcheck: scripts/valgrind.sh BUILD PROGRAM... The test programs and the replays of
+# Memory errors and leaks, found by valgrind's memcheck: scripts/dev/valgrind.sh BUILD PROGRAM... The test programs and the replays of
 # the fuzz targets, and the commands below. A line for each; of one that fails, what valgrind said. Ends with "N clean, M not".
 #
 # Numbers are not judged: valgrind computes long double with 64 bits, and it keeps one signal for itself, so that tests of either
@@ -19,7 +19,7 @@ memcheck() { # NAME COMMAND...: its exit code
   shift
   rm -f "$logs/$name".*.log
   # A process writes into a file of its own, which stays empty where nothing is wrong: some tests make others, and end them
-  valgrind -q --error-exitcode=99 --leak-check=full --num-callers=20 --suppressions=scripts/valgrind.supp \
+  valgrind -q --error-exitcode=99 --leak-check=full --num-callers=20 --suppressions=scripts/dev/valgrind.supp \
     --log-file="$logs/$name.%p.log" "$@" </dev/null >"$logs/$name.out" 2>&1
 }
 ended() { # NAME CODE WANTED

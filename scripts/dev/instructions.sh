@@ -1,6 +1,6 @@
 #!/bin/sh
 # Where the time goes: instructions an answer takes, by function, counted by valgrind's callgrind, so that they repeat exactly.
-# scripts/instructions.sh BUILD. The difference of two runs, so that what comes before the passes does not count.
+# scripts/dev/instructions.sh BUILD. The difference of two runs, so that what comes before the passes does not count.
 set -eu
 build=$1
 counts() { # what, crawlers, gait, passes: instructions and function

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/setup.sh build|plots|tests|report|lint|fuzz|coverage|valgrind|matrix ...
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/dev/setup.sh build|plots|tests|report|lint|fuzz|coverage|valgrind|matrix ...
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }

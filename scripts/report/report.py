@@ -1,9 +1,12 @@
 #!/usr/bin/python3
 """Writes the page that shows every figure, the ledger and the measurements, as one file that asks the network for nothing.
 
-scripts/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
+scripts/report/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
 
-The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 3 scripts/cheapest.awk failed, 4 a file could
+Tables are read (tables), counted (found), drawn (figures, drawing, stability), marked up (markup), and put into sections (ledger,
+sections) and a page (page). check_report.py drives a browser (browser) over the result.
+
+The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 3 scripts/plots/cheapest.awk failed, 4 a file could
 not be read or written.
 """
 import argparse
@@ -13,7 +16,10 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from report import figures, found, page, tables  # noqa: E402  (nothing is written beside the sources)
+import figures  # noqa: E402  (nothing is written beside the sources)
+import found  # noqa: E402
+import page  # noqa: E402
+import tables  # noqa: E402
 
 
 class Inputs:
@@ -46,12 +52,12 @@ class Inputs:
 
 
 class Failed(Exception):
-    """scripts/cheapest.awk could not be run, or did not do what was asked."""
+    """scripts/plots/cheapest.awk could not be run, or did not do what was asked."""
 
 
 def cheapest(folder):
     """The summary of workprec.tsv: the cheapest method for each wanted error."""
-    command = ["awk", "-f", str(Path(__file__).parent / "cheapest.awk"), str(folder / "workprec.tsv")]
+    command = ["awk", "-f", str(Path(__file__).parents[1] / "plots" / "cheapest.awk"), str(folder / "workprec.tsv")]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
@@ -84,7 +90,7 @@ def read_options():
         "--errata",
         type=Path,
         metavar="FILE",
-        default=Path(__file__).parent.parent / "docs" / "errata.md",
+        default=Path(__file__).parents[2] / "docs" / "errata.md",
         help="the document with the formulas that hold instead of refuted ones (docs/errata.md)",
     )
     return parser.parse_args()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Looks at the page in headless Chromium, at the width of a phone and of a desktop, light and dark.
 
-scripts/check_report.py build/report/index.html [--quick] [--screenshots FOLDER]
+scripts/report/check_report.py build/report/index.html [--quick] [--screenshots FOLDER]
 
 Nothing is said on the console and nothing is asked of the network; every figure is there and painted; the page is no wider
 than the window; text has contrast and size; every column of every table sorts up and down by mouse, and by keyboard; the
@@ -15,7 +15,8 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from report import browser, tables  # noqa: E402  (nothing is written beside the sources)
+import browser  # noqa: E402  (nothing is written beside the sources)
+import tables  # noqa: E402
 
 SIZES = {360: 740, 1280: 900}
 SCHEMES = ("light", "dark")
@@ -58,7 +59,7 @@ class Check:
     def load(self, width, scheme):
         self.where = f"{width} px, {scheme}"
         self.page.show(self.address, width, SIZES[width], scheme)
-        self.page.run((Path(__file__).parent / "report" / "audit.js").read_text(encoding="utf-8") + "; true")
+        self.page.run((Path(__file__).parent / "audit.js").read_text(encoding="utf-8") + "; true")
 
     def reports(self):
         """What the page said, and what it asked for beside itself."""

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs every test, as many at a time as there are cores (JOBS=N: as N), and counts: scripts/check.sh BUILD TEST_PROGRAM...
+# Runs every test, as many at a time as there are cores (JOBS=N: as N), and counts: scripts/dev/check.sh BUILD TEST_PROGRAM...
 # A line for each, in the same order whichever ends first; of one that fails, all that it said. Ends with "N passed, M failed".
 set -u
 build=$1
@@ -12,7 +12,7 @@ mkdir -p "$runs"
 
 same_tables() {
   rm -rf "$build/tables"
-  sh scripts/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
+  sh scripts/dev/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
     cmp "$table" "data/$(basename "$table")" || return 1
   done || return 1
   # map_reach, stress and workprec take minutes, or are times: tests/cli_{map,stress,workprec}.sh
@@ -23,7 +23,7 @@ perform() { # TEST
   case $1 in
     tables) same_tables ;;
     verdicts) "$build/scallop" claims --check ;;
-    reference) /usr/bin/python3 scripts/reference.py --check tests/reference.tsv --every 40 ;;
+    reference) /usr/bin/python3 scripts/python/reference.py --check tests/reference.tsv --every 40 ;;
     cli_*) sh "tests/$1" "$build/scallop" ;;
     fuzz_*) "$build/$1" tests/corpus/"${1#fuzz_}"/* ;;
     *) "$build/$1" ;;

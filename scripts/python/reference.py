@@ -350,7 +350,7 @@ def compute(cases):
         return pool.map(row_text, cases, chunksize=4)
 
 def print_table():
-    print("# Reference values for the two-body crawler, made by scripts/reference.py,"
+    print("# Reference values for the two-body crawler, made by scripts/python/reference.py,"
           " which explains model and columns.")
     print("# Inputs are exact doubles (C hexadecimal); outputs have 50 significant"
           " digits; '-' does not apply, nan does not exist.")

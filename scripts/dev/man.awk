@@ -1,5 +1,5 @@
 # Makes a page of the manual from what --help prints:
-#   scallop steady --help | awk -v page=scallop-steady -v version="scallop 1.0" -f scripts/man.awk
+#   scallop steady --help | awk -v page=scallop-steady -v version="scallop 1.0" -f scripts/dev/man.awk
 # A heading is a line such as "Commands:" or "Options (...):". A line "  name  text" is an item of a list, and so is "name: text"
 # after the end of a sentence.
 

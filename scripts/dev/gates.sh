@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the gates of a table one after another: scripts/gates.sh [--ci] TABLE LOGS. A row of the table is a name, "ci" or "-", and a
+# Runs the gates of a table one after another: scripts/dev/gates.sh [--ci] TABLE LOGS. A row of the table is a name, "ci" or "-", and a
 # command; # begins a comment. Prints a row for each gate: its name, passed or FAILED, seconds, and what fails; LOGS/NAME.log has all
 # that the gate printed. Exit code 1 if a gate failed, 2 if the table has none.
 # --ci: only the rows with "ci", with all that they print; the first failure ends the run.

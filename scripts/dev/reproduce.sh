@@ -1,12 +1,12 @@
 #!/bin/sh
-# The main job: tables into data/, plots into BUILD/plots, and a summary. scripts/reproduce.sh BUILD
+# The main job: tables into data/, plots into BUILD/plots, and a summary. scripts/dev/reproduce.sh BUILD
 set -eu
 build=$1
 scallop=$build/scallop
-sh scripts/tables.sh "$scallop" data
-sh scripts/maps.sh "$scallop" data "$build/maps"
+sh scripts/dev/tables.sh "$scallop" data
+sh scripts/dev/maps.sh "$scallop" data "$build/maps"
 sh scripts/plots/draw.sh data "$build/plots" "$build/maps"
-/usr/bin/python3 scripts/report.py --tables data --plots "$build/plots" --scenes data/scenes \
+/usr/bin/python3 scripts/report/report.py --tables data --plots "$build/plots" --scenes data/scenes \
   --output "$build/report/index.html"
 
 # Rows of the ledger by the names of its columns: ledger 'PROGRAM of awk, with the cells as c["claim"]'
@@ -39,7 +39,7 @@ ledger 'c["inside"] == "yes" && (c["claim"] == "text_steady_velocity" || c["clai
 echo
 echo "Error against run time (data/workprec.tsv, from one run of \`scallop workprec\`; displacement): how many times as long as the"
 echo "exact solver the cheapest general-purpose method takes, and the cheapest simulation; - where no setting got there"
-awk -f scripts/cheapest.awk data/workprec.tsv | awk -F '\t' '
+awk -f scripts/plots/cheapest.awk data/workprec.tsv | awk -F '\t' '
   function times(x) { return x == "nan" ? "-" : x }
   BEGIN { printf "  %-11s %7s %10s %10s %10s %18s\n", "gait", "T", "to 1e-2", "to 1e-6", "to 1e-12", "simulation to 1e-2" }
   $3 == "displacement" && $4 == "1e-2" { first = times($16); simulated = times($19) }

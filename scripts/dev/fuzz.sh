@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs fuzz targets one after another: scripts/fuzz.sh FOLDER SECONDS TARGET... The programs are FOLDER/fuzz_TARGET. Each starts from
+# Runs fuzz targets one after another: scripts/dev/fuzz.sh FOLDER SECONDS TARGET... The programs are FOLDER/fuzz_TARGET. Each starts from
 # what it has found before, in FOLDER/TARGET, and from tests/corpus/TARGET, which stays as it is. What breaks one is left as a file in
 # FOLDER/found, with the command that replays it; then the exit code is 1.
 set -u

@@ -58,7 +58,7 @@ def table():
 
 def svg(rows):
     """The picture, drawn by gnuplot from what it is given through a pipe."""
-    here = os.path.dirname(os.path.realpath(__file__))
+    here = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
     data = "\n".join("\t".join(map(repr, row)) for row in rows.tolist())
     script = "\n".join(["$rows << END", "\t".join(COLUMNS), data, "END", "table = '$rows'", "output_file = '/dev/stdout'",
                         "kind = 'svg'", "load 'plots/common.gp'", "load 'plots/figure4.gp'"])

@@ -5,7 +5,7 @@ import os
 import re
 
 ABI_VERSION = 0
-BESIDE = "../build"  # the folder of the library, from that of this file; `make install` writes its own
+BESIDE = "../../build"  # the folder of the library, from that of this file; `make install` writes its own
 LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
 
 DOMAIN = -1  # SCALLOP_EDOMAIN
