@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/formula_flint.h"
+#include "asymptotics/derived/formula_flint.h"
 #include "compare/answers/point_flint.h"
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
