@@ -1,5 +1,4 @@
 /* The claims in words that one certified example decides: single phases, steady states, and what the appendices say beside orders. */
-#include <math.h>
 
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"

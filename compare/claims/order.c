@@ -199,20 +199,18 @@ static bool is_for(const struct scallop_formula *f, const struct condition *cond
   return condition->setting == f->setting;
 }
 
-/* A formula as it stands under all conditions, or in a mirror under those that reverse the roles of the bodies */
-static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, bool mirrored)
-{
-  for (int i = 0; f->remainder != 0 && i < CONDITIONS; i++)
-    if (is_for(f, &conditions[i], false) && (!mirrored || conditions[i].reversed))
-      add_row(part, (struct claimed){ .formula = f, .ours = ours, .mirrored = mirrored }, &conditions[i]);
-}
+/* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror; corrected: one of ours
+ * that takes the place of another, where it claims to hold, there in a mirror too. */
+enum seen { AS_IT_STANDS, TURNED, CORRECTED };
 
-/* A formula of ours that takes the place of another, where it claims to hold */
-static void add_corrected(struct part *part, const struct scallop_formula *f)
+static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, enum seen seen)
 {
-  for (int i = 0; i < CONDITIONS; i++)
-    if (is_for(f, &conditions[i], true) && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
-      add_row(part, (struct claimed){ .formula = f, .ours = true, .mirrored = conditions[i].reversed }, &conditions[i]);
+  for (int i = 0; (f->remainder != 0 || seen == CORRECTED) && i < CONDITIONS; i++) {
+    const struct condition *condition = &conditions[i];
+    const struct claimed claimed = { .formula = f, .ours = ours, .mirrored = seen != AS_IT_STANDS && condition->reversed };
+    if (is_for(f, condition, seen == CORRECTED) && (seen != TURNED || condition->reversed))
+      add_row(part, claimed, condition);
+  }
 }
 
 /* (A.11), (A.12): l' and l near the end of an extension, T = L = 1. */
@@ -327,20 +325,21 @@ static void add_ends(struct part *part)
 static void fill(struct part *part)
 {
   for (const struct scallop_formula *f = scallop_equal_forces; f->name; f++)
-    add_formula(part, f, false, false);
+    add_formula(part, f, false, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    add_formula(part, f, false, false);
+    add_formula(part, f, false, AS_IT_STANDS);
     if (f->phase == A_x1_first_switch)
-      add_formula(part, &size_of_first_switch, false, false);
+      add_formula(part, &size_of_first_switch, false, AS_IT_STANDS);
   }
   add_ends(part);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
-    add_corrected(part, f);
-  add_formula(part, &limits[0], true, false);
-  add_formula(part, &limits[1], true, false);
+    if (f->setting != SCALLOP_STEADY || has_closed_limit(part))
+      add_formula(part, f, true, CORRECTED);
+  add_formula(part, &limits[0], true, AS_IT_STANDS);
+  add_formula(part, &limits[1], true, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (!f->corrected && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
-      add_formula(part, f, false, true);
+      add_formula(part, f, false, TURNED);
 }
 
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,

@@ -133,28 +133,19 @@ static bool is_allowed(const struct scallop_rational_crawler *r, const struct sc
   return allowed;
 }
 
-static struct expanded *expand_other(const struct trial *m, uint64_t *state)
+/* A random crawler with the same modes, or, with a number, that number in the place of pi^2 */
+static struct expanded *expand_another(const struct trial *m, uint64_t *state, slong number)
 {
   struct expanded *e = expanded_new(m);
-  for (int i = 0; e && i < IDENTITY_TRIES; i++) {
-    randomise(e, m, state);
+  for (int i = 0; e && i < (number ? 1 : IDENTITY_TRIES); i++) {
+    if (number) {
+      e->has_pi_squared = true;
+      fmpq_set_si(e->pi_squared, number, 1);
+    } else
+      randomise(e, m, state);
     if (is_allowed(&e->crawler, &m->crawler) && expand(e, m, TERMS) && strcmp(modes_of(e, m), trial_modes(m)) == 0)
       return e;
   }
-  expanded_free(e);
-  return NULL;
-}
-
-/* With a whole number in the place of pi^2 */
-static struct expanded *expand_number(const struct trial *m, slong number)
-{
-  struct expanded *e = expanded_new(m);
-  if (!e)
-    return NULL;
-  e->has_pi_squared = true;
-  fmpq_set_si(e->pi_squared, number, 1);
-  if (expand(e, m, TERMS))
-    return e;
   expanded_free(e);
   return NULL;
 }
@@ -203,9 +194,9 @@ bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler,
   m->expanded = expanded_new(m);
   bool done = m->expanded && expand(m->expanded, m, TERMS);
   for (int i = 0; done && (rational || !trial_is_steady(m)) && i < TRIAL_IDENTITIES; i++)
-    m->others[i] = expand_other(m, &state);
+    m->others[i] = expand_another(m, &state, 0);
   for (int i = 0; done && !rational && !trial_is_steady(m) && i < TRIAL_NUMBERS; i++)
-    m->numbers[i] = expand_number(m, i + 1);
+    m->numbers[i] = expand_another(m, &state, i + 1);
   return done;
 }
 
