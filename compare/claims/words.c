@@ -1,4 +1,4 @@
-/* The rows of the claims in words: each claim is decided for what its scope says (decide.h). */
+/* The claims in words about families of crawlers, and how the rows of all claims in words come into the ledger (decide.h). */
 #include "compare/claims/decide.h"
 
 #include <math.h>
