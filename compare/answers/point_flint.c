@@ -77,10 +77,10 @@ static bool read_row(struct table_of *table, const struct gait_file *file, long 
   fmpq_t first, last;
   fmpq_init(first);
   fmpq_init(last);
-  bool right = scallop_rational_parse(table->t + i, file->texts + file->rows[at - turn].t)
-               && scallop_rational_parse(table->l + i, file->texts + file->rows[at - turn].l)
-               && scallop_rational_parse(first, file->texts + file->rows[0].t)
-               && scallop_rational_parse(last, file->texts + file->rows[file->last].t);
+  bool right = scallop_rational_parse(table->t + i, file->rows[at - turn].written[0])
+               && scallop_rational_parse(table->l + i, file->rows[at - turn].written[1])
+               && scallop_rational_parse(first, file->rows[0].written[0])
+               && scallop_rational_parse(last, file->rows[file->last].written[0]);
   if (turn > 0) {
     fmpq_add(table->t + i, table->t + i, last);
     fmpq_sub(table->t + i, table->t + i, first);
