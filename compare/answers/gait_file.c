@@ -182,7 +182,7 @@ void gait_file_free(struct gait_file *gait)
   free(gait->spline.pieces);
   free(gait->spline.laws);
   free(gait->spline.numbers);
-  for (long i = 0; i <= gait->last; i++)
+  for (long i = 0; gait->rows && i <= gait->last; i++)
     for (int k = 0; k < 2; k++)
       free(gait->rows[i].written[k]);
   free(gait->rows);

@@ -30,7 +30,7 @@ struct made {
   void *kept;
   void (*discard)(void *);
   const struct scallop_gait *gait;
-  bool is_measured, is_unreadable;
+  bool is_unreadable; /* the file of a measured one */
   union {
     struct scallop_straight straight;
     struct scallop_polynomial polynomial;
@@ -42,8 +42,8 @@ struct kind {
   const char *name;
   const char *usual;   /* its parameters where none are given, or NULL */
   const char *allowed; /* its parameters in words; NULL: it takes none */
-  /* x: the numbers, for made->count of 1 or more. False: message says why, or is empty: not as allowed. */
-  bool (*make)(struct made *made, const double *x);
+  const char *(*make)(struct made *made,
+                      const double *x); /* NULL, or what is wrong, "": not as allowed. x: made->count numbers */
   int numbers;        /* it takes, or half of them, which then hold for the contraction too; 0: any number */
   const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
 };
@@ -51,13 +51,17 @@ struct kind {
 static struct made *buckets[BUCKETS];
 static int made_count;
 
+static const char *make_measured(struct made *m, const double *none);
+
+static struct gait_file *file_of(struct made *made) { return made->kind->make == make_measured ? &made->file : NULL; }
+
 static void discard(struct made *made)
 {
   if (!made)
     return;
   if (made->kept)
     made->discard(made->kept);
-  if (made->is_measured)
+  if (file_of(made))
     gait_file_free(&made->file);
   free(made->text);
   free(made->parameters);
@@ -94,19 +98,20 @@ static void keep(struct made *made)
   *bucket = made;
 }
 
-/* Reads numbers between commas, and repeats them for the contraction. False: message says which is none, or they are too many or too few. */
-static bool read_numbers(struct made *m, double x[MOST_NUMBERS])
+/* Reads numbers between commas, and repeats them for the contraction. NULL, or what is wrong; "": there are too many or too few. */
+static const char *read_numbers(struct made *m, double x[MOST_NUMBERS])
 {
+  static char not_one[120];
   for (char *next = m->parameters; next; m->count++) {
     char *text = next;
     next = strchr(text, ',');
     if (next)
       *next++ = '\0';
     if (m->count == MOST_NUMBERS)
-      return false;
+      return "";
     if (!read_number(text, &x[m->count])) {
-      snprintf(message, sizeof message, "'%.80s' is not a number", text);
-      return false;
+      snprintf(not_one, sizeof not_one, "'%.80s' is not a number", text);
+      return not_one;
     }
     m->number[m->count] = text;
   }
@@ -115,47 +120,40 @@ static bool read_numbers(struct made *m, double x[MOST_NUMBERS])
     x[m->count] = x[i];
     m->number[m->count] = m->number[i];
   }
-  return half == 0 || m->count == 2 * half;
+  return half == 0 || m->count == 2 * half ? NULL : "";
 }
 
-static bool make_trapezoidal(struct made *m, const double *x)
+static const char *make_trapezoidal(struct made *m, const double *x)
 {
   const double up[2] = { x[0], x[2] }, down[2] = { x[1], x[3] };
   m->gait = &m->straight.gait;
-  return scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK;
+  return scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK ? NULL : "";
 }
 
-static bool make_skewed(struct made *m, const double *beta)
+static const char *make_skewed(struct made *m, const double *beta)
 {
   m->gait = &m->straight.gait;
-  return scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK;
+  return scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK ? NULL : "";
 }
 
-static bool make_polynomial(struct made *m, const double *x)
+static const char *make_polynomial(struct made *m, const double *x)
 {
   double c[MOST_NUMBERS + 1] = { 0 }; /* c[0] of s^0 */
   const char *why = "";
   memcpy(c + 1, x, (size_t)m->count * sizeof *x);
   m->gait = &m->polynomial.gait;
-  bool made = scallop_make_polynomial(&m->polynomial, m->text, c, m->count, &why) == SCALLOP_OK;
-  if (!made)
-    snprintf(message, sizeof message, "%s", why);
-  return made;
+  return scallop_make_polynomial(&m->polynomial, m->text, c, m->count, &why) == SCALLOP_OK ? NULL : why;
 }
 
-static bool make_measured(struct made *m, const double *none)
+/* A name with control characters could not be printed in a table. */
+static const char *make_measured(struct made *m, const double *none)
 {
+  const char *c = m->parameters;
   (void)none;
-  const char *file = m->parameters;
-  for (const char *c = file; *c; c++)
-    if ((unsigned char)*c < ' ')
-      return false; /* it could not be printed in a table */
-  const char *wrong = *file ? gait_file_read(&m->file, file, m->text, &m->is_unreadable) : "";
+  while ((unsigned char)*c >= ' ')
+    c++;
   m->gait = &m->file.spline.gait;
-  m->is_measured = !wrong;
-  if (wrong)
-    snprintf(message, sizeof message, "%s", wrong);
-  return !wrong;
+  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
 }
 
 static const struct kind kinds[] = {
@@ -215,26 +213,25 @@ static struct gait_answer make(const struct kind *kind, const char *text, const 
 {
   struct made *m = made_count < MOST_GAITS ? calloc(1, sizeof *m) : NULL;
   double x[MOST_NUMBERS];
-  *message = '\0';
-  if (m) {
-    m->kind = kind;
-    m->text = strdup(text);
-    m->parameters = strdup(parameters);
-  }
+  if (m)
+    *m = (struct made){ .kind = kind, .text = strdup(text), .parameters = strdup(parameters) };
   if (!m || !m->text || !m->parameters) {
     snprintf(message, sizeof message,
              m ? "out of memory" : "'%.80s' is one gait too many: 65536 different ones are the most", text);
     discard(m);
     return refused(GAIT_UNKNOWN);
   }
-  if ((kind->make == make_measured || read_numbers(m, x)) && kind->make(m, x)) {
+  const char *why = file_of(m) ? NULL : read_numbers(m, x);
+  if (!why)
+    why = kind->make(m, x);
+  if (!why) {
     keep(m);
     return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
   }
-  char why[MESSAGE];
-  snprintf(why, sizeof why, "%s", message);
   enum gait_fault fault = m->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
-  if (*why == '\0' || kind->make != make_measured)
+  if (*why && file_of(m))
+    snprintf(message, sizeof message, "%s", why);
+  else
     snprintf(message, sizeof message, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "",
              kind->allowed);
   discard(m);
@@ -279,11 +276,10 @@ static struct made *made_of(const struct scallop_gait *gait)
   return made && made->gait == gait ? made : NULL;
 }
 
-static bool is_from(const struct made *made, const struct stat *there)
+static bool is_from(struct made *made, const struct stat *there)
 {
   struct stat file;
-  return made->is_measured && stat(made->text + strlen("measured:"), &file) == 0 && file.st_dev == there->st_dev
-         && file.st_ino == there->st_ino;
+  return file_of(made) && stat(made->parameters, &file) == 0 && file.st_dev == there->st_dev && file.st_ino == there->st_ino;
 }
 
 bool gait_is_from(const char *path)
@@ -292,36 +288,35 @@ bool gait_is_from(const char *path)
   bool found = false;
   if (stat(path, &there) == 0)
     for (int i = 0; i < BUCKETS; i++)
-      for (const struct made *m = buckets[i]; m; m = m->next)
+      for (struct made *m = buckets[i]; m; m = m->next)
         found = found || is_from(m, &there);
   return found;
 }
 
 uint32_t gait_checksum(const struct scallop_gait *gait)
 {
-  const struct made *made = made_of(gait);
-  uint32_t knots = made && made->is_measured ? made->file.checksum : CHECKSUM_OF_NOTHING;
+  struct made *made = made_of(gait);
+  uint32_t knots = made && file_of(made) ? made->file.checksum : CHECKSUM_OF_NOTHING;
   return checksum_after(knots, gait->name, strlen(gait->name));
 }
 
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
   struct made *made = made_of(gait);
-  if (!made)
-    return false;
-  *source = (struct gait_source){ .kind = made->kind->name,
-                                  .number = made->number,
-                                  .count = made->count,
-                                  .file = made->is_measured ? &made->file : NULL,
-                                  .kept = &made->kept,
-                                  .discard = &made->discard };
-  return true;
+  if (made)
+    *source = (struct gait_source){ .kind = made->kind->name,
+                                    .number = made->number,
+                                    .count = made->count,
+                                    .file = file_of(made),
+                                    .kept = &made->kept,
+                                    .discard = &made->discard };
+  return made != NULL;
 }
 
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
 {
-  const struct made *made = made_of(gait);
-  if (!made || !made->is_measured)
+  struct made *made = made_of(gait);
+  if (!made || !file_of(made))
     return false;
   *L = made->file.L;
   *T = made->file.T;
