@@ -53,39 +53,34 @@ enum quantity_id quantity_of_name(const char *name)
   return (enum quantity_id)q;
 }
 
+/* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
+static const struct {
+  enum quantity_id id[2];
+  const char *text[2];
+} about[] = {
+  [SCALLOP_LAG] = { { Q_DT, Q_DT }, { "dT", "dT" } },
+  [SCALLOP_FIRST_SWITCH] = { { Q_T1, Q_T1 }, { "t1", "t1" } },
+  [SCALLOP_REAR_AT_FIRST] = { { Q_AT_FIRST, Q_AT_FIRST }, { "x1(t1)", "x2(t1)" } },
+  [SCALLOP_REAR_AT_LAST] = { { Q_AT_LAST, Q_AT_LAST }, { "x1(T-dT)", "x2(T-dT)" } },
+  [SCALLOP_REAR_AT_END] = { { Q_DX1, Q_DX2 }, { "x1(T)", "x2(T)" } },
+  [SCALLOP_FRONT_AT_END] = { { Q_DX2, Q_DX1 }, { "x2(T)", "x1(T)" } },
+  [SCALLOP_CENTRE_AT_END] = { { Q_DXC, Q_DXC }, { "x_C(T)", "x_C(T)" } },
+  [SCALLOP_VELOCITY_AT_END] = { { Q_V_END, Q_V_END }, { "v(T)", "v(T)" } },
+  [SCALLOP_VELOCITY_CHANGE] = { { Q_CHANGE, Q_CHANGE }, { "v(T)-v0", "v(T)-v0" } },
+  [SCALLOP_STEADY_VELOCITY] = { { Q_V_START, Q_V_START }, { "v_start", "v_start" } },
+  [SCALLOP_STEADY_DISPLACEMENT] = { { Q_DISPLACEMENT, Q_DISPLACEMENT }, { "displacement", "displacement" } },
+  [SCALLOP_VELOCITY_AT_FIRST] = { { Q_TURNING, Q_TURNING }, { "v(t1)", "v(t1)" } },
+  [SCALLOP_VELOCITY_AT_LAST] = { { Q_TURNING, Q_TURNING }, { "v(T-dT)", "v(T-dT)" } },
+};
+
 enum quantity_id quantity_of_formula(const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  bool extension = kind == SCALLOP_EXTENSION;
-  switch (f->quantity) {
-  case SCALLOP_LAG: return Q_DT;
-  case SCALLOP_FIRST_SWITCH: return Q_T1;
-  case SCALLOP_REAR_AT_FIRST: return Q_AT_FIRST;
-  case SCALLOP_REAR_AT_LAST: return Q_AT_LAST;
-  case SCALLOP_REAR_AT_END: return extension ? Q_DX1 : Q_DX2;
-  case SCALLOP_FRONT_AT_END: return extension ? Q_DX2 : Q_DX1;
-  case SCALLOP_CENTRE_AT_END: return Q_DXC;
-  case SCALLOP_VELOCITY_AT_END: return Q_V_END;
-  case SCALLOP_VELOCITY_CHANGE: return Q_CHANGE;
-  case SCALLOP_STEADY_VELOCITY: return Q_V_START;
-  case SCALLOP_STEADY_DISPLACEMENT: return Q_DISPLACEMENT;
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: break;
-  }
-  return Q_TURNING;
+  return about[f->quantity].id[kind];
 }
 
 const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  static const char *const of_contraction[] = { "dT",    "t1",     "x2(t1)", "x2(T-dT)", "x2(T)",
-                                                "x1(T)", "x_C(T)", "v(T)",   "v(T)-v0" };
-  static const char *const of_extension[] = {
-    "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0"
-  };
-  if (f->quantity == SCALLOP_VELOCITY_AT_FIRST || f->quantity == SCALLOP_VELOCITY_AT_LAST)
-    return f->quantity == SCALLOP_VELOCITY_AT_FIRST ? "v(t1)" : "v(T-dT)";
-  if (f->setting == SCALLOP_STEADY)
-    return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
-  return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];
+  return about[f->quantity].text[kind];
 }
 
 bool formula_takes_given(const struct scallop_formula *f)
