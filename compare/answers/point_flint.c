@@ -139,17 +139,6 @@ const struct scallop_gait *written_gait(const struct scallop_gait *gait)
   return w && w->is_exact ? &w->exact.gait : gait;
 }
 
-bool written_gait_has_own(const struct scallop_gait *gait, fmpq_t L, fmpq_t T, fmpq_t alpha)
-{
-  const struct written *w = written_of(gait);
-  if (!w || !w->own)
-    return false;
-  fmpq_set(L, w->own);
-  fmpq_set(T, w->own + 1);
-  fmpq_set(alpha, w->own + 2);
-  return true;
-}
-
 static void rational_number(fmpq_t x, double value)
 {
   char text[NUMBER_TEXT];
@@ -173,7 +162,6 @@ void rational_crawler(struct scallop_rational_crawler *exact, const struct scall
   exact->gait = written_gait(c->gait);
 }
 
-/* L, T and alpha that come of the table of a measured gait are those of its decimals. */
 void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *p)
 {
   enum { FIRST = CRAWLER_NUMBERS - OWN }; /* of L, T and alpha */
