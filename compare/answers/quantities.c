@@ -29,21 +29,8 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
                             "friction_work / ((F1 + F2) |displacement|); nan: the displacement is 0", OF_STEADY, true },
 };
 
-enum quantity_id quantity_first(enum quantity_of of)
-{
-  int q = 0;
-  while (quantity_rows[q].of != of)
-    q++;
-  return (enum quantity_id)q;
-}
-
-enum quantity_id quantity_end(enum quantity_of of)
-{
-  int q = QUANTITIES;
-  while (quantity_rows[q - 1].of != of)
-    q--;
-  return (enum quantity_id)q;
-}
+enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
+enum quantity_id quantity_end(enum quantity_of of) { return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES; }
 
 enum quantity_id quantity_of_name(const char *name)
 {
@@ -123,31 +110,26 @@ const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC",
  * one counts. */
 static const char *name_at(const struct quantities *all, int i, struct quantity *q)
 {
+  enum { LISTS = 5 };
+  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER, QUANTITY_STATUS, QUANTITY_LABEL, QUANTITY_SAMPLE,
+                                                   QUANTITY_ANSWER };
+  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE, all->labels, SAMPLE_VALUES, NAMED_QUANTITIES };
+  int list = 0;
+  for (; list < LISTS && i >= counts[list]; list++)
+    i -= counts[list];
+  q->kind = list < LISTS ? kinds[list] : QUANTITY_PUBLISHED;
   q->which = i;
-  q->kind = QUANTITY_NUMBER;
-  if (i < CRAWLER_NUMBERS)
-    return crawler_parameters[i];
-  q->which = i -= CRAWLER_NUMBERS;
-  if (i < SINGLE) {
+  switch (list) {
+  case 0: return crawler_parameters[i];
+  case 1:
     q->kind = single[i].kind;
     q->which = single[i].which;
     return single[i].name;
+  case 2: return all->label[i];
+  case 3: return quantity_samples[i];
+  case 4: return quantity_rows[i].name;
+  default: q->formula = &scallop_published[i]; return q->formula->name;
   }
-  q->which = i -= SINGLE;
-  q->kind = QUANTITY_LABEL;
-  if (i < all->labels)
-    return all->label[i];
-  q->which = i -= all->labels;
-  q->kind = QUANTITY_SAMPLE;
-  if (i < SAMPLE_VALUES)
-    return quantity_samples[i];
-  q->which = i -= SAMPLE_VALUES;
-  q->kind = QUANTITY_ANSWER;
-  if (i < NAMED_QUANTITIES)
-    return quantity_rows[i].name;
-  q->kind = QUANTITY_PUBLISHED;
-  q->formula = &scallop_published[i - NAMED_QUANTITIES];
-  return q->formula->name;
 }
 
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
