@@ -76,12 +76,6 @@ static const void *value_at(const void *answer, int q, size_t place, enum quanti
   return has ? (const char *)answer + place : NULL;
 }
 
-static void take_modes(struct ball_answer *a, enum scallop_regime regime, const struct scallop_modes *modes, int phases)
-{
-  a->regime = regime;
-  memcpy(a->modes, modes, (size_t)phases * sizeof *modes);
-}
-
 bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
                      enum scallop_phase_kind phase, const fmpq_t v0, long digits)
 {
@@ -96,11 +90,13 @@ bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawle
     a->value[q] = value_at(a, q, places[q].ball, of, a->phase.switches);
   if (of == OF_STEADY) {
     a->value[Q_COST_OF_TRANSPORT] = cost_of_transport(a, c, bits);
-    take_modes(a, a->steady.regime, a->steady.modes, 2);
+    a->regime = a->steady.regime;
+    memcpy(a->modes, a->steady.modes, sizeof a->modes);
   } else {
     arb_set_fmpq(a->change, v0, bits);
     arb_sub(a->change, a->phase.v_end, a->change, bits);
-    take_modes(a, a->phase.regime, &a->phase.modes, 1);
+    a->regime = a->phase.regime;
+    a->modes[0] = a->phase.modes;
   }
   return true;
 }
