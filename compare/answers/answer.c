@@ -58,7 +58,10 @@ static const struct {
   [Q_DXC] = PLACES(phase.dxC, phase.dxC),
 };
 
-static double number_at(const void *results, size_t place) { return *(const double *)((const char *)results + place); }
+static void copy_from(const void *results, size_t place, void *number, size_t size)
+{
+  memcpy(number, (const char *)results + place, size);
+}
 
 static void take_modes(struct answer *a, enum scallop_regime regime, const struct scallop_modes *modes, int phases)
 {
@@ -74,7 +77,7 @@ static bool solve(struct answer *a, const struct motion *m, struct solved *s)
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
-    a->value[q].high = number_at(s, places[q].solved);
+    copy_from(s, places[q].solved, &a->value[q].high, sizeof a->value[q].high);
   if (steady) {
     a->v_low = s->steady.v_low;
     a->v_high = s->steady.v_high;
@@ -179,8 +182,11 @@ bool answer_with_errors(struct answer *a, const struct motion *m, double errors[
   enum scallop_status status = !solved              ? a->status
                                : m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
                                                     : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
-  for (int q = 0; q < QUANTITIES; q++)
-    errors[q] = status >= 0 && quantity_rows[q].of == m->of ? number_at(&e, places[q].error) : NAN;
+  for (int q = 0; q < QUANTITIES; q++) {
+    errors[q] = NAN;
+    if (status >= 0 && quantity_rows[q].of == m->of)
+      copy_from(&e, places[q].error, &errors[q], sizeof errors[q]);
+  }
   return solved;
 }
 
@@ -194,7 +200,7 @@ bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
-    a->value[q] = *(const struct scallop_wide *)((const char *)&s + places[q].wide);
+    copy_from(&s, places[q].wide, &a->value[q], sizeof a->value[q]);
   if (steady) {
     a->value[Q_FRICTION_WORK] = s.steady.friction_work;
     a->value[Q_COST_OF_TRANSPORT] = s.steady.cost_of_transport;

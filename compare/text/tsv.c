@@ -45,9 +45,11 @@ static bool make_room(struct tsv *tsv)
     return true;
   size_t size = 2 * (tsv->end + 128);
   char *grown = realloc(tsv->buffer, size);
-  tsv->buffer = grown ? grown : tsv->buffer;
-  tsv->size = grown ? size : tsv->size;
-  return grown != NULL;
+  if (!grown)
+    return false;
+  tsv->buffer = grown;
+  tsv->size = size;
+  return true;
 }
 
 /* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR alone and then
