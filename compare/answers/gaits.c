@@ -42,8 +42,8 @@ struct kind {
   const char *name;
   const char *usual;   /* its parameters where none are given, or NULL */
   const char *allowed; /* its parameters in words; NULL: it takes none */
-  const char *(*make)(struct made *made,
-                      const double *x); /* NULL, or what is wrong, "": not as allowed. x: made->count numbers */
+  /* x: made->count numbers. NULL, or what is wrong; "": not as allowed */
+  const char *(*make)(struct made *made, const double *x);
   int numbers;        /* it takes, or half of them, which then hold for the contraction too; 0: any number */
   const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
 };

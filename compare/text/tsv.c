@@ -71,9 +71,12 @@ static bool read_line(struct tsv *tsv)
     if (more && !passed_over)
       tsv->buffer[tsv->end++] = (char)c;
   }
+  if (c == EOF && ferror(tsv->file))
+    return fail(tsv, errno);
   tsv->buffer[tsv->end] = '\0';
-  tsv->number++;
-  return c == EOF && ferror(tsv->file) ? fail(tsv, errno) : c != EOF || tsv->end > tsv->begin;
+  bool found = c != EOF || tsv->end > tsv->begin;
+  tsv->number += found;
+  return found;
 }
 
 /* The line without a byte order mark, which some programs write at the head of a UTF-8 file; and what is wrong with it */

@@ -17,20 +17,20 @@ enum tsv_style {
 
 struct tsv {
   FILE *file;
-  const char *name; /* of the file, for messages                                     */
+  const char *name; /* of the file, for messages */
   enum tsv_style style;
-  long number;       /* of the current line, from 1                                   */
-  int error;         /* why the file cannot be read, where it cannot; else 0          */
-  const char *fault; /* of the current row: why it cannot be read, or NULL            */
-  int count;         /* cells of the current row                                      */
+  long number;       /* of the current line, from 1 */
+  int error;         /* why the file cannot be read, where it cannot; else 0 */
+  const char *fault; /* of the current row: why it cannot be read, or NULL */
+  int count;         /* cells of the current row */
   char *cell[TSV_CELLS];
-  int columns; /* of the header, 0: none was read                                     */
+  int columns; /* of the header, 0: none was read */
   char *column[TSV_CELLS];
-  char *header;   /* what they point into                                              */
-  bool keeps_all; /* lines stand one after another in the buffer                      */
-  char *buffer;   /* of size bytes; the current line is from begin to end               */
+  char *header; /* what they point into */
+  char *buffer; /* of size bytes; the current line is from begin to end */
   size_t size, begin, end;
-  bool too_long, ended_by_return; /* the current line                                 */
+  bool keeps_all;                 /* lines stand one after another in the buffer */
+  bool too_long, ended_by_return; /* the current line */
   char message[TSV_MESSAGE];
 };
 
