@@ -129,47 +129,83 @@ static enum answer reads_back(const struct magnified *m, uint32_t step, bool cer
 
 enum { MOST_DIGITS = 17 };
 
-static char *append(char *to, const char *from, int count)
+/* Copies more than count, where there must be room: a constant size takes no call. */
+static char *append_digits(char *to, const char *from, int count)
 {
-  memcpy(to, from, (size_t)count);
+  memcpy(to, from, MOST_DIGITS);
   return to + count;
 }
 
-/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. Returns the end. */
+static char *append_two(char *to, const char *from)
+{
+  memcpy(to, from, 2);
+  return to + 2;
+}
+
+static char *append_zeros(char *to, int count)
+{
+  memset(to, '0', (size_t)count);
+  return to + count;
+}
+
+static char *append_pair(char *to, uint32_t n)
+{
+  static const char pairs[] =
+      "00010203040506070809101112131415161718192021222324252627282930313233343536373839404142434445464748"
+      "49505152535455565758596061626364656667686970717273747576777879808182838485868788899091929394959697"
+      "9899";
+  return append_two(to, &pairs[2 * n]);
+}
+
+/* With leading zeros, n < 10^8 */
+static char *append_eight(char *to, uint32_t n)
+{
+  uint32_t left = n / 10000, right = n % 10000;
+  to = append_pair(append_pair(to, left / 100), left % 100);
+  return append_pair(append_pair(to, right / 100), right % 100);
+}
+
+static char *append_exponent(char *to, int exponent)
+{
+  return append_pair(append_two(to, exponent < 0 ? "e-" : "e+"), (uint32_t)abs(exponent));
+}
+
+/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. digits: a place for twice
+ * MOST_DIGITS. Returns the end. */
 static char *lay_out(char *to, const char *digits, int count, int exponent, int precision)
 {
-  static const char zeros[MOST_DIGITS + 1] = "00000000000000000";
-  int whole = exponent + 1, size = abs(exponent);
+  int whole = exponent + 1;
   if (exponent < -4 || exponent >= precision) {
-    const char power[] = { 'e', exponent < 0 ? '-' : '+', (char)('0' + size / 10), (char)('0' + size % 10) };
-    to = append(append(to, digits, 1), ".", count > 1);
-    return append(append(to, digits + 1, count - 1), power, sizeof power);
+    *to++ = digits[0];
+    if (count > 1)
+      *to++ = '.';
+    return append_exponent(append_digits(to, digits + 1, count - 1), exponent);
   }
   if (whole <= 0)
-    return append(append(append(to, "0.", 2), zeros, -whole), digits, count);
+    return append_digits(append_zeros(append_two(to, "0."), -whole), digits, count);
   if (count <= whole)
-    return append(append(to, digits, count), zeros, whole - count);
-  return append(append(append(to, digits, whole), ".", 1), digits + whole, count - whole);
+    return append_zeros(append_digits(to, digits, count), whole - count);
+  to = append_digits(to, digits, whole);
+  *to++ = '.';
+  return append_digits(to, digits + whole, count - whole);
 }
 
 /* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
 static char *append_seventeen(char *to, uint64_t n, int exponent, int precision)
 {
-  char digits[MOST_DIGITS];
-  int count = MOST_DIGITS;
+  char digits[2 * MOST_DIGITS];
   if (n == 100000000000000000U) {
     n /= 10;
     exponent++;
   }
-  uint32_t left = (uint32_t)(n / 100000000), right = (uint32_t)(n % 100000000);
-  for (int i = 8; i > 0; i--, left /= 10, right /= 10) { /* two chains of divisions at a time */
-    digits[i] = (char)('0' + left % 10);
-    digits[i + 8] = (char)('0' + right % 10);
-  }
-  digits[0] = (char)('0' + left);
+  uint32_t last = (uint32_t)(n % 100000000), count = last > 0 ? 17 : 9;
+  n /= 100000000;
+  digits[0] = (char)('0' + n / 100000000);
+  append_eight(digits + 1, (uint32_t)(n % 100000000));
+  append_eight(digits + 9, last);
   while (digits[count - 1] == '0')
     count--;
-  return lay_out(to, digits, count, exponent, precision);
+  return lay_out(to, digits, (int)count, exponent, precision);
 }
 
 static char *append_finite(char *to, uint64_t significand, int exponent)

@@ -10,6 +10,8 @@ bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
   bool standard = strcmp(file, "-") == 0;
   *tsv = (struct tsv){ .name = standard ? "standard input" : file, .style = style };
   tsv->file = standard ? stdin : fopen(file, "r");
+  if (tsv->file && !standard)
+    setvbuf(tsv->file, NULL, _IOFBF, 1 << 16);
   tsv->error = tsv->file ? 0 : errno;
   return tsv->file != NULL;
 }
@@ -56,21 +58,24 @@ static bool make_room(struct tsv *tsv)
  * wait. False: there is none. */
 static bool read_line(struct tsv *tsv)
 {
-  int c;
+  int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
+  if (c != '\n')
+    ungetc(c, tsv->file);
   if (tsv->too_long)
     return fail(tsv, EFBIG);
   tsv->begin = tsv->end = tsv->keeps_all && tsv->number > 0 ? tsv->end + 1 : 0;
   for (bool more = true; more;) {
     if (!make_room(tsv))
       return fail(tsv, ENOMEM);
-    c = getc_unlocked(tsv->file);
-    bool passed_over = c == '\n' && tsv->ended_by_return;
-    tsv->ended_by_return = c == '\r';
-    tsv->too_long = tsv->end - tsv->begin == LONGEST_LINE;
-    more = passed_over || (c != EOF && c != '\n' && c != '\r' && !tsv->too_long);
-    if (more && !passed_over)
-      tsv->buffer[tsv->end++] = (char)c;
+    size_t room = tsv->size - 1 - tsv->end, left = tsv->begin + LONGEST_LINE - tsv->end;
+    char *to = tsv->buffer + tsv->end, *stop = to + (room < left ? room : left);
+    while (to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
+      *to++ = (char)c;
+    tsv->end = (size_t)(to - tsv->buffer);
+    tsv->too_long = to == stop && left <= room;
+    more = to == stop && !tsv->too_long;
   }
+  tsv->ended_by_return = c == '\r';
   if (c == EOF && ferror(tsv->file))
     return fail(tsv, errno);
   tsv->buffer[tsv->end] = '\0';
