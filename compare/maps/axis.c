@@ -1,11 +1,9 @@
-#include "compare/maps/axis.h"
+#include "compare/maps/maps.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/text/message.h"
-#include "compare/text/values.h"
 #include "model/version.h"
 
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "compare/answers/mode_change.h"
-#include "compare/maps/axis.h"
 #include "compare/maps/curves.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
