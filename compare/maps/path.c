@@ -1,4 +1,4 @@
-#include "compare/maps/path.h"
+#include "compare/maps/curves.h"
 
 #include <math.h>
 #include <stddef.h>
