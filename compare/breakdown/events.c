@@ -102,15 +102,15 @@ static bool is_in_wide(const struct motion *m, double T, const struct signature 
   return motion_in_wide(m, T, &a) && same_modes(a.modes, s->answer.modes);
 }
 
-/* Halves [*low, *high] in binary128 until they are neighbours. False: the modes there are not those that doubles saw outside. */
-static bool settle(double *low, double *high, const struct motion *m, const struct signature *before,
-                   const struct signature *after)
+/* Halves [*low, *high] until they are neighbours. Of a change of modes in binary128; that a switching time leaves its part no mode shows,
+ * so that doubles have to do. */
+static void settle(double *low, double *high, const struct motion *m, const struct signature *before, bool of_modes)
 {
-  if (!is_in_wide(m, *low, before) || !is_in_wide(m, *high, after))
-    return false;
-  for (double T; halfway(&T, *low, *high);)
-    *(is_in_wide(m, T, before) ? low : high) = T;
-  return true;
+  struct signature middle;
+  for (double T; halfway(&T, *low, *high);) {
+    bool is_before = of_modes ? is_in_wide(m, T, before) : signature_at(&middle, m, T) && same(m, &middle, before);
+    *(is_before ? low : high) = T;
+  }
 }
 
 /* Are these proven to be the modes at T? */
@@ -144,15 +144,6 @@ static void describe(struct event *e, const struct motion *m, const struct signa
   mode_change_text(e->what, &was, &is);
 }
 
-/* A switching time that leaves its piece: no mode shows it, so that doubles have to do. */
-static double settle_place(const struct motion *m, double low, double high, const struct signature *before)
-{
-  struct signature middle;
-  for (double T; halfway(&T, low, high) && signature_at(&middle, m, T);)
-    *(same(m, &middle, before) ? &low : &high) = T;
-  return low;
-}
-
 /* Something changes between low and high, which are close. Events that doubles cannot tell apart are one. */
 static void enter(struct events *events, const struct motion *m, double low, double high)
 {
@@ -170,11 +161,13 @@ static void enter(struct events *events, const struct motion *m, double low, dou
   *e = (struct event){ .T = low + (high - low) / 2, .status = "double" };
   memcpy(e->modes, after.answer.modes, sizeof e->modes);
   describe(e, m, &before, &after);
-  if (same_modes(before.answer.modes, after.answer.modes)) {
-    e->T = settle_place(m, low, high, &before);
-  } else if (settle(&low, &high, m, &before, &after)) {
+  bool of_modes = !same_modes(before.answer.modes, after.answer.modes);
+  if (of_modes && !(is_in_wide(m, low, &before) && is_in_wide(m, high, &after)))
+    return; /* not the modes that doubles see */
+  settle(&low, &high, m, &before, of_modes);
+  e->T = low;
+  if (of_modes) {
     bool proven = is_certified(m, low * (1 - PROVEN), &before) && is_certified(m, low * (1 + PROVEN), &after);
-    e->T = low;
     e->status = proven ? "certified" : "binary128";
   }
 }

@@ -190,6 +190,7 @@ static bool find_radius(struct radius *radius, struct report *r, enum quantity_i
     return true;
   *radius = (struct radius){ .note = "there is no derived series" };
   if (s && !sought->done) { /* once for all quantities that depend on it */
+    scallop_singularity_init(&sought->singularity);
     progress_show(&r->progress, "singularities ...");
     sought->found = singularity_of(&sought->singularity, &r->many, quantity == Q_T1);
     sought->done = true;
@@ -396,11 +397,10 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
     return EXIT_UNSOLVED;
   }
   expansions_init(&r.expansions, &r.motion, o->order.value, BREAKDOWN_BITS);
-  for (int i = 0; i < 2; i++)
-    scallop_singularity_init(&r.sought[i].singularity);
   enum exit_code code = report(&r, only);
   for (int i = 0; i < 2; i++)
-    scallop_singularity_clear(&r.sought[i].singularity);
+    if (r.sought[i].done)
+      scallop_singularity_clear(&r.sought[i].singularity);
   expansions_clear(&r.expansions);
   free(r.cache);
   return code;

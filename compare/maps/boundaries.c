@@ -207,7 +207,7 @@ static void begin_table(const struct boundaries *b, struct table *t)
   table_note(t, "what: happens from region_1 to region_2; meets: the third region at a junction");
   table_note(t,
              "found: every curve that crosses a line of the grid at which the modes of its nodes differ, and what meets it");
-  table_columns(t, (const char *const[]){ "curve", "point", axis_name(b->axes[0].kind), axis_name(b->axes[1].kind), NULL });
+  table_columns(t, (const char *const[]){ "curve", "point", b->axes[0].name, b->axes[1].name, NULL });
   table_columns(t, (const char *const[]){ "region_1", "region_2", "what", "end", "meets", "status", NULL });
   table_begin_rows(t);
 }

@@ -60,7 +60,7 @@ static struct scallop_crawler crawler_of(const struct grid *g, long row)
                       axis_node(&g->axes[1], row / columns_of(g)));
 }
 
-static bool sets_T(const struct axis *a) { return strcmp(axis_sets(a->kind), "T") == 0; }
+static bool sets_T(const struct axis *a) { return strcmp(a->sets, "T") == 0; }
 
 /* How far a series reaches is the same in all rows that differ in T alone: it is computed for the first of them. */
 static long first_of(const struct grid *g, long row)
@@ -132,8 +132,7 @@ static void make_title(const struct grid *g, char title[TITLE])
   fprintf(f, "scallop " SCALLOP_VERSION " journal of breakdown --map: gait %.200s (%08lx)", gait->name,
           (unsigned long)gait_checksum(gait));
   for (int i = 0; i < 2; i++)
-    fprintf(f, " %s %a:%a:%ld:%d", axis_name(g->axes[i].kind), g->axes[i].from, g->axes[i].to, g->axes[i].count,
-            g->axes[i].log);
+    fprintf(f, " %s %a:%a:%ld:%d", g->axes[i].name, g->axes[i].from, g->axes[i].to, g->axes[i].count, g->axes[i].log);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     fprintf(f, " %a", numbers[i]);
   for (int i = 0; i < g->width; i++)
@@ -164,7 +163,7 @@ static bool write_row(const struct grid *g, struct table *t, bool is_head, long 
   const struct scallop_crawler *c = &m.crawler;
   struct answer a;
   char modes[MOTION_MODES_TEXT];
-  const char *axes[] = { axis_name(g->axes[0].kind), axis_name(g->axes[1].kind) };
+  const char *axes[] = { g->axes[0].name, g->axes[1].name };
   const long place[] = { row % columns_of(g), row / columns_of(g) };
   bool solved = answer_in_double(&a, &m);
   for (int i = 0; i < 2; i++)

@@ -9,15 +9,13 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *options);
 
 /* F1/F2 and m1/m2, also called F1_over_F2 and m1_over_m2 as in scenes, keep body 2 as it is; froude = M L/(T^2 (F1 + F2)) sets T when all else is set. */
 enum axis_kind { AXIS_F1_F2, AXIS_M1_M2, AXIS_ALPHA, AXIS_T, AXIS_FROUDE, AXIS_KINDS };
-const char *axis_name(enum axis_kind kind);
-/* The parameter that it sets */
-const char *axis_sets(enum axis_kind kind);
 
 struct axis {
   enum axis_kind kind;
-  double from, to; /* from < to, or from = to where count = 1                                          */
-  long count;      /* values                                                                           */
-  bool log;        /* they are spaced evenly in the logarithm                                          */
+  const char *name, *sets; /* the parameter that it sets */
+  double from, to;         /* from < to, or from = to where count = 1                                          */
+  long count;              /* values                                                                           */
+  bool log;                /* they are spaced evenly in the logarithm                                          */
 };
 
 /* The usual ranges */
