@@ -196,10 +196,10 @@ static void setting_clear(struct setting *s)
 static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name, long order)
 {
   struct series_item items[MOST_ITEMS];
-  int i = series_items(items, &s->expansions, quantity, order) - 1;
-  while (i >= 0 && strcmp(items[i].name, name) != 0)
-    i--;
-  assert_true(i >= 0);
+  int count = series_items(items, &s->expansions, quantity, order), i = 0;
+  while (i < count && strcmp(items[i].name, name) != 0)
+    i++;
+  assert_true(i < count);
   return (struct comparison){ &s->expansions, items[i], s->cache, NAN };
 }
 

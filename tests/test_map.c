@@ -192,7 +192,7 @@ static void journals_of_others(void **state)
 static void a_journal_at_work_is_left_alone(void **state)
 {
   (void)state;
-  int opened[2], done[2];
+  int opened[2] = { -1, -1 }, done[2] = { -1, -1 };
   char byte = 'x';
   write_all();
   assert_true(pipe(opened) == 0 && pipe(done) == 0);

@@ -127,13 +127,13 @@ static bool is_certified(const struct motion *m, double T, const struct signatur
 
 static void describe(struct event *e, const struct motion *m, const struct signature *before, const struct signature *after)
 {
-  static const char *const phase_text[] = { "extension", "contraction" };
   struct answer was = before->answer, is = after->answer;
   if (same_modes(was.modes, is.modes) && was.regime == is.regime) { /* a body turns in another part */
     int place = moved(m, before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
-    const struct scallop_shape *shape = &m->crawler.gait->phase[kind_of(m, phase)];
+    enum scallop_phase_kind kind = kind_of(m, phase);
+    const struct scallop_shape *shape = &m->crawler.gait->phase[kind];
     snprintf(e->what, sizeof e->what, "switching time %d of the %s moves from piece %d of l' to piece %d", i,
-             phase_text[kind_of(m, phase)], part_of(shape, before->piece[phase][i]) + 1,
+             kind == SCALLOP_EXTENSION ? "extension" : "contraction", part_of(shape, before->piece[phase][i]) + 1,
              part_of(shape, after->piece[phase][i]) + 1);
     return;
   }

@@ -1,4 +1,4 @@
-#include "compare/maps/curves.h"
+#include "compare/maps/path.h"
 
 #include <math.h>
 #include <stddef.h>
