@@ -1,7 +1,6 @@
 #include <stddef.h>
 
 #include "compare/breakdown/breakdown.h"
-#include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
 #include "compare/command/commands.h"
 #include "compare/answers/defaults.h"
@@ -9,6 +8,7 @@
 
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
 static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, NULL),
@@ -22,8 +22,8 @@ static const struct option options_of_breakdown[] = {
   OPTION_NUMBER("tol", "D", "for this relative error only",
                 TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), &positive_option,
                 breakdown_options, tolerance),
-  OPTION_TEXT("only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", breakdown_options, only,
-              "a name"),
+  { "only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", &word_option,
+    offsetof(struct breakdown_options, only), 0, 0, kinds, "event, reach, radius or best" },
   { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, &pair_option,
     offsetof(struct breakdown_options, map), 0, 0, NULL, "the name of what varies" },
   OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES, breakdown_options,
@@ -45,7 +45,7 @@ static const struct breakdown_options initial = { .source = { "published", false
 static const char *useless(const struct breakdown_options *o)
 {
   if (o->map[0])
-    return o->only ? "only" : o->request.point.has_phase ? "phase" : o->request.point.has_v0 ? "v0" : NULL;
+    return o->only.given ? "only" : o->request.point.has_phase ? "phase" : o->request.point.has_v0 ? "v0" : NULL;
   return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->request.point.written[5] ? "T" : NULL;
 }
 
