@@ -59,7 +59,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return !o->map[0] ? with_flint.breakdown(o) : o->boundaries ? with_flint.boundaries(o) : with_flint.map(o);
+  return !o->map[0] ? breakdown_table(o) : o->boundaries ? breakdown_boundaries(o) : breakdown_map(o);
 }
 
 const struct command command_breakdown = {

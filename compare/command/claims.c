@@ -61,7 +61,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   if (!can_be_scaled(o))
     return EXIT_UNSOLVED;
-  return has_flint(arguments, "the ledger") ? with_flint.claims(o) : EXIT_UNSOLVED;
+  return has_flint(arguments, "the ledger") ? claims_table(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_claims = {

@@ -9,6 +9,17 @@
 #include "compare/command/options.h"
 #include "compare/command/with_flint.h"
 
+/* At its end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the limbs of big
+ * integers too, which FLINT holds behind pointers that no checker can read. */
+void flint_cleanup(void);
+static void end_of_program(void) __attribute__((destructor));
+
+static void end_of_program(void)
+{
+  if (flint_cleanup)
+    flint_cleanup();
+}
+
 /* Has this process been handed over already? Its number stays when another program takes it over. Children have another. */
 static bool is_handed_over(void)
 {
@@ -24,7 +35,7 @@ bool has_flint(const struct arguments *arguments, const char *what)
   static const char other[] = "scallop-flint";
   char path[PATH_MAX + sizeof other];
   const char *command = arguments->command->name;
-  if (&with_flint)
+  if (flint_cleanup)
     return true;
   /* through any link, and without /proc, which need not be there */
   const char *own = (const char *)getauxval(AT_EXECFN); /* NOLINT(performance-no-int-to-ptr) */

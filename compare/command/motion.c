@@ -46,7 +46,7 @@ static void solve(struct cells *c, const struct asked *asked, const struct point
   const struct motion motion = motion_of(p, asked->of);
   const char *more = NULL;
   long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
-  bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, p, motion.of, digits, &more)
+  bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, p, motion.of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
   c->why = done ? NULL : c->reason;
@@ -137,7 +137,7 @@ static const char *row(struct table *t, const struct point *p, const void *conte
   table_text(t, c.why ? "-" : motion_modes_text(modes, asked->of, c.answer.modes));
   table_text(t, c.why ? c.why : certified ? "certified" : answer_status_text(status, &c.answer));
   if (certified)
-    with_flint.decimals_free(c.decimals);
+    decimals_free(c.decimals);
   return c.why;
 }
 

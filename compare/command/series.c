@@ -174,7 +174,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   struct table table;
   if (o->bound || strcmp(o->source.value, "published") != 0) {
     const char *what = o->bound ? "--bound" : "--source derived or limit";
-    return has_flint(arguments, what) ? with_flint.series(o) : EXIT_UNSOLVED;
+    return has_flint(arguments, what) ? series_derived(o) : EXIT_UNSOLVED;
   }
   if (o->request.points)
     return run_points(&o->request);

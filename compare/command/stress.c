@@ -1,6 +1,7 @@
 #include <stddef.h>
 
 #include "compare/command/commands.h"
+#include "compare/stress/stiff.h"
 #include "compare/stress/table.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
@@ -69,7 +70,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return o->stiff ? with_flint.stress_stiff(o) : point ? with_flint.stress_point(o) : with_flint.stress(o);
+  return o->stiff ? stress_stiff(o) : point ? stress_point(o) : stress_table(o);
 }
 
 const struct command command_stress = {

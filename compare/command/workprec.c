@@ -39,7 +39,7 @@ static const struct option options_of_workprec[] = {
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  return has_flint(arguments, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
+  return has_flint(arguments, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
 }
 
 const struct command command_workprec = {
