@@ -13,15 +13,17 @@ static const struct option options_of_claims[] = {
               claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
               claims_options, check),
-  { "verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all", &word_option,
-    offsetof(struct claims_options, verdict), 0, 0, verdicts, "holds, sharper, refuted or undecided" },
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
+  OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
+              claims_options, verdict, verdicts),
   OPTION_DROPPED("against",
                  "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
-  NO_MORE_OPTIONS,
+  OPTIONS_OF_DOUBLES,
+};
+static const struct option_rule rules[] = {
+  { "errors", RULE_WITH, "check", "and --check exclude each other" },
+  { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
+  { "verdict", RULE_WITH, "check", "is for the ledger itself: leave --check out" },
+  { NULL, RULE_WITH, NULL, NULL },
 };
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
@@ -46,14 +48,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
   }
-  if (o->errors && o->check) {
-    complain("claims", "--errors and --check exclude each other");
-    return EXIT_USAGE;
-  }
-  if (o->verdict.given && (o->errors || o->check)) {
-    complain("claims", "--verdict is for the ledger itself: leave --%s out", o->errors ? "errors" : "check");
-    return EXIT_USAGE;
-  }
   if (!gait_has_ends(c->gait)) {
     complain("claims",
              "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
@@ -69,6 +63,7 @@ const struct command command_claims = {
   .summary = "the ledger: every asymptotic and qualitative claim of the paper, decided",
   .example = "scallop claims --format json",
   .options = options_of_claims,
+  .rules = rules,
   .size = sizeof(struct claims_options),
   .about =
       "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"

@@ -18,8 +18,8 @@ struct motion_options {
 #define OPTIONS_OF_ROWS \
   OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
-      OPTION_FORMAT(NULL), OPTION_DIGITS(DIGITS, "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
-      OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+      OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
+      OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
@@ -177,14 +177,15 @@ static enum exit_code run_phase(const struct arguments *arguments, const void *o
   return run(arguments, options, OF_PHASE);
 }
 
+static const struct option_rule rules[] = {
+  { "error", RULE_WITH, "certified", "has nothing to do with --certified: every digit is proven" },
+  { NULL, RULE_WITH, NULL, NULL },
+};
+
 static bool is_sound(const void *options)
 {
   const struct motion_options *o = options;
-  const struct style *style = &o->request.style;
-  if (!o->certified || !o->error)
-    return digits_hold(style, o->certified, DIGITS);
-  complain(style->command, "--error has nothing to do with --certified: every digit is proven");
-  return false;
+  return digits_hold(&o->request.style, o->certified, DIGITS);
 }
 
 static const enum quantity_of of_steady = OF_STEADY, of_phase = OF_PHASE;
@@ -204,6 +205,7 @@ const struct command command_steady = {
   .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
   .options = steady_options,
   .size = sizeof(struct motion_options),
+  .rules = rules,
   .is_sound = is_sound,
   .about =
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
@@ -219,6 +221,7 @@ const struct command command_phase = {
   .example = "scallop phase --phase extension --v0 2.5",
   .options = phase_options,
   .size = sizeof(struct motion_options),
+  .rules = rules,
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"

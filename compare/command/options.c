@@ -9,6 +9,7 @@
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
+static const void *value_of(const void *options, const struct option *o) { return (const char *)options + o->field; }
 
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
@@ -35,73 +36,59 @@ static const char *read_flag(void *options, const struct option *o, const char *
   return NULL;
 }
 
-static const char *read_any(struct given_number *number, const char *text, bool positive)
+static const char *read_real(void *options, const struct option *o, const char *text)
 {
   double value;
-  if (!read_number(text, &value) || (positive && !(value > 0)))
-    return no_number(text, positive ? "a finite number > 0" : "a finite number");
-  *number = (struct given_number){ value, true };
+  if (!read_number(text, &value) || value < o->least || value > o->most)
+    return no_number(text, o->allowed);
+  *(struct given_number *)field_of(options, o) = (struct given_number){ value, true };
   return NULL;
 }
 
-static const char *read_finite(void *options, const struct option *o, const char *text)
+static void show_real(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  return read_any(field_of(options, o), text, false);
-}
-
-static const char *read_positive(void *options, const struct option *o, const char *text)
-{
-  return read_any(field_of(options, o), text, true);
-}
-
-static void show_number(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct given_number *number = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%.15g", number->value);
+  snprintf(text, OPTION_VALUE, "%.15g", ((const struct given_number *)value_of(options, o))->value);
 }
 
 static const char *read_whole(void *options, const struct option *o, const char *text)
 {
   struct given_count *count = field_of(options, o);
   char allowed[80];
-  snprintf(allowed, sizeof allowed, "a whole number from %ld to %ld", o->least, o->most);
-  count->given = read_count(text, o->least, o->most, &count->value);
+  snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", o->least, o->most);
+  count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
   return count->given ? NULL : not_allowed(text, allowed);
 }
 
-static void show_count(const void *options, const struct option *o, char text[OPTION_VALUE])
+static void show_whole(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  const struct given_count *count = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%ld", count->value);
+  snprintf(text, OPTION_VALUE, "%ld", ((const struct given_count *)value_of(options, o))->value);
 }
 
 static const char *read_word(void *options, const struct option *o, const char *text)
 {
-  struct given_word *word = field_of(options, o);
-  for (const char *const *w = o->words; *w; w++)
+  char allowed[120];
+  int used = 0;
+  for (const char *const *w = o->words; *w; w++) {
     if (strcmp(text, *w) == 0) {
-      *word = (struct given_word){ *w, true };
+      *(struct given_word *)field_of(options, o) = (struct given_word){ *w, true };
       return NULL;
     }
-  return not_allowed(text, o->allowed);
+    used += snprintf(allowed + used, sizeof allowed - (size_t)used, "%s%s", w == o->words ? "" : w[1] ? ", " : " or ", *w);
+  }
+  return not_allowed(text, allowed);
 }
 
 static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  const struct given_word *word = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%s", word->value);
+  snprintf(text, OPTION_VALUE, "%s", ((const struct given_word *)value_of(options, o))->value);
 }
 
 static const char *read_text(void *options, const struct option *o, const char *text)
 {
-  *(const char **)field_of(options, o) = text;
-  return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
-}
-
-static const char *read_pair(void *options, const struct option *o, const char *text)
-{
-  const char **pair = field_of(options, o);
-  pair[pair[0] ? 1 : 0] = text;
+  const char **place = field_of(options, o);
+  for (int more = option_values(o) - 1; more > 0 && *place; more--)
+    place++;
+  *place = text;
   return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
 }
 
@@ -116,13 +103,6 @@ static const char *read_format(void *options, const struct option *o, const char
   return NULL;
 }
 
-static void show_format(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct request *r = options;
-  (void)o;
-  snprintf(text, OPTION_VALUE, "%s", r->style.format == FORMAT_TSV ? "tsv" : "json");
-}
-
 static const char *no_digits(const char *text, const char *range)
 {
   char allowed[120];
@@ -133,13 +113,7 @@ static const char *no_digits(const char *text, const char *range)
 static const char *read_digits(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
-  return read_count(text, 1, o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
-}
-
-static void show_digits(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  (void)options, (void)o;
-  snprintf(text, OPTION_VALUE, "as many as read back exactly");
+  return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
 }
 
 bool digits_hold(const struct style *style, bool proven, const char *range)
@@ -167,13 +141,10 @@ static const char *read_output(void *options, const struct option *o, const char
 }
 
 const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
-                         number_option = { read_finite, show_number }, positive_option = { read_positive, show_number },
-                         count_option = { read_whole, show_count }, word_option = { read_word, show_word },
-                         text_option = { read_text, NULL }, pair_option = { read_pair, NULL },
-                         format_option = { read_format, show_format }, digits_option = { read_digits, show_digits },
-                         output_option = { read_output, NULL };
-
-const struct option_kind dropped_option = { NULL, NULL };
+                         number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
+                         word_option = { read_word, show_word }, text_option = { read_text, NULL },
+                         format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
+                         output_option = { read_output, NULL }, dropped_option = { NULL, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -243,6 +214,7 @@ static bool read_values(struct reading_state *s, const struct option *o, const c
       return false;
     }
   }
+  s->to->given |= 1UL << (o - s->to->command->options);
   return true;
 }
 
@@ -304,6 +276,36 @@ static bool output_is_sound(const struct style *style)
   return !lost;
 }
 
+/* The first row of those of names, separated by blanks, that is given; NULL: none is. */
+static const struct option *given_of(const struct arguments *a, const char *names)
+{
+  for (const struct option *o = a->command->options; o->name; o++) {
+    size_t length = strlen(o->name);
+    for (const char *at = names; (a->given >> (o - a->command->options) & 1) != 0 && at; at = strchr(at, ' ')) {
+      at += *at == ' ';
+      if (strncmp(at, o->name, length) == 0 && strchr(" ", at[length]))
+        return o;
+    }
+  }
+  return NULL;
+}
+
+static bool rules_hold(const struct arguments *a)
+{
+  for (const struct option_rule *r = a->command->rules; r && r->names; r++) {
+    const struct option *idle = given_of(a, r->names), *other = given_of(a, r->others);
+    if (!idle || (other != NULL) == (r->when == RULE_WITHOUT))
+      continue;
+    if (r->message)
+      complain(a->command->name, "--%s %s", idle->name, r->message);
+    else
+      complain(a->command->name, "--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
+               other ? other->name : r->others);
+    return false;
+  }
+  return true;
+}
+
 void options_initial(struct arguments *a, const struct command *command)
 {
   memset(a, 0, sizeof *a);
@@ -332,7 +334,8 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   if (reading != READ_RUN)
     return reading;
   point_complete(&r->point);
-  return output_is_sound(&r->style) && (!command->is_sound || command->is_sound(&a->options)) ? READ_RUN : READ_REFUSED;
+  bool sound = output_is_sound(&r->style) && rules_hold(a) && (!command->is_sound || command->is_sound(&a->options));
+  return sound ? READ_RUN : READ_REFUSED;
 }
 
 void options_free(struct arguments *a)

@@ -14,13 +14,9 @@ struct order_options {
 
 static const struct option options_of_order[] = {
   OPTION_NUMBER("expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met",
-                "none, and no verdict", &number_option, order_options, expect),
-  OPTION_NUMBER("tol", "D", "how far the order may be from --expect", NULL, &positive_option, order_options, tolerance),
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+                "none, and no verdict", order_options, expect, FINITE),
+  OPTION_NUMBER("tol", "D", "how far the order may be from --expect", NULL, order_options, tolerance, POSITIVE),
+  OPTIONS_OF_DOUBLES,
 };
 static const struct order_options initial = { .tolerance = { 0.1, false } };
 static const char *const series_column[] = { "series", NULL };

@@ -29,6 +29,8 @@ static const struct option options_of_run[] = {
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
+static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and -o exclude each other" },
+                                            { NULL, RULE_WITH, NULL, NULL } };
 
 enum { MOST_SCENES = 64 };
 
@@ -293,10 +295,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("run", "%d scenes: %d at a time", arguments->operand_count, MOST_SCENES);
     return EXIT_USAGE;
   }
-  if (o->folder && o->request.style.has_output) {
-    complain("run", "--into and -o exclude each other");
-    return EXIT_USAGE;
-  }
   char *input = NULL;
   for (int i = 0; i < count; i++) {
     sources[i] = (struct scene_source){ .path = arguments->operands[i],
@@ -319,6 +317,7 @@ const struct command command_run = {
   .example = "scallop run figure5 --explain",
   .operand = "SCENE.cfg...",
   .options = options_of_run,
+  .rules = rules,
   .size = sizeof(struct scene_options),
   .about =
       "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "

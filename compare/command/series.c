@@ -15,16 +15,13 @@ static const char *const sources[] = { "published", "derived", "limit", NULL };
 static const struct option options_of_series[] = {
   OPTIONS_CRAWLER(NULL, NULL),
   OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
-  { "source", "SOURCE", "published, derived or limit", NULL, &word_option, offsetof(struct series_options, source), 0, 0,
-    sources, "published, derived or limit" },
+  OPTION_WORD("source", "SOURCE", "published, derived or limit", NULL, series_options, source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_POINTS,
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS, "%s; with --source derived fractions, or 17 digits", MOST_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTION_FORMAT("tsv"),
+  OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTIONS_LAST,
 };
 static const struct series_options initial = { .source = { "published", false }, .order = { 8, false } };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
