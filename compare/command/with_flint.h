@@ -9,7 +9,8 @@
 #include <stdbool.h>
 
 /* True: FLINT is here, go on. Where it is not, the other program takes over and this does not return; or, if there is none, false,
- * with the message on stderr. To be called before anything is read or written. what needs it: "--certified". */
+ * with the message on stderr. To be called before anything is read or written. what needs it: "--certified"; NULL: it may be needed, and
+ * without the other program there is no message. */
 struct arguments;
 bool has_flint(const struct arguments *arguments, const char *what);
 
