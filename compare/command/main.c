@@ -9,7 +9,6 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/command/list.h"
-#include "compare/command/help.h"
 #include "compare/text/shipped.h"
 
 static int unknown_command(const char *name)
@@ -55,7 +54,7 @@ static int give_help(const char *name)
   if (command)
     help_command(stdout, command);
   else
-    help_program(stdout, commands);
+    help_program(stdout);
   return flushed();
 }
 
@@ -112,7 +111,7 @@ int main(int count, char **arguments)
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   if (count < 2) {
-    help_program(stderr, commands);
+    help_program(stderr);
     return EXIT_USAGE;
   }
   const struct command *command = command_named(arguments[1]);
