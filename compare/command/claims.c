@@ -28,15 +28,6 @@ static const struct option_rule rules[] = {
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
-static bool can_be_scaled(const struct claims_options *o)
-{
-  struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
-  if (status != SCALLOP_OK)
-    complain("claims", "%s", scallop_status_text(status));
-  return status == SCALLOP_OK;
-}
-
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct claims_options *o = options;
@@ -53,8 +44,12 @@ static enum exit_code run(const struct arguments *arguments, const void *options
              "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
     return EXIT_UNSOLVED;
   }
-  if (!can_be_scaled(o))
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(c, &scaled);
+  if (status != SCALLOP_OK) {
+    complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
+  }
   return has_flint(arguments, "the ledger") ? claims_table(o) : EXIT_UNSOLVED;
 }
 

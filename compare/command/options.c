@@ -276,8 +276,7 @@ static bool output_is_sound(const struct style *style)
   return !lost;
 }
 
-/* The first row of those of names, separated by blanks, that is given; NULL: none is. */
-static const struct option *given_of(const struct arguments *a, const char *names)
+const struct option *given_option(const struct arguments *a, const char *names)
 {
   for (const struct option *o = a->command->options; o->name; o++) {
     size_t length = strlen(o->name);
@@ -293,7 +292,7 @@ static const struct option *given_of(const struct arguments *a, const char *name
 static bool rules_hold(const struct arguments *a)
 {
   for (const struct option_rule *r = a->command->rules; r && r->names; r++) {
-    const struct option *idle = given_of(a, r->names), *other = given_of(a, r->others);
+    const struct option *idle = given_option(a, r->names), *other = given_option(a, r->others);
     if (!idle || (other != NULL) == (r->when == RULE_WITHOUT))
       continue;
     if (r->message)

@@ -152,6 +152,8 @@ struct arguments {
 
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);
+/* The first of the options with these names, separated by blanks, that is given; NULL: none is. */
+const struct option *given_option(const struct arguments *arguments, const char *names);
 /* How many values it takes. */
 int option_values(const struct option *option);
 /* Does the command take more than one operand? */

@@ -27,18 +27,11 @@ static const struct option options_of_stress[] = {
 };
 static const struct stress_options initial = { .seed = { 1, false } };
 
-static bool is_point(const struct stress_options *o)
-{
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->request.point.written[i])
-      return true;
-  return o->request.point.has_phase || o->request.point.has_v0;
-}
-
+#define OF_A_POINT "m1 m2 F1 F2 L T alpha phase v0"
 static const struct option_rule rules[] = {
   { "family cases seed full check phase v0", RULE_WITH, "stiff", NULL },
   { "quick summary", RULE_WITHOUT, "stiff", NULL },
-  { "family cases seed full", RULE_WITH, "m1 m2 F1 F2 L T alpha phase v0", "has nothing to do where one point is examined" },
+  { "family cases seed full", RULE_WITH, OF_A_POINT, "has nothing to do where one point is examined" },
   { NULL, RULE_WITH, NULL, NULL },
 };
 
@@ -47,7 +40,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   const struct stress_options *o = options;
   if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return o->stiff ? stress_stiff(o) : is_point(o) ? stress_point(o) : stress_table(o);
+  return (o->stiff ? stress_stiff : given_option(arguments, OF_A_POINT) ? stress_point : stress_table)(o);
 }
 
 const struct command command_stress = {
