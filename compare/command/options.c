@@ -119,11 +119,8 @@ static const char *read_digits(void *options, const struct option *o, const char
 bool digits_hold(const struct style *style, bool proven, const char *range)
 {
   char number[24];
-  if (proven || style->digits <= DOUBLE_DIGITS)
-    return true;
   snprintf(number, sizeof number, "%ld", style->digits);
-  complain(style->command, "--digits: %s", no_digits(number, range));
-  return false;
+  return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
 }
 
 static const char *read_output(void *options, const struct option *o, const char *text)
@@ -169,72 +166,52 @@ bool takes_operands(const struct command *command)
 }
 
 /* An option that the command does not take: another one's, a mistyped one, or none. */
-static void complain_of_option(const struct command *command, const struct command *const *commands, const char *name,
-                               const char *argument)
+static bool complain_of_option(const struct arguments *a, const char *name, const char *argument)
 {
   enum { MOST = 40 };
-  const char *names[MOST + 1] = { NULL };
-  bool elsewhere = false;
-  for (const struct command *const *c = commands; *c && !elsewhere; c++)
-    elsewhere = option_of(*c, name) != NULL;
-  for (int i = 0; i < MOST && command->options[i].name; i++)
-    names[i] = command->options[i].kind == &dropped_option ? "" : command->options[i].name;
-  const char *near = elsewhere ? NULL : nearest(name + strspn(name, "-"), names);
-  complain(command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
-           elsewhere ? "this command does not take the" : "unknown", argument, near ? ": did you mean '--" : "",
-           near ? near : "", near ? "'?" : "", command->name);
+  const char *names[MOST + 1] = { NULL }, *command = a->command->name;
+  for (const struct command *const *c = a->commands; *c; c++)
+    if (option_of(*c, name))
+      return complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
+  for (int i = 0; i < MOST && a->command->options[i].name; i++)
+    names[i] = a->command->options[i].kind == &dropped_option ? "" : a->command->options[i].name;
+  const char *near = nearest(name + strspn(name, "-"), names);
+  return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument, near ? ": did you mean '--" : "",
+                  near ? near : "", near ? "'?" : "", command);
 }
 
-/* The arguments not yet read: place is that of the current one. */
-struct reading_state {
-  struct arguments *to;
-  char **all;
-  int count, place;
-};
-
 /* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
-static bool read_values(struct reading_state *s, const struct option *o, const char *text)
+static bool read_values(struct arguments *a, const struct option *o, const char *text)
 {
-  const char *command = s->to->command->name;
+  const char *command = a->command->name;
   int values = option_values(o);
-  if (values == 0 && text) {
-    complain(command, "--%s takes no value", o->name);
-    return false;
-  }
+  if (values == 0 && text)
+    return complain(command, "--%s takes no value", o->name);
   for (int i = 0; i < (values == 0 ? 1 : values); i++) {
-    if (values > 0 && !(i == 0 && text) && s->place + 1 == s->count) {
-      complain(command, "--%s needs %s: --%s %s", o->name, values == 1 || i == 0 ? "a value" : "two values", o->name,
-               o->argument);
-      return false;
-    }
-    const char *value = values == 0 || (i == 0 && text) ? text : s->all[++s->place];
-    const char *wrong = o->kind->read(&s->to->options, o, value);
-    if (wrong) {
-      complain(command, "--%s: %s", o->name, wrong);
-      return false;
-    }
+    bool is_here = values == 0 || (i == 0 && text);
+    if (!is_here && a->place + 1 == a->count)
+      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name, o->argument);
+    const char *wrong = o->kind->read(&a->options, o, is_here ? text : a->all[++a->place]);
+    if (wrong)
+      return complain(command, "--%s: %s", o->name, wrong);
   }
-  s->to->given |= 1UL << (o - s->to->command->options);
+  a->given |= 1UL << (o - a->command->options);
   return true;
 }
 
-static bool read_option(struct reading_state *s)
+static bool read_option(struct arguments *a)
 {
-  char *argument = s->all[s->place];
-  const struct command *command = s->to->command;
+  char *argument = a->all[a->place];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char *name = is_o ? "output" : argument + (two_dashes ? 2 : 0);
   char *equals = two_dashes ? strchr(name, '=') : NULL;
   if (equals)
     *equals = '\0';
-  const struct option *o = two_dashes || is_o ? option_of(command, name) : NULL;
-  bool dropped = o && o->kind == &dropped_option, good = o && !dropped;
-  if (dropped)
-    complain(command->name, "the option '%s' is no longer there: %s", argument, o->help);
-  else if (!o)
-    complain_of_option(command, s->to->commands, name, argument);
-  else
-    good = read_values(s, o, equals ? equals + 1 : NULL);
+  const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
+  bool good = !o ? complain_of_option(a, name, argument)
+              : o->kind == &dropped_option
+                  ? complain(a->command->name, "the option '%s' is no longer there: %s", argument, o->help)
+                  : read_values(a, o, equals ? equals + 1 : NULL);
   if (equals) /* the arguments may be handed on: with_flint.h */
     *equals = '=';
   return good;
@@ -242,38 +219,27 @@ static bool read_option(struct reading_state *s)
 
 static bool take_operand(struct arguments *a, const char *text)
 {
-  if (a->operand_count == (takes_operands(a->command) ? INT_MAX : a->command->operand ? 1 : 0)) {
-    complain(a->command->name, "unexpected argument '%s' (see scallop %s --help)", text, a->command->name);
-    return false;
-  }
+  const struct command *c = a->command;
+  if (a->operand_count == (takes_operands(c) ? INT_MAX : c->operand ? 1 : 0))
+    return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
   a->operands[a->operand_count++] = text;
   return true;
 }
 
-static enum reading read_all(struct reading_state *s)
+static enum reading read_all(struct arguments *a)
 {
-  const struct command *command = s->to->command;
-  for (s->place = 2; s->place < s->count; s->place++) {
-    char *argument = s->all[s->place];
+  for (a->place = 2; a->place < a->count; a->place++) {
+    char *argument = a->all[a->place];
     if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0)
       return READ_HELP;
     bool is_option = argument[0] == '-' && argument[1] != '\0';
-    if (!(is_option ? read_option(s) : take_operand(s->to, argument)))
+    if (!(is_option ? read_option(a) : take_operand(a, argument)))
       return READ_REFUSED;
   }
-  if (!command->operand || s->to->operand_count > 0)
+  if (!a->command->operand || a->operand_count > 0)
     return READ_RUN;
-  complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
+  complain(a->command->name, "an argument is missing: scallop %s %s", a->command->name, a->command->operand);
   return READ_REFUSED;
-}
-
-/* A measurement must not be lost to a slip of the keyboard. */
-static bool output_is_sound(const struct style *style)
-{
-  bool lost = style->output && gait_is_from(style->output);
-  if (lost)
-    complain(style->command, "--output: %s is the file of the gait and is not replaced: name another file", style->output);
-  return !lost;
 }
 
 const struct option *given_option(const struct arguments *a, const char *names)
@@ -296,13 +262,20 @@ static bool rules_hold(const struct arguments *a)
     if (!idle || (other != NULL) == (r->when == RULE_WITHOUT))
       continue;
     if (r->message)
-      complain(a->command->name, "--%s %s", idle->name, r->message);
-    else
-      complain(a->command->name, "--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
-               other ? other->name : r->others);
-    return false;
+      return complain(a->command->name, "--%s %s", idle->name, r->message);
+    return complain(a->command->name, "--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
+                    other ? other->name : r->others);
   }
   return true;
+}
+
+/* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
+static bool is_sound(const struct arguments *a)
+{
+  const char *output = a->options.request.style.output;
+  if (output && gait_is_from(output))
+    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file", output);
+  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -317,9 +290,9 @@ void options_initial(struct arguments *a, const struct command *command)
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
                           int count, char **all, enum exit_code *code)
 {
-  struct reading_state s = { a, all, count, 0 };
   options_initial(a, command);
   a->all = all;
+  a->count = count;
   a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
   *code = EXIT_UNSOLVED;
@@ -327,14 +300,11 @@ enum reading options_read(struct arguments *a, const struct command *command, co
     complain(command->name, "out of memory");
     return READ_REFUSED;
   }
-  enum reading reading = read_all(&s);
-  struct request *r = &a->options.request;
-  *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
-  if (reading != READ_RUN)
-    return reading;
-  point_complete(&r->point);
-  bool sound = output_is_sound(&r->style) && rules_hold(a) && (!command->is_sound || command->is_sound(&a->options));
-  return sound ? READ_RUN : READ_REFUSED;
+  enum reading reading = read_all(a);
+  struct point *point = &a->options.request.point;
+  *code = reading == READ_HELP ? EXIT_DONE : point->unreadable ? EXIT_FILE : EXIT_USAGE;
+  point_complete(point);
+  return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
 }
 
 void options_free(struct arguments *a)

@@ -139,6 +139,7 @@ struct arguments {
   const struct command *command;
   const struct command *const *commands; /* all of them */
   char **all;                            /* of the program, NULL-terminated */
+  int count, place;                      /* how many those are, and the one that is being read */
   const char **operands;
   int operand_count;
   unsigned long given; /* a bit for each row of the options, in their order */
