@@ -7,6 +7,10 @@
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak breakdown_table
+#pragma weak breakdown_map
+#pragma weak breakdown_boundaries
+
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
 static const char *const sources[] = { "published", "derived", "limit", NULL };
 static const struct option options_of_breakdown[] = {

@@ -5,6 +5,8 @@
 #include "compare/answers/gaits.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak claims_table
+
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
   OPTIONS_TO_L(NULL),

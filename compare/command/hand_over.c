@@ -12,6 +12,7 @@
 /* At its end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the limbs of big
  * integers too, which FLINT holds behind pointers that no checker can read. */
 void flint_cleanup(void);
+#pragma weak flint_cleanup
 static void end_of_program(void) __attribute__((destructor));
 
 static void end_of_program(void)

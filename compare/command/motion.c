@@ -9,6 +9,9 @@
 #include "compare/command/commands.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak answer_in_decimals
+#pragma weak decimals_free
+
 struct motion_options {
   struct request request;
   bool certified, error;

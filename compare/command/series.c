@@ -10,6 +10,8 @@
 #include "compare/command/series_flint.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak series_derived
+
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", NULL };
 static const struct option options_of_series[] = {

@@ -6,6 +6,10 @@
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak stress_table
+#pragma weak stress_point
+#pragma weak stress_stiff
+
 static const struct option options_of_stress[] = {
   OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),
   OPTION_PHASE("with --v0 %s, else the steady state"),

@@ -5,6 +5,8 @@
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak workprec_table
+
 static const struct option options_of_workprec[] = {
   OPTIONS_TO_L(NULL),
   OPTION_T(TEXT_OF(WORKPREC_T) "; with --quick " TEXT_OF(WORKPREC_QUICK_T)),
