@@ -26,7 +26,7 @@ bool orders_begin(const struct running *r, struct output *o)
 /* Doubles are wrong by some ulp of what they are the difference of. */
 static double noise(const struct running *r, const struct quantity *error)
 {
-  const struct scene_comparison *c = &r->state->comparison[error->of];
+  const struct comparison *c = &r->state->comparison[error->of];
   return r->scene->plan.needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
@@ -35,7 +35,7 @@ void orders_collect(const struct running *r, struct output *o)
   for (int i = 0; i < o->want->series; i++) {
     double error = state_number(r->state, o->want->of[i]);
     o->errors[i * SCENE_TIMES + o->times] = (struct order_point){
-      .h = r->state->at.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
+      .h = r->state->visit.point.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
     };
   }
   o->times++;
@@ -54,9 +54,9 @@ static void write_order(struct running *r, struct output *o, int series)
     table_text(t, r->state->swept.label[i] ? r->state->swept.label[i] : "-");
   for (const char *const *name = crawler_parameters; *name; name++)
     if (strcmp(*name, "gait") == 0)
-      table_text(t, r->state->at.crawler.gait->name);
+      table_text(t, r->state->visit.point.crawler.gait->name);
     else if (strcmp(*name, "T") != 0)
-      table_number(t, crawler_parameter(&r->state->at.crawler, *name));
+      table_number(t, crawler_parameter(&r->state->visit.point.crawler, *name));
   table_text(t, all->item[all->item[w->of[series]].of].name);
   table_rounded(t, fit.order, "%.4f");
   table_rounded(t, fit.lo, "%.4f");

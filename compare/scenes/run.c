@@ -71,12 +71,13 @@ static void trace(struct running *r, struct output *o)
   const struct scene_want *w = o->want;
   double v0 = state_v0(r->state);
   struct tracing t = { r, o, state_end(r->state, &w->until) };
-  if (r->state->why[0] != '\0' || isnan(v0))
+  if (r->state->visit.why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&r->state->visit.point.crawler, v0, w->periods, w->samples, write_sample,
+                                                  &t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
-    state_fail(r->state, scallop_status_text(status));
+    visit_fail(&r->state->visit, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
   }
 }
@@ -105,7 +106,7 @@ static void at_want(struct running *r, struct output *o, bool last_of_times)
 
 static void at_point(struct running *r, bool last_of_times)
 {
-  const char *why = r->state->why;
+  const char *why = r->state->visit.why;
   bool unsolved = false;
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {
@@ -260,16 +261,14 @@ enum exit_code scene_run(const struct scene *scene, const struct scene_options *
 {
   struct running r = { .scene = scene, .options = options };
   enum exit_code code = EXIT_UNSOLVED;
-  r.state = malloc(sizeof *r.state);
+  struct scene_state state;
+  r.state = &state;
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
-  if (!r.state || !r.output)
+  if (!state_init(&state, scene, NULL) || !r.output)
     complain(options->request.style.command, "out of memory");
-  else {
-    state_init(r.state, scene);
+  else
     code = run_points(&r);
-    state_clear(r.state);
-  }
-  free(r.state);
+  state_clear(&state);
   free(r.output);
   return code;
 }

@@ -56,10 +56,10 @@ struct scene_want {
 
 /* What all points have in common, found before the first: what certified values must be good for. */
 struct scene_needs {
-  bool certified_errors;          /* else errors are those against the double solver */
-  double accuracy;                /* of errors: the finest that is wanted */
-  long digits;                    /* of certified values: the most that are wanted */
-  long steady_order, phase_order; /* derived series: terms below T^order; 0: none */
+  bool certified_errors; /* else errors are those against the double solver */
+  double accuracy;       /* of errors: the finest that is wanted */
+  long digits;           /* of certified values: the most that are wanted */
+  long order[2];         /* derived series, by enum quantity_of: terms below T^order; 0: none */
 };
 
 struct plan_stage {
