@@ -18,15 +18,15 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
 {
   const char *name = config_setting_name(at);
   bool is_flag = config_setting_type(at) == CONFIG_TYPE_BOOL;
-  int values = is_flag ? 0 : is_sequence(at) ? config_setting_length(at) : 1;
+  int values = is_flag ? 0 : element_count(at);
   if (values > 2 || w->argument_count + 3 > MOST_ARGUMENTS)
     return refuse_at(r, at, "%s has too many values, or the want too many options", name);
   if (is_flag && !config_setting_get_bool(at))
     return true;
-  if (!add_argument(w, keep_text(r, "--", 2, name)))
+  if (!add_argument(w, keep(r, "--%s", name)))
     return false;
   for (int i = 0; i < values; i++) {
-    const config_setting_t *element = is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
+    const config_setting_t *element = element_at(at, i);
     const char *text = config_setting_get_string(element);
     double x;
     if (!text && !is_number(element, &x, &text))
@@ -37,11 +37,9 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
   return true;
 }
 
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members)
 {
-  static const char *const own[] = { "what", "file", "format", "plot", NULL };
   const struct sweep_variable *varied = sweep_variable(&r->scene->sweep, 0);
-  w->kind = WANT_COMMAND;
   if (varied)
     return refuse_at(r, at,
                      "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out 'vary', and "
@@ -51,11 +49,12 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
   if (!w->arguments)
     return refuse_at(r, at, "out of memory");
   for (int i = 0; i < config_setting_length(at); i++) {
-    const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
-    const char *name = config_setting_name(member);
+    const config_setting_t *option = element_at(at, i);
+    const char *name = config_setting_name(option);
+    const struct member *own = find_member(members, name);
     if (is_among(name, crawler_parameters))
-      return refuse_at(r, member, "%s belongs into the crawler", name);
-    if (!is_among(name, own) && !add_option(r, member, w))
+      return refuse_at(r, option, "%s belongs into the crawler", name);
+    if (!(own && !own->only ? read_member(r, option, own, w) : add_option(r, option, w)))
       return false;
   }
   return r->scene->run_command(r->scene, w, r->options, true) == EXIT_DONE

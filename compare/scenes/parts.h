@@ -23,41 +23,38 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
 enum member_kind {
   MEMBER_OTHER,  /* known, and read elsewhere */
   MEMBER_TEXT,   /* const char *: not empty */
-  MEMBER_TEXTS,  /* const char *[high]: one or more; *count says how many */
+  MEMBER_TEXTS,  /* const char *[high]: one or more */
   MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
   MEMBER_FLAG,   /* bool */
   MEMBER_COUNT,  /* long: from low to high */
   MEMBER_NUMBER, /* double: finite */
-  MEMBER_REST
 };
-/* A member that a group may have, and where its value goes; that stays as it is where the group has no such member. */
+/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group has no such
+ * member. */
 struct member {
-  const char *name; /* NULL ends a list; others are refused, or, where the end is of MEMBER_REST, read elsewhere */
+  const char *name; /* NULL ends a list */
   enum member_kind kind;
-  void *value;
+  size_t field, count; /* count: of texts, the int that says how many */
   long low, high;
-  int *count;
   const char *const *words;
+  const char *only; /* the kinds of wants that may have it; NULL: all */
 };
-/* clang-format off */
-#define A_TEXT(NAME, VALUE) { .name = NAME, .kind = MEMBER_TEXT, .value = VALUE }
-#define TEXTS(NAME, VALUES, MOST, COUNT) { .name = NAME, .kind = MEMBER_TEXTS, .value = VALUES, .high = MOST, .count = COUNT }
-#define A_WORD(NAME, VALUE, WORDS) { .name = NAME, .kind = MEMBER_WORD, .value = VALUE, .words = WORDS }
-#define A_FLAG(NAME, VALUE) { .name = NAME, .kind = MEMBER_FLAG, .value = VALUE }
-#define A_COUNT(NAME, VALUE, LOW, HIGH) { .name = NAME, .kind = MEMBER_COUNT, .value = VALUE, .low = LOW, .high = HIGH }
-#define A_NUMBER(NAME, VALUE) { .name = NAME, .kind = MEMBER_NUMBER, .value = VALUE }
-#define OTHER(NAME) { .name = NAME, .kind = MEMBER_OTHER }
-#define NO_MORE { .name = NULL }
-#define THE_REST { .kind = MEMBER_REST }
-/* clang-format on */
-/* Reads the members of a group, which is called what in messages: "a scene". */
-bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what);
+#define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
+  { \
+    .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
+  }
+#define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
+const struct member *find_member(const struct member *members, const char *name);
+bool read_member(const struct reading *r, const config_setting_t *at, const struct member *member, void *into);
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the want, where it is one. */
+bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,
+                  const char *what, const char *want);
 
 /* "a, b, c" or, quoted, "a" or "b" or "c" with the quotes. Returns text. */
 const char *joined(char *text, size_t size, const char *const *names, bool quoted);
 bool is_among(const char *name, const char *const *names);
-bool is_sequence(const config_setting_t *at); /* an array or a list */
-/* The elements of a sequence; anything else is one. */
+bool is_ascii(const char *text); /* printable */
+/* The elements of a sequence; what has no elements is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
@@ -67,8 +64,8 @@ struct kept { /* a text that the scene keeps */
   struct kept *next;
   char text[];
 };
-/* The first length bytes of text, and more after them, for as long as the scene lives. NULL: no memory, which is said. */
-const char *keep_text(const struct reading *r, const char *text, int length, const char *more);
+/* A text for as long as the scene lives. NULL: no memory, which is said. */
+const char *keep(const struct reading *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 const char *keep_number(const struct reading *r, double x);
 /* Paths of inputs are those of the folder of the scene; so "measured:FILE", and other gaits as they are. NULL as above. */
 const char *path_beside(const struct reading *r, const char *path);
@@ -84,29 +81,18 @@ void make_plan(struct scene *scene);
 /* vary.c, want.c: vary = ... and want = ... */
 bool read_vary(const struct reading *r, const config_setting_t *vary);
 bool read_wants(const struct reading *r, const config_setting_t *want);
-/* command.c: the options of a want that is the table of another command */
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+/* command.c: the options of a want that is the table of another command; members: of any want */
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members);
 
-/* columns.c: columns by their formulas, and those that a kind of want has. w->columns grows. */
-bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
+/* columns.c: columns by their formulas, or those that a kind of want has. w->columns grows. */
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
-bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of);
-/* The series of a want: those of `of`, or, filled in by find_series, the usual ones of its source and order. */
-struct series_names {
-  int count;
-  const char *name[SCENE_COLUMNS];
-  int source; /* among series_sources */
-  long order;
-};
+bool usual_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+/* Checks the series of a want: those of `of`, or else the usual ones of its source and order, which become those of the want. */
 extern const char *const series_sources[];
-bool find_series(const struct reading *r, const config_setting_t *at, struct series_names *names);
-bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct series_names *names,
-                    bool with_errors);
+bool find_series(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool has_column(const struct scene_want *w, const char *name);
 /* Has a scene like this one that quantity? False: it is said why not. */
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
-/* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
-const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
 /* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 /* There is no quantity of that name. Returns false. */

@@ -48,7 +48,7 @@ static void find_needs(const struct scene *s, struct scene_needs *needs)
       needs->certified_errors |= f && f->quantity == SCALLOP_VELOCITY_CHANGE;
     }
     if (has_errors) {
-      needs->certified_errors |= w->is_certified || w->accuracy < of_doubles;
+      needs->certified_errors |= w->reference == REFERENCE_CERTIFIED || w->accuracy < of_doubles;
       needs->accuracy = fmin(needs->accuracy, w->accuracy);
     }
     if (w->kind == WANT_ROWS && w->digits > needs->digits)

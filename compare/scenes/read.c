@@ -30,7 +30,7 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
   if (crawler && !config_setting_is_group(crawler))
     return refuse_at(r, crawler, "crawler is a group of parameters: { F1 = 3.0; T = 0.5; }");
   for (int i = 0; crawler && i < config_setting_length(crawler); i++)
-    if (!read_parameter(r, config_setting_get_elem(crawler, (unsigned)i)))
+    if (!read_parameter(r, element_at(crawler, i)))
       return false;
   point_complete(&r->scene->base);
   return true;
@@ -66,19 +66,17 @@ static bool are_lines(const struct reading *r, const config_setting_t *root)
 static bool read_root(const struct reading *r, const config_setting_t *root)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
-  struct scene *s = r->scene;
-  int phase = 0;
-  const struct member members[] = { A_TEXT("title", &s->title),
-                                    TEXTS("notes", s->note, SCENE_NOTES, &s->notes),
-                                    A_WORD("phase", &phase, phases),
-                                    OTHER("crawler"),
-                                    OTHER("start"),
-                                    OTHER("vary"),
-                                    OTHER("want"),
-                                    NO_MORE };
-  if (!read_members(r, root, members, "a scene") || !are_lines(r, root))
+  static const struct member members[] = { MEMBER(TEXT, "title", scene, title, ),
+                                           MEMBER(TEXTS, "notes", scene, note, .high = SCENE_NOTES,
+                                                  .count = offsetof(struct scene, notes)),
+                                           MEMBER(WORD, "phase", scene, phase, .words = phases),
+                                           OTHER("crawler"),
+                                           OTHER("start"),
+                                           OTHER("vary"),
+                                           OTHER("want"),
+                                           { .name = NULL } };
+  if (!read_members(r, root, members, r->scene, "a scene", NULL) || !are_lines(r, root))
     return false;
-  s->phase = phase == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
   return read_crawler(r, config_setting_get_member(root, "crawler"))
          && read_start(r, config_setting_get_member(root, "start")) && read_vary(r, config_setting_get_member(root, "vary"))
          && read_wants(r, config_setting_get_member(root, "want"));

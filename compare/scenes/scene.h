@@ -32,6 +32,8 @@ struct scene_column {
   struct formula formula;
 };
 
+enum { REFERENCE_NOT_GIVEN = -1, REFERENCE_EXACT, REFERENCE_CERTIFIED };
+
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written */
@@ -40,12 +42,14 @@ struct scene_want {
   long digits;
   int columns;
   struct scene_column *column; /* room for SCENE_COLUMNS */
-  bool is_certified;           /* errors against certified values, whatever the accuracy */
   double accuracy;             /* errors below this part of the exact value are 0 */
   long periods, samples;       /* trajectory */
   struct sweep_end until;      /* and no further than this time */
-  int series;                  /* orders: of the errors of these */
-  int of[SCENE_COLUMNS];       /* the errors, as quantities */
+  int named, series, source;   /* columns and series that are asked for; source: of the usual series */
+  const char *name[SCENE_COLUMNS + 1], *series_name[SCENE_COLUMNS];
+  long order;            /* of the usual series */
+  int reference;         /* what errors are told against */
+  int of[SCENE_COLUMNS]; /* orders: the errors of the series, as quantities */
   bool has_expect;
   double expect, tolerance;
   char **arguments; /* of a command: its long options */

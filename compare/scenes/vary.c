@@ -18,13 +18,6 @@ static bool is_overridden(const struct reading *r, const struct sweep_variable *
 
 static bool is_of_words(const struct sweep_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
 
-static bool is_ascii(const char *text)
-{
-  while (*text >= ' ' && *text < 0x7f)
-    text++;
-  return *text == '\0';
-}
-
 static const char *read_word(const struct reading *r, const struct sweep_variable *v, const char **text)
 {
   struct point probe = r->scene->base;
@@ -65,18 +58,25 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
 static bool read_range(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
+  struct values {
+    long count;
+    int spacing;
+  } values = { 0, 0 };
+  static const struct member members[] = { OTHER("from"),
+                                           OTHER("to"),
+                                           MEMBER(COUNT, "count", values, count, .low = 1, .high = SWEEP_RANGE),
+                                           MEMBER(WORD, "spacing", values, spacing, .words = spacings),
+                                           { .name = NULL } };
   const config_setting_t *ends[] = { config_setting_get_member(at, "from"), config_setting_get_member(at, "to") };
   struct sweep_end *const range[] = { &v->from, &v->to };
-  int spacing = 0;
-  const struct member members[] = { OTHER("from"), OTHER("to"), A_COUNT("count", &v->count, 1, SWEEP_RANGE),
-                                    A_WORD("spacing", &spacing, spacings), NO_MORE };
-  if (!read_members(r, at, members, "a range"))
+  if (!read_members(r, at, members, &values, "a range", NULL))
     return false;
   if (is_of_words(v))
     return refuse_at(r, at, "%s takes texts in quotes, no range", v->name);
-  if (!ends[0] || !ends[1] || v->count < 1)
+  if (!ends[0] || !ends[1] || values.count == 0)
     return refuse_at(r, at, "the range of %s needs from, to and count", v->name);
-  v->is_log = spacing == 1;
+  v->count = values.count;
+  v->is_log = values.spacing == 1;
   for (int i = 0; i < 2; i++) {
     if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
@@ -132,7 +132,7 @@ static bool add_labels_of(const struct reading *r, const config_setting_t *at, s
 {
   bool good = config_setting_is_group(at) || refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
   for (int k = 0; good && k < config_setting_length(at); k++)
-    good = add_label(r, config_setting_get_elem(at, (unsigned)k), g);
+    good = add_label(r, element_at(at, k), g);
   return good;
 }
 
@@ -140,17 +140,17 @@ static const char meant[] = "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, {
 
 static bool read_group(const struct reading *r, const config_setting_t *group, struct sweep_group *g)
 {
-  static const struct member members[] = {
-    OTHER("m1"),   OTHER("m2"), OTHER("F1"),         OTHER("F2"),         OTHER("L"),      OTHER("T"),     OTHER("alpha"),
-    OTHER("gait"), OTHER("v0"), OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"), OTHER("label"), NO_MORE
-  };
+  static const struct member members[] = { OTHER("m1"),    OTHER("m2"),         OTHER("F1"),         OTHER("F2"),
+                                           OTHER("L"),     OTHER("T"),          OTHER("alpha"),      OTHER("gait"),
+                                           OTHER("v0"),    OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"),
+                                           OTHER("label"), { .name = NULL } };
   g->count = 1;
   if (!config_setting_is_group(group))
     return refuse_at(r, group, "%s", meant);
-  if (!read_members(r, group, members, "a group of what varies"))
+  if (!read_members(r, group, members, g, "a group of what varies", NULL))
     return false;
   for (int i = 0; i < config_setting_length(group); i++) {
-    const config_setting_t *at = config_setting_get_elem(group, (unsigned)i);
+    const config_setting_t *at = element_at(group, i);
     struct sweep_variable v;
     if (!(sweep_variable_of_name(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
       return false;
