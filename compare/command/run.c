@@ -46,27 +46,6 @@ static int tables_of(const struct scenes *all)
   return tables;
 }
 
-/* Tables and plots all go to different places, and none in that of a file that is read. */
-static bool check_places(const struct scenes *all, const struct scene_options *o)
-{
-  struct scene_places *places = calloc(1, sizeof *places);
-  bool good = places != NULL;
-  if (!places)
-    complain(o->request.style.command, "out of memory");
-  for (int i = 0; good && i < all->count; i++)
-    places_reads(places, all->scene[i]);
-  if (good && o->explain)
-    good = !o->request.style.has_output || places_writes(places, o->request.style.command, o->request.style.output);
-  for (int i = 0; good && !o->explain && i < all->count; i++)
-    for (int w = 0; good && w < all->scene[i]->wants; w++) {
-      const struct scene_want *want = &all->scene[i]->want[w];
-      good = places_writes(places, o->request.style.command, want->file)
-             && (!want->has_plot || places_writes(places, o->request.style.command, want->plot.file));
-    }
-  free(places);
-  return good;
-}
-
 /* What is done first, then what is not requested. */
 static enum exit_code explain(const struct scenes *all, const struct scene_options *o)
 {
@@ -241,7 +220,7 @@ static enum exit_code run_all(struct scenes *all, const struct arguments *argume
              tables_of(all));
     return EXIT_USAGE;
   }
-  if (!check_places(all, o))
+  if (!scenes_check_files(all->scene, all->count, o))
     return EXIT_USAGE;
   if (o->explain)
     return explain(all, o);

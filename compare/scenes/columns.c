@@ -7,6 +7,8 @@
 
 const char *const series_sources[] = { "published", "derived", "limit", NULL };
 enum { PUBLISHED, DERIVED };
+const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi", "points",
+                                      "state",  "expect", "tolerance", "verdict",  NULL };
 
 static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
 static const char *near_to(void *scene, const char *name)
@@ -33,7 +35,7 @@ bool has_column(const struct scene_want *w, const char *name)
   int i = 0;
   while (i < w->columns && strcmp(w->column[i].name, name) != 0)
     i++;
-  return i < w->columns;
+  return i < w->columns || (w->kind == WANT_ORDERS && is_among(name, order_columns));
 }
 
 /* Is the quantity known before anything is solved at a point? */
@@ -241,7 +243,12 @@ bool usual_columns(const struct reading *r, const config_setting_t *at, struct s
         return false;
     return add_columns(r, at, w, quantity_samples);
   }
-  if (!add_columns(r, at, w, crawler_parameters) || (is_phase && !add_columns(r, at, w, start)))
+  for (int i = 0; crawler_parameters[i]; i++)
+    if ((w->kind != WANT_ORDERS || strcmp(crawler_parameters[i], "T") != 0) && !add_column(r, at, w, crawler_parameters[i]))
+      return false;
+  if (w->kind == WANT_ORDERS)
+    return true;
+  if (is_phase && !add_columns(r, at, w, start))
     return false;
   if (is_steady || is_phase)
     return motion_columns(r, at, w, is_steady ? OF_STEADY : OF_PHASE) && add_columns(r, at, w, status);

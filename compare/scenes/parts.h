@@ -8,7 +8,7 @@
 #include "compare/scenes/scene.h"
 #include "compare/scenes/state.h"
 
-enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
+enum { MOST_CERTIFIED_DIGITS = 10000 };
 
 struct reading {
   struct scene *scene;
@@ -86,6 +86,7 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
 
 /* columns.c: columns by their formulas, or those that a kind of want has. w->columns grows. */
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
+extern const char *const order_columns[]; /* behind the columns of a want of orders */
 bool usual_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
 /* Checks the series of a want: those of `of`, or else the usual ones of its source and order, which become those of the want. */
 extern const char *const series_sources[];
@@ -118,13 +119,11 @@ struct running {
   char why[POINT_STATUS]; /* the first reason of those unsolved */
 };
 
-/* head.c: the '#' lines of a table */
-void head_write(const struct running *r, struct output *o);
+/* output.c: the '#' lines and the names of the columns; and the columns of the want at the point, which are a row, or begin one of orders */
+void output_begin(const struct running *r, struct output *o);
+void output_row(const struct running *r, struct output *o);
 
-/* orders.c: the columns beside parameters and labels; the header row, false where there is no memory; a point's errors; and, after the
- * last T, the rows */
-extern const char *const order_columns[];
-bool orders_begin(const struct running *r, struct output *o);
+/* orders.c: a point's errors; and, after the last T, the rows */
 void orders_collect(const struct running *r, struct output *o);
 void orders_finish(struct running *r, struct output *o);
 

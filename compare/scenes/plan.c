@@ -60,10 +60,7 @@ static void plan_want(struct planning *p, const struct scene_want *w)
 {
   int places[WANT_QUANTITIES];
   for (int i = 0, count = scene_want_quantities(w, places); i < count; i++)
-    if (quantity_is_text(&p->scene->quantities.item[places[i]]))
-      state_text(&p->state, places[i], 1);
-    else
-      state_number(&p->state, places[i]);
+    state_find(&p->state, places[i], 0);
   double rows = p->points;
   if (w->kind == WANT_TRAJECTORY) {
     rows *= (double)w->periods * (double)w->samples + 1;

@@ -7,40 +7,6 @@
 #include "compare/scenes/parts.h"
 #include "compare/text/plot.h"
 
-/* A cell; only_find: the value is found, and not written. */
-static void put_column(const struct running *r, struct output *o, const struct scene_column *c, bool only_find)
-{
-  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-  if (!q || !quantity_is_text(q)) {
-    double x = q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula);
-    if (!only_find)
-      table_number(&o->table, x);
-    return;
-  }
-  if (only_find && q->kind == QUANTITY_STATUS)
-    return;
-  const char *text = state_text(r->state, c->quantity, o->style.digits > 0 ? o->style.digits : DIGITS_OF_DOUBLE);
-  if (only_find)
-    return;
-  if (q->kind != QUANTITY_CERTIFIED)
-    table_text(&o->table, text);
-  else if (strcmp(text, "nan") == 0)
-    table_number(&o->table, NAN);
-  else
-    table_digits(&o->table, text);
-}
-
-/* The status of a row is that of all its columns, wherever it stands: they are found first. */
-static void write_columns(const struct running *r, struct output *o)
-{
-  const struct scene_want *w = o->want;
-  for (int i = 0; i < w->columns && w->kind == WANT_ROWS; i++)
-    put_column(r, o, &w->column[i], true);
-  for (int i = 0; i < w->columns; i++)
-    put_column(r, o, &w->column[i], false);
-  count_add(COUNT_ROWS, 1);
-}
-
 struct tracing {
   struct running *r;
   struct output *o;
@@ -62,7 +28,7 @@ static bool write_sample(void *context, const struct scallop_sample *s)
     state->value[i] = numbers[q->which];
     state->has[i] = true;
   }
-  write_columns(t->r, t->o);
+  output_row(t->r, t->o);
   return !table_failed(&t->o->table);
 }
 
@@ -82,19 +48,10 @@ static void trace(struct running *r, struct output *o)
   }
 }
 
-static void begin_columns(struct output *o)
-{
-  const char *names[SCENE_COLUMNS + 1] = { NULL };
-  for (int i = 0; i < o->want->columns; i++)
-    names[i] = o->want->column[i].name;
-  table_columns(&o->table, names);
-  table_begin_rows(&o->table);
-}
-
 static void at_want(struct running *r, struct output *o, bool last_of_times)
 {
   if (o->want->kind == WANT_ROWS)
-    write_columns(r, o);
+    output_row(r, o);
   else if (o->want->kind == WANT_TRAJECTORY)
     trace(r, o);
   else if (o->want->kind == WANT_ORDERS) {
@@ -151,10 +108,9 @@ static bool open_tables(struct running *r)
     if (!table_open_at(&o->table, &o->style, o->want->file))
       return false;
     o->is_open = true;
-    head_write(r, o);
-    if (o->want->kind != WANT_ORDERS)
-      begin_columns(o);
-    else if (!orders_begin(r, o)) {
+    output_begin(r, o);
+    o->errors = calloc((size_t)o->want->series * SCENE_TIMES + 1, sizeof *o->errors);
+    if (!o->errors) {
       complain(r->options->request.style.command, "out of memory");
       return false;
     }

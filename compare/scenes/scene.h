@@ -21,7 +21,8 @@ enum {
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
   SCENE_INCLUDED = 64,
-  SCENE_TIMES = 4096 /* most periods of an order */
+  SCENE_TIMES = 4096, /* most periods of an order */
+  DIGITS_OF_DOUBLE = 17
 };
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
@@ -135,20 +136,8 @@ int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTIT
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
 enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
-/* The files that scenes read and write, by what they are and not by how a path is spelled */
-enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };
-struct scene_places {
-  int count;
-  struct scene_place {
-    bool is_output;
-    char key[PLACE_KEY];
-  } place[SCENE_PLACES];
-};
-/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard input, where that is a
- * file. */
-void places_reads(struct scene_places *places, const struct scene *scene);
-/* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
- * pipes take any number. */
-bool places_writes(struct scene_places *places, const char *command, const char *path);
+/* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by what they are, and
+ * not by how a path is spelled. With explain the output is that of the command line. False: the message is on stderr. */
+bool scenes_check_files(struct scene *const *scenes, int count, const struct scene_options *options);
 
 #endif

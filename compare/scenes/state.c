@@ -315,10 +315,19 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
            : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
                                         : motion_modes_text(s->text, (enum quantity_of)q->which, a->modes);
   case QUANTITY_CERTIFIED:
-    return !s->is_outside && certify(s, quantity_rows[q->which].of) ? scene_flint.text(s->flint, &s->visit, q, digits)
-                                                                    : "nan";
+    return !s->is_outside && certify(s, quantity_rows[q->which].of)
+               ? scene_flint.text(s->flint, &s->visit, q, digits > 0 ? digits : DIGITS_OF_DOUBLE)
+               : "nan";
   default: return status_text(s);
   }
+}
+
+void state_find(struct scene_state *s, int quantity, long digits)
+{
+  if (quantity_is_text(&s->scene->quantities.item[quantity]))
+    state_text(s, quantity, digits);
+  else
+    state_number(s, quantity);
 }
 
 double state_formula(struct scene_state *s, const struct formula *formula)

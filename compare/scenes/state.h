@@ -55,6 +55,8 @@ void state_begin_row(struct scene_state *state);
 double state_number(struct scene_state *state, int quantity);
 /* A text; of certified values so many digits. It lives until the next call. */
 const char *state_text(struct scene_state *state, int quantity, long digits);
+/* Asks for a quantity, number or text, so that what could not be had is known. */
+void state_find(struct scene_state *state, int quantity, long digits);
 /* Of a column: a formula's value. */
 double state_formula(struct scene_state *state, const struct formula *formula);
 /* The end of a range or of a trajectory. */

@@ -27,7 +27,6 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
   return true;
 }
 
-/* The errors of series, in a table without columns of its own choice */
 static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   struct quantities *all = &r->scene->quantities;
@@ -36,9 +35,6 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
     return false;
   if (!(w->tolerance > 0))
     return refuse_at(r, config_setting_get_member(at, "tol"), "tol is a number > 0");
-  for (int i = 0; i < all->labels; i++)
-    if (is_among(all->label[i], order_columns))
-      return refuse_at(r, at, "the label %s has the name of a column of orders", all->label[i]);
   for (int i = 0; i < w->series; i++) {
     const char *name = keep(r, "error.%s", w->series_name[i]);
     w->of[i] = name ? quantity_named(all, name) : -1;
@@ -99,8 +95,7 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return find_script(r, at, p);
   if (!p->x || !p->y[0])
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
-  for (int i = -1; i < picture.ys && w->columns > 0;
-       i++) { /* else they are a command's own, or those of orders: it will show */
+  for (int i = -1; i < picture.ys && w->columns > 0; i++) { /* else they are a command's own: it will show */
     const char *name = i < 0 ? p->x : p->y[i];
     if (!has_column(w, name))
       return refuse_at(r, at, "the table has no column %s", name);
@@ -206,8 +201,8 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
   if (!read_members(r, at, members, w, "a want", w->what) || !check_accuracy(r, at, w, most_digits)
       || (until && !read_end(r, until, &w->until, &onset)))
     return false;
-  if (w->kind == WANT_ORDERS)
-    return read_orders(r, at, w);
+  if (w->kind == WANT_ORDERS && !read_orders(r, at, w))
+    return false;
   if (w->named > 0 && w->series > 0)
     return refuse_at(r, config_setting_get_member(at, "of"),
                      "of and columns exclude each other: columns may name series and what is said of them");

@@ -1,4 +1,5 @@
-/* The '#' lines of the tables of a scene. */
+/* What stands in the tables of a scene: '#' lines, columns and rows. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -91,10 +92,11 @@ static void note_start(struct table *t, const struct scene *s, const struct scen
     table_note(t, "phase: %s, from %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", start);
 }
 
-void head_write(const struct running *r, struct output *o)
+void output_begin(const struct running *r, struct output *o)
 {
   struct table *t = &o->table;
   const struct scene *s = r->scene;
+  const char *names[SCENE_COLUMNS + 1] = { NULL };
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
@@ -104,4 +106,41 @@ void head_write(const struct running *r, struct output *o)
     table_note(t, "%s", s->note[i]);
   note_held(o, s);
   note_start(t, s, o->want);
+  for (int i = 0; i < o->want->columns; i++)
+    names[i] = o->want->column[i].name;
+  table_columns(t, names);
+  if (o->want->kind == WANT_ORDERS)
+    table_columns(t, order_columns);
+  table_begin_rows(t);
+}
+
+static void put_column(const struct running *r, struct output *o, const struct scene_column *c)
+{
+  struct table *t = &o->table;
+  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+  if (!q || !quantity_is_text(q)) {
+    table_number(t, q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula));
+    return;
+  }
+  const char *text = state_text(r->state, c->quantity, o->style.digits);
+  if (q->kind != QUANTITY_CERTIFIED)
+    table_text(t, text);
+  else if (strcmp(text, "nan") == 0)
+    table_number(t, NAN);
+  else
+    table_digits(t, text);
+}
+
+void output_row(const struct running *r, struct output *o)
+{
+  const struct scene_want *w = o->want;
+  for (int i = 0; i < w->columns && w->kind == WANT_ROWS;
+       i++) /* its status is that of all its columns, wherever it stands */
+    if (w->column[i].quantity >= 0)
+      state_find(r->state, w->column[i].quantity, o->style.digits);
+    else
+      state_formula(r->state, &w->column[i].formula);
+  for (int i = 0; i < w->columns; i++)
+    put_column(r, o, &w->column[i]);
+  count_add(COUNT_ROWS, 1);
 }
