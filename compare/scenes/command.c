@@ -49,7 +49,7 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
   if (!w->arguments)
     return refuse_at(r, at, "out of memory");
   for (int i = 0; i < config_setting_length(at); i++) {
-    const config_setting_t *option = element_at(at, i);
+    const config_setting_t *option = member_at(at, i);
     const char *name = config_setting_name(option);
     const struct member *own = find_member(members, name);
     if (is_among(name, crawler_parameters))

@@ -48,7 +48,12 @@ int element_count(const config_setting_t *at) { return is_sequence(at) ? config_
 
 const config_setting_t *element_at(const config_setting_t *at, int i)
 {
-  return config_setting_is_aggregate(at) ? config_setting_get_elem(at, (unsigned)i) : at;
+  return is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
+}
+
+const config_setting_t *member_at(const config_setting_t *group, int i)
+{
+  return config_setting_get_elem(group, (unsigned)i);
 }
 
 bool is_number(const config_setting_t *at, double *value, const char **text)
@@ -160,7 +165,7 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
                   const char *what, const char *want)
 {
   for (int i = 0; i < config_setting_length(group); i++) {
-    const config_setting_t *at = element_at(group, i);
+    const config_setting_t *at = member_at(group, i);
     const struct member *m = find_member(members, config_setting_name(at));
     if (!m)
       return refuse_member(r, at, members, what);

@@ -5,27 +5,6 @@
 
 #include "compare/scenes/parts.h"
 
-static bool varies(const struct scene *s, const char *parameter)
-{
-  const struct sweep_variable *v;
-  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
-    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
-      return true;
-  return false;
-}
-
-/* A measured gait among several brings L, T and alpha of its own. */
-static bool goes_with_gait(const struct scene *s, const char *parameter)
-{
-  const struct sweep_variable *v;
-  int place = crawler_place(parameter);
-  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
-  for (int i = 0; own && (v = sweep_variable(&s->sweep, i)); i++)
-    for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
-      measured |= strncmp(v->texts[k], "measured:", 9) == 0;
-  return measured;
-}
-
 /* Has the table a column of that name with something else in it, as "T = alpha*T"? */
 static bool is_renamed(const struct scene *s, const struct scene_want *w, const char *parameter)
 {
@@ -56,14 +35,29 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
+/* Is the parameter the same in all rows? Not where it varies; nor L, T and alpha among gaits of which a measured one brings its own. */
+static bool is_held(const struct scene *s, const char *parameter)
+{
+  const struct sweep_variable *v;
+  int place = crawler_place(parameter);
+  bool is_own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place];
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++) {
+    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
+      return false;
+    for (long k = 0; is_own && v->target == TARGET_GAIT && k < v->count; k++)
+      if (strncmp(v->texts[k], "measured:", 9) == 0)
+        return false;
+  }
+  return true;
+}
+
 static void note_held(struct output *o, const struct scene *s)
 {
-  const char *not_held[CRAWLER_NUMBERS + 2];
+  const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
+    if (!is_held(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
-  not_held[count] = NULL;
   note_parameters(&o->table, &s->base, not_held, false);
 }
 

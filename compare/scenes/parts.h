@@ -54,7 +54,8 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
 const char *joined(char *text, size_t size, const char *const *names, bool quoted);
 bool is_among(const char *name, const char *const *names);
 bool is_ascii(const char *text); /* printable */
-/* The elements of a sequence; what has no elements is one. */
+const config_setting_t *member_at(const config_setting_t *group, int i);
+/* The elements of a list or an array; anything else is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
@@ -116,6 +117,7 @@ struct running {
   struct scene_state *state;
   struct output *output;
   long points, unsolved, failed_checks;
+  bool failed;            /* a table can no longer be written */
   char why[POINT_STATUS]; /* the first reason of those unsolved */
 };
 

@@ -30,7 +30,7 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
   if (crawler && !config_setting_is_group(crawler))
     return refuse_at(r, crawler, "crawler is a group of parameters: { F1 = 3.0; T = 0.5; }");
   for (int i = 0; crawler && i < config_setting_length(crawler); i++)
-    if (!read_parameter(r, element_at(crawler, i)))
+    if (!read_parameter(r, member_at(crawler, i)))
       return false;
   point_complete(&r->scene->base);
   return true;

@@ -73,16 +73,9 @@ static void at_point(struct running *r, bool last_of_times)
     if (*why != '\0' && r->unsolved == 0 && !unsolved)
       snprintf(r->why, sizeof r->why, "%s", why);
     unsolved |= *why != '\0';
+    r->failed |= o->is_open && table_failed(&o->table);
   }
   r->unsolved += unsolved;
-}
-
-static bool failed(const struct running *r)
-{
-  for (int i = 0; i < r->scene->wants; i++)
-    if (r->output[i].is_open && table_failed(&r->output[i].table))
-      return true;
-  return false;
 }
 
 static void each_point(struct running *r, const struct sweep_product *product)
@@ -92,7 +85,7 @@ static void each_point(struct running *r, const struct sweep_product *product)
   do {
     state_move(r->state, product, index);
     at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
-  } while (sweep_next(product, index) && !failed(r));
+  } while (sweep_next(product, index) && !r->failed);
 }
 
 static bool open_tables(struct running *r)
@@ -124,13 +117,11 @@ static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ?
 static enum exit_code run_commands(const struct running *r)
 {
   enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++) {
-    const struct scene_want *w = &r->scene->want[i];
-    if (w->kind != WANT_COMMAND)
-      continue;
-    count_add(COUNT_COMMANDS, 1);
-    code = worse(code, r->scene->run_command(r->scene, w, r->options, false));
-  }
+  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++)
+    if (r->scene->want[i].kind == WANT_COMMAND) {
+      count_add(COUNT_COMMANDS, 1);
+      code = worse(code, r->scene->run_command(r->scene, &r->scene->want[i], r->options, false));
+    }
   return code;
 }
 
@@ -139,9 +130,14 @@ static bool flush_tables(struct running *r)
 {
   bool whole = true;
   for (int i = 0; i < r->scene->wants; i++)
-    if (r->output[i].is_open)
-      whole &= table_flush(&r->output[i].table);
+    whole &= !r->output[i].is_open || table_flush(&r->output[i].table);
   return whole;
+}
+
+static void tell_written(const struct running *r, const char *file)
+{
+  if (file && !r->options->request.style.quiet)
+    fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, file);
 }
 
 /* All or none: where something went wrong the earlier files stay. */
@@ -154,8 +150,8 @@ static enum exit_code close_tables(struct running *r, bool keep)
       table_abandon(&o->table);
     else if (o->is_open && !close_beside_gaits(&o->table))
       code = EXIT_FILE;
-    else if (keep && o->want->file && !r->options->request.style.quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, o->want->file);
+    else if (keep)
+      tell_written(r, o->want->file);
     free(o->errors);
   }
   return code;
@@ -166,18 +162,13 @@ static enum exit_code draw_plots(const struct running *r)
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants; i++) {
     const struct scene_want *w = &r->scene->want[i];
-    struct plot plot = w->plot;
-    plot.table = w->file;
-    plot.title = r->scene->title;
     if (!w->has_plot)
       continue;
-    if (!plot_draw(&plot, r->options->request.style.command)) {
-      code = EXIT_FILE;
-      continue;
-    }
-    count_add(COUNT_PLOTS, 1);
-    if (!r->options->request.style.quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, plot.file);
+    bool drawn = plot_draw(&w->plot, r->options->request.style.command);
+    code = drawn ? code : EXIT_FILE;
+    count_add(COUNT_PLOTS, drawn);
+    if (drawn)
+      tell_written(r, w->plot.file);
   }
   return code;
 }

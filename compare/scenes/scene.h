@@ -56,7 +56,7 @@ struct scene_want {
   char **arguments; /* of a command: its long options */
   int argument_count;
   bool has_plot;
-  struct plot plot; /* but for table and title */
+  struct plot plot;
 };
 
 /* What all points have in common, found before the first: what certified values must be good for. */

@@ -132,7 +132,7 @@ static bool add_labels_of(const struct reading *r, const config_setting_t *at, s
 {
   bool good = config_setting_is_group(at) || refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
   for (int k = 0; good && k < config_setting_length(at); k++)
-    good = add_label(r, element_at(at, k), g);
+    good = add_label(r, member_at(at, k), g);
   return good;
 }
 
@@ -150,7 +150,7 @@ static bool read_group(const struct reading *r, const config_setting_t *group, s
   if (!read_members(r, group, members, g, "a group of what varies", NULL))
     return false;
   for (int i = 0; i < config_setting_length(group); i++) {
-    const config_setting_t *at = element_at(group, i);
+    const config_setting_t *at = member_at(group, i);
     struct sweep_variable v;
     if (!(sweep_variable_of_name(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
       return false;
@@ -158,49 +158,39 @@ static bool read_group(const struct reading *r, const config_setting_t *group, s
   return true;
 }
 
-/* The number of points fits a long with room to spare. */
-static bool check_size(const struct reading *r, const config_setting_t *at, const struct sweep_product *product)
-{
-  double points = 1;
-  for (int g = 0; g < product->groups; g++)
-    points *= (double)product->group[g].count;
-  return points <= 1e15 || refuse_at(r, at, "%g points: more than 1e15", points);
-}
-
 static bool read_product(const struct reading *r, const config_setting_t *at)
 {
-  struct scene *s = r->scene;
-  struct sweep_product *product = &s->sweep.product[s->sweep.products++];
-  int groups = config_setting_is_group(at) ? 1 : config_setting_length(at);
+  struct sweep_product *product = &r->scene->sweep.product[r->scene->sweep.products++];
+  int groups = element_count(at);
+  double points = 1;
   if (groups > SWEEP_GROUPS)
     return refuse_at(r, at, "%d groups: %d at most", groups, SWEEP_GROUPS);
   for (int i = 0; i < groups; i++) {
-    const config_setting_t *group = config_setting_is_group(at) ? at : config_setting_get_elem(at, (unsigned)i);
-    if (!read_group(r, group, &product->group[product->groups++]))
+    struct sweep_group *g = &product->group[product->groups++];
+    if (!read_group(r, element_at(at, i), g))
       return false;
-    if (product->group[product->groups - 1].variables == 0) /* all of it is given on the command line */
-      product->groups--;
+    points *= (double)g->count;
+    product->groups -= g->variables == 0; /* all of it is given on the command line */
   }
   const struct sweep_variable *twice = sweep_set_twice(product);
-  return twice ? refuse_at(r, at, "%s is set twice here", twice->name) : check_size(r, at, product);
+  if (twice)
+    return refuse_at(r, at, "%s is set twice here", twice->name);
+  return points <= 1e15 || refuse_at(r, at, "%g points: more than 1e15", points); /* they fit a long with room to spare */
 }
 
 bool read_vary(const struct reading *r, const config_setting_t *vary)
 {
-  bool one_after_the_other = vary && config_setting_is_list(vary) && config_setting_length(vary) > 0
-                             && config_setting_is_list(config_setting_get_elem(vary, 0));
-  int products = one_after_the_other ? config_setting_length(vary) : 1;
+  struct sweep *sweep = &r->scene->sweep;
+  bool one_after_the_other = vary && element_count(vary) > 0 && config_setting_is_list(element_at(vary, 0));
+  int products = one_after_the_other ? element_count(vary) : 1;
   if (products > SWEEP_PRODUCTS)
     return refuse_at(r, vary, "%d products: %d at most", products, SWEEP_PRODUCTS);
-  r->scene->sweep.product = calloc((size_t)products, sizeof *r->scene->sweep.product);
-  if (!r->scene->sweep.product)
+  sweep->product = calloc((size_t)products, sizeof *sweep->product);
+  if (!sweep->product)
     return refuse_at(r, vary, "out of memory");
-  if (vary && !config_setting_is_group(vary) && !config_setting_is_list(vary))
-    return refuse_at(r, vary, "%s", meant);
-  if (!vary)
-    r->scene->sweep.products = 1;
-  for (int i = 0; vary && i < products; i++)
-    if (!read_product(r, one_after_the_other ? config_setting_get_elem(vary, (unsigned)i) : vary))
+  sweep->products = vary ? 0 : 1;
+  while (sweep->products < products)
+    if (!read_product(r, one_after_the_other ? element_at(vary, sweep->products) : vary))
       return false;
   return true;
 }

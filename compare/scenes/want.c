@@ -210,11 +210,11 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
          && check_digits(r, at, w);
 }
 
-static bool put_into(const struct reading *r, const char *folder, const char **file)
+static bool put_into(const struct reading *r, const char **file)
 {
-  if (folder && *file && **file != '/')
-    *file = keep(r, "%s/%s", folder, *file);
-  return !folder || *file;
+  if (r->options->folder && **file != '/')
+    *file = keep(r, "%s/%s", r->options->folder, *file);
+  return *file != NULL;
 }
 
 /* Where the table and its plot go, and how the table is written: the command line may name the file, or a folder. */
@@ -235,9 +235,12 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
     return false;
   if (is_named)
     w->file = o->request.style.output;
+  else if ((w->file && !put_into(r, &w->file)) || (w->plot.file && !put_into(r, &w->plot.file)))
+    return false;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
-  return is_named
-         || ((!w->file || put_into(r, o->folder, &w->file)) && (!w->has_plot || put_into(r, o->folder, &w->plot.file)));
+  w->plot.table = w->file;
+  w->plot.title = r->scene->title;
+  return true;
 }
 
 static bool read_want(const struct reading *r, const config_setting_t *at)
@@ -270,13 +273,13 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
 
 bool read_wants(const struct reading *r, const config_setting_t *want)
 {
-  int count = !want ? 0 : config_setting_is_list(want) ? config_setting_length(want) : 1;
+  int count = want ? element_count(want) : 0;
   if (count == 0)
     return refuse_at(r, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
   if (count > SCENE_WANTS)
     return refuse_at(r, want, "%d wants: %d at most", count, SCENE_WANTS);
   for (int i = 0; i < count; i++)
-    if (!read_want(r, config_setting_is_list(want) ? element_at(want, i) : want))
+    if (!read_want(r, element_at(want, i)))
       return false;
   return true;
 }
