@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/scenes/flint.h"
+#include "compare/scenes/parts.h"
 
 #include "asymptotics/derived.h"
 #include "compare/answers/answer_flint.h"
@@ -69,18 +69,18 @@ static void flint_end(struct scene_flint *f)
 }
 
 /* Parameters as they are written */
-static void move(struct scene_flint *f, const struct visit *v)
+static void move(const struct scene_state *s)
 {
-  rational_point(&f->crawler, f->v0, &v->point);
-  fmpq_set(f->T[OF_STEADY], f->crawler.T);
-  scallop_rational_duration(f->T[OF_PHASE], &f->crawler, v->scene->phase);
+  rational_point(&s->flint->crawler, s->flint->v0, &s->point);
+  fmpq_set(s->flint->T[OF_STEADY], s->flint->crawler.T);
+  scallop_rational_duration(s->flint->T[OF_PHASE], &s->flint->crawler, s->scene->phase);
 }
 
 /* A start velocity that is a steady one is the double that it is. */
-static void start_phase(struct scene_flint *f, const struct visit *v)
+static void start_phase(const struct scene_state *s)
 {
-  if (!v->point.has_v0)
-    scallop_rational_set_double(f->v0, v->v0);
+  if (!s->point.has_v0)
+    scallop_rational_set_double(s->flint->v0, s->v0);
 }
 
 static bool same_but_T(const struct scallop_rational_crawler *a, const struct scallop_rational_crawler *b)
@@ -98,31 +98,32 @@ static long certified_digits(const struct scene_needs *needs)
 }
 
 /* For series: beyond the digits as many bits as there are terms */
-static slong bits_of(const struct visit *v, long order)
+static slong bits_of(const struct scene_state *s, long order)
 {
-  long digits = certified_digits(&v->scene->plan.needs);
+  long digits = certified_digits(&s->scene->plan.needs);
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
 /* The series of the steady state or of the phase at the point, derived if it is not kept */
-static const struct series_answer *series_at(struct scene_flint *f, const struct visit *v, enum quantity_of of)
+static const struct series_answer *series_at(const struct scene_state *s, enum quantity_of of)
 {
   for (int i = 0; i < KEPT; i++) {
-    const struct kept_series *k = &f->kept[i];
-    if (k->used && k->of == of && same_but_T(&k->crawler, &f->crawler) && (of == OF_STEADY || fmpq_equal(k->v0, f->v0)))
+    const struct kept_series *k = &s->flint->kept[i];
+    if (k->used && k->of == of && same_but_T(&k->crawler, &s->flint->crawler)
+        && (of == OF_STEADY || fmpq_equal(k->v0, s->flint->v0)))
       return &k->answer;
   }
-  long order = v->scene->plan.needs.order[of];
-  struct kept_series *k = &f->kept[f->next++ % KEPT];
+  long order = s->scene->plan.needs.order[of];
+  struct kept_series *k = &s->flint->kept[s->flint->next++ % KEPT];
   clear_series(k);
   *k = (struct kept_series){ .used = true, .of = of };
   scallop_rational_init(&k->crawler);
-  scallop_rational_copy(&k->crawler, &f->crawler);
+  scallop_rational_copy(&k->crawler, &s->flint->crawler);
   fmpq_init(k->v0);
-  fmpq_set(k->v0, f->v0);
+  fmpq_set(k->v0, s->flint->v0);
   series_answer_init(&k->answer);
   count_add(COUNT_EXPANSIONS, 1);
-  answer_in_series(&k->answer, &k->crawler, of, v->scene->phase, k->v0, order, bits_of(v, order));
+  answer_in_series(&k->answer, &k->crawler, of, s->scene->phase, k->v0, order, bits_of(s, order));
   return &k->answer;
 }
 
@@ -134,21 +135,21 @@ static slong first_power(const struct series *series)
   return k;
 }
 
-/* The sum of a derived series at the point. False: there is none, and v->why says why, unless the motion has no such quantity. */
-static bool derived_value(arb_t value, struct scene_flint *f, struct visit *v, const struct quantity *q, slong precision)
+/* The sum of a derived series at the point. False: there is none, and s->why says why, unless the motion has no such quantity. */
+static bool derived_value(arb_t value, struct scene_state *s, const struct quantity *q, slong precision)
 {
   enum quantity_of of = quantity_rows[q->which].of;
   if (of == OF_PHASE)
-    start_phase(f, v);
-  const struct series_answer *a = series_at(f, v, of);
+    start_phase(s);
+  const struct series_answer *a = series_at(s, of);
   const struct series *series = a->value[q->which];
   if (a->status != SCALLOP_OK)
-    visit_fail(v, a->why ? a->why : scallop_status_text(a->status));
+    state_fail(s, a->why ? a->why : scallop_status_text(a->status));
   if (a->status != SCALLOP_OK || !series)
     return false;
   arb_t time;
   arb_init(time);
-  arb_set_fmpq(time, f->T[of], precision);
+  arb_set_fmpq(time, s->flint->T[of], precision);
   series_value(value, series, time, q->kind == QUANTITY_LIMIT ? first_power(series) + 1 : q->order, precision);
   arb_clear(time);
   return true;
@@ -156,60 +157,60 @@ static bool derived_value(arb_t value, struct scene_flint *f, struct visit *v, c
 
 static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
-static double sum(struct scene_flint *f, struct visit *v, const struct quantity *series)
+static double sum(struct scene_state *s, const struct quantity *series)
 {
   arb_t value;
   arb_init(value);
-  double sum = derived_value(value, f, v, series, bits_of(v, series->order)) ? middle(value) : NAN;
+  double sum = derived_value(value, s, series, bits_of(s, series->order)) ? middle(value) : NAN;
   arb_clear(value);
   return sum;
 }
 
-static void certify(struct scene_flint *f, const struct visit *v, enum quantity_of of)
+static void certify(const struct scene_state *s, enum quantity_of of)
 {
-  long digits = certified_digits(&v->scene->plan.needs);
+  long digits = certified_digits(&s->scene->plan.needs);
   if (of == OF_PHASE)
-    start_phase(f, v);
+    start_phase(s);
   count_add(COUNT_CERTIFIED_DIGITS, digits);
-  answer_in_balls(&f->answer[of], &f->crawler, of, v->scene->phase, f->v0, digits);
+  answer_in_balls(&s->flint->answer[of], &s->flint->crawler, of, s->scene->phase, s->flint->v0, digits);
 }
 
-/* The certified answer; NULL: there is none, and v->why says why. */
-static const struct ball_answer *certified(const struct scene_flint *f, struct visit *v, enum quantity_of of)
+/* The certified answer; NULL: there is none, and s->why says why. */
+static const struct ball_answer *certified(struct scene_state *s, enum quantity_of of)
 {
-  const struct ball_answer *a = &f->answer[of];
+  const struct ball_answer *a = &s->flint->answer[of];
   char text[POINT_STATUS];
   if (a->status == SCALLOP_OK)
     return a;
   snprintf(text, sizeof text, "%s%s%s", scallop_status_text(a->status), a->why ? ": " : "", a->why ? a->why : "");
-  visit_fail(v, text);
+  state_fail(s, text);
   return NULL;
 }
 
-static const char *text(struct scene_flint *f, struct visit *v, const struct quantity *q, long digits)
+static const char *text(struct scene_state *s, const struct quantity *q, long digits)
 {
-  const struct ball_answer *a = certified(f, v, quantity_rows[q->which].of);
+  const struct ball_answer *a = certified(s, quantity_rows[q->which].of);
   if (!a || !a->value[q->which])
     return "nan";
-  flint_free(f->text);
-  f->text = decimal_text(a->value[q->which], digits);
-  return f->text;
+  flint_free(s->flint->text);
+  s->flint->text = decimal_text(a->value[q->which], digits);
+  return s->flint->text;
 }
 
 /* The value of a formula with all digits */
-static bool formula_value(arb_t value, struct scene_flint *f, struct visit *v, const struct scallop_formula *formula,
-                          slong precision)
+static bool formula_value(arb_t value, struct scene_state *s, const struct scallop_formula *formula, slong precision)
 {
   enum quantity_of of = formula->setting == SCALLOP_STEADY ? OF_STEADY : OF_PHASE;
-  const struct ball_answer *given = formula_takes_given(formula) ? certified(f, v, OF_PHASE) : NULL;
+  const struct ball_answer *given = formula_takes_given(formula) ? certified(s, OF_PHASE) : NULL;
   if (of == OF_PHASE)
-    start_phase(f, v);
+    start_phase(s);
   if (formula_takes_given(formula) && (!given || !given->phase.switches))
     return false;
-  bool found = published_in_balls(value, formula, &f->crawler, v->scene->phase, f->v0, f->T[of], given, precision);
-  if (gait_has_ends(v->point.crawler.gait) || (found && !strstr(formula->text, "L_kin")))
+  bool found = published_in_balls(value, formula, &s->flint->crawler, s->scene->phase, s->flint->v0, s->flint->T[of], given,
+                                  precision);
+  if (gait_has_ends(s->point.crawler.gait) || (found && !strstr(formula->text, "L_kin")))
     return found;
-  visit_fail(v, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
+  state_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
   return false;
 }
 
@@ -227,26 +228,23 @@ static bool is_below(const arb_t error, const arb_t exact, double accuracy)
   return below;
 }
 
-static double error(struct scene_flint *f, struct visit *v, const struct quantity *series, int quantity, double *rounded,
-                    double *exact)
+static struct comparison compare(struct scene_state *s, const struct quantity *series, int quantity)
 {
-  slong precision = bits_of(v, series->order);
-  bool of_phase = quantity_is_of_phase(&v->scene->quantities, series);
-  const struct ball_answer *answer = certified(f, v, of_phase ? OF_PHASE : OF_STEADY);
-  const arb_struct *counterpart = answer ? answer->value[quantity] : NULL;
-  double error = NAN;
+  slong precision = bits_of(s, series->order);
+  bool of_phase = quantity_is_of_phase(&s->scene->quantities, series);
+  const struct ball_answer *answer = certified(s, of_phase ? OF_PHASE : OF_STEADY);
+  const arb_struct *exact = answer ? answer->value[quantity] : NULL;
   arb_t value;
   arb_init(value);
-  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, f, v, series->formula, precision)
-                                                  : derived_value(value, f, v, series, precision);
-  *exact = counterpart ? middle(counterpart) : NAN;
-  *rounded = found ? middle(value) : NAN;
-  if (found && counterpart) {
-    arb_sub(value, value, counterpart, precision);
-    error = is_below(value, counterpart, v->scene->plan.needs.accuracy) ? 0 : middle(value);
+  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, series->formula, precision)
+                                                  : derived_value(value, s, series, precision);
+  struct comparison c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
+  if (found && exact) {
+    arb_sub(value, value, exact, precision);
+    c.error = is_below(value, exact, s->scene->plan.needs.accuracy) ? 0 : middle(value);
   }
   arb_clear(value);
-  return error;
+  return c;
 }
 
-const struct scene_flint_functions scene_flint = { flint_new, flint_end, move, certify, sum, error, text };
+const struct scene_flint_functions scene_flint = { flint_new, flint_end, move, certify, sum, compare, text };

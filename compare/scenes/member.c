@@ -68,16 +68,12 @@ bool is_number(const config_setting_t *at, double *value, const char **text)
   }
 }
 
-const char *joined(char *text, size_t size, const char *const *names, bool quoted)
+const char *joined(char *text, size_t size, const char *const *names)
 {
   size_t used = 0;
   *text = '\0';
   for (int i = 0; names[i] && used < size; i++)
-    used += (size_t)snprintf(text + used, size - used, quoted ? "%s\"%s\"" : "%s%s",
-                             i == 0   ? ""
-                             : quoted ? " or "
-                                      : ", ",
-                             names[i]);
+    used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", names[i]);
   return text;
 }
 
@@ -107,7 +103,7 @@ static bool read_word(const struct reading *r, const config_setting_t *at, const
   for (*word = 0; text && m->words[*word]; ++*word)
     if (strcmp(text, m->words[*word]) == 0)
       return true;
-  return refuse_at(r, at, "%s is %s", m->name, joined(allowed, sizeof allowed, m->words, true));
+  return refuse_at(r, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
 }
 
 bool read_member(const struct reading *r, const config_setting_t *at, const struct member *m, void *into)
@@ -155,10 +151,8 @@ static bool refuse_member(const struct reading *r, const config_setting_t *at, c
   for (int i = 0; i < MOST && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
-  if (near)
-    return refuse_at(r, at, "there is no '%s' in %s%s", config_setting_name(at), what, did_you_mean(near));
-  return refuse_at(r, at, "there is no '%s' in %s: it can have %s", config_setting_name(at), what,
-                   joined(known, sizeof known, names, false));
+  return refuse_at(r, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
+                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names));
 }
 
 bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,

@@ -37,13 +37,12 @@ static void trace(struct running *r, struct output *o)
   const struct scene_want *w = o->want;
   double v0 = state_v0(r->state);
   struct tracing t = { r, o, state_end(r->state, &w->until) };
-  if (r->state->visit.why[0] != '\0' || isnan(v0))
+  if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&r->state->visit.point.crawler, v0, w->periods, w->samples, write_sample,
-                                                  &t);
+  enum scallop_status status = scallop_trajectory(&r->state->point.crawler, v0, w->periods, w->samples, write_sample, &t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
-    visit_fail(&r->state->visit, scallop_status_text(status));
+    state_fail(r->state, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
   }
 }
@@ -63,7 +62,7 @@ static void at_want(struct running *r, struct output *o, bool last_of_times)
 
 static void at_point(struct running *r, bool last_of_times)
 {
-  const char *why = r->state->visit.why;
+  const char *why = r->state->why;
   bool unsolved = false;
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {

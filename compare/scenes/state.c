@@ -1,4 +1,4 @@
-#include "compare/scenes/state.h"
+#include "compare/scenes/parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,7 +9,7 @@
 
 bool state_init(struct scene_state *s, const struct scene *scene, struct tally *tally)
 {
-  *s = (struct scene_state){ .scene = scene, .visit = { .scene = scene }, .tally = tally, .onset = 1 };
+  *s = (struct scene_state){ .scene = scene, .tally = tally, .onset = 1 };
   if (!tally && scene->plan.needs_flint)
     s->flint = scene_flint.create();
   return tally || !scene->plan.needs_flint || s->flint;
@@ -42,7 +42,7 @@ static bool is_to_solve(struct scene_state *s, enum cell cell, enum count stage)
 
 static double check(struct scene_state *s, enum scallop_status status, double value)
 {
-  return status < 0 ? visit_fail(&s->visit, scallop_status_text(status)) : value;
+  return status < 0 ? state_fail(s, scallop_status_text(status)) : value;
 }
 
 /* Parameters may have changed since the last formula. */
@@ -56,23 +56,22 @@ static double formula_so_far(void *state, const struct formula *formula)
 void state_move(struct scene_state *s, const struct sweep_product *product, const long *index)
 {
   const struct scene *scene = s->scene;
-  struct visit *v = &s->visit;
-  v->point = scene->base;
-  v->point.has_v0 = scene->start != START_STEADY;
+  s->point = scene->base;
+  s->point.has_v0 = scene->start != START_STEADY;
   s->is_outside = false;
   memset(s->has_cell, 0, sizeof s->has_cell);
   memset(s->comparison, 0, (size_t)scene->quantities.count * sizeof *s->comparison);
-  sweep_move(&s->swept, &v->point, product, index, formula_so_far, s);
+  sweep_move(&s->swept, &s->point, product, index, formula_so_far, s);
   memset(s->has, 0, sizeof s->has); /* what a range was found with may have changed since */
   s->has_cell[ONSET] = false;
   if (s->tally)
     s->tally[COUNT_ONSETS].reason = "the ends of a range";
-  v->why[0] = '\0'; /* what a formula could not have */
+  s->why[0] = '\0'; /* what a formula could not have */
   if (s->swept.why[0] != '\0' && !s->tally)
-    visit_fail(v, s->swept.why);
-  s->is_outside = v->why[0] != '\0';
+    state_fail(s, s->swept.why);
+  s->is_outside = s->why[0] != '\0';
   if (s->flint)
-    scene_flint.move(s->flint, v);
+    scene_flint.move(s);
   spend(s, COUNT_POINTS);
 }
 
@@ -80,7 +79,7 @@ void state_begin_row(struct scene_state *s)
 {
   s->tells_steady = false;
   if (!s->is_outside)
-    s->visit.why[0] = '\0';
+    s->why[0] = '\0';
 }
 
 /* The answer in double; NULL: there is none, and visit.why says why. */
@@ -91,7 +90,7 @@ static const struct answer *solved(struct scene_state *s, enum quantity_of of)
   if (isnan(v0))
     return NULL;
   if (is_to_solve(s, IN_DOUBLE + of, of == OF_PHASE ? COUNT_PHASES : COUNT_STEADY)) {
-    s->motion[of] = (struct motion){ of, s->visit.point.crawler, s->scene->phase, v0 };
+    s->motion[of] = (struct motion){ of, s->point.crawler, s->scene->phase, v0 };
     if (answer_in_double(a, &s->motion[of]))
       count_work(&a->work);
   }
@@ -100,8 +99,8 @@ static const struct answer *solved(struct scene_state *s, enum quantity_of of)
 
 double state_v0(struct scene_state *s)
 {
-  if (s->visit.point.has_v0)
-    return s->visit.point.v0;
+  if (s->point.has_v0)
+    return s->point.v0;
   const struct answer *a = solved(s, OF_STEADY);
   return a ? a->value[s->scene->phase == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
@@ -127,15 +126,15 @@ static const struct answer *solved_with(struct scene_state *s, enum quantity_of 
 /* Makes ready for what certified answers and series give at the point. False: a phase that has no start velocity. */
 static bool has_start(struct scene_state *s, enum quantity_of of)
 {
-  s->visit.v0 = of == OF_PHASE ? state_v0(s) : 0;
-  return !isnan(s->visit.v0);
+  s->v0 = of == OF_PHASE ? state_v0(s) : 0;
+  return !isnan(s->v0);
 }
 
 static bool certify(struct scene_state *s, enum quantity_of of)
 {
   bool has = has_start(s, of);
   if (has && is_to_solve(s, IN_BALLS + of, COUNT_CERTIFIED))
-    scene_flint.certify(s->flint, &s->visit, of);
+    scene_flint.certify(s, of);
   return has && !s->tally;
 }
 
@@ -159,7 +158,7 @@ static bool expand(struct scene_state *s, const struct quantity *series)
 /* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a parameter but T changes. */
 static double onset_of_sticking(struct scene_state *s)
 {
-  struct scallop_crawler c = s->visit.point.crawler;
+  struct scallop_crawler c = s->point.crawler;
   c.T = 1;
   if (s->tally)
     is_to_solve(s, ONSET, COUNT_ONSETS);
@@ -173,7 +172,7 @@ static double onset_of_sticking(struct scene_state *s)
 
 static double published(struct scene_state *s, const struct scallop_formula *f)
 {
-  const struct scallop_crawler *c = &s->visit.point.crawler;
+  const struct scallop_crawler *c = &s->point.crawler;
   double value;
   if (f->setting == SCALLOP_STEADY) {
     value = f->steady(c);
@@ -190,7 +189,7 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
   }
   spend(s, COUNT_FORMULAS);
   if (!isfinite(value) && !gait_has_ends(c->gait))
-    return visit_fail(&s->visit, gait_no_ends);
+    return state_fail(s, gait_no_ends);
   return isfinite(value) ? value : NAN;
 }
 
@@ -219,16 +218,16 @@ static void compare(struct scene_state *s, struct comparison *c, const struct qu
       ready &= certify(s, OF_PHASE);
   }
   if (ready)
-    c->error = scene_flint.error(s->flint, &s->visit, series, quantity, &c->value, &c->exact);
+    *c = scene_flint.compare(s, series, quantity);
 }
 
 static const struct comparison *compared(struct scene_state *s, int place)
 {
   struct comparison *c = &s->comparison[place];
-  long before = s->visit.failures;
+  long before = s->failures;
   if (!c->done)
     compare(s, c, &s->scene->quantities.item[place], place);
-  c->done = s->tally || s->visit.failures == before;
+  c->done = s->tally || s->failures == before;
   return c;
 }
 
@@ -238,12 +237,12 @@ static double froude(struct scene_state *s)
   struct scallop_scaled scaled;
   if (!isnan(s->swept.froude))
     return s->swept.froude;
-  return check(s, scallop_scale(&s->visit.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
+  return check(s, scallop_scale(&s->point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
 static double compute(struct scene_state *s, const struct quantity *q)
 {
-  const struct scallop_crawler *c = &s->visit.point.crawler;
+  const struct scallop_crawler *c = &s->point.crawler;
   const struct quantities *all = &s->scene->quantities;
   const struct comparison *series = NULL;
   const struct answer *a;
@@ -264,7 +263,7 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_ANSWER: a = solved_with(s, quantity_rows[q->which].of, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return expand(s, q) ? scene_flint.sum(s->flint, &s->visit, q) : NAN;
+  case QUANTITY_LIMIT: return expand(s, q) ? scene_flint.sum(s, q) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
@@ -286,17 +285,17 @@ double state_number(struct scene_state *s, int quantity)
 {
   const struct quantity *q = ask(s, quantity);
   if (!s->has[quantity]) {
-    long before = s->visit.failures;
+    long before = s->failures;
     s->value[quantity] = compute(s, q);
-    s->has[quantity] = s->tally || s->visit.failures == before; /* a failure is told in each row; solutions are kept */
+    s->has[quantity] = s->tally || s->failures == before; /* a failure is told in each row; solutions are kept */
   }
   return s->value[quantity];
 }
 
 static const char *status_text(struct scene_state *s)
 {
-  if (s->visit.why[0] != '\0')
-    return s->visit.why;
+  if (s->why[0] != '\0')
+    return s->why;
   return s->tells_steady && s->has_cell[IN_DOUBLE + OF_STEADY] ? answer_status_text(s->text, &s->answer[OF_STEADY]) : "ok";
 }
 
@@ -305,7 +304,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
   const struct quantity *q = ask(s, quantity);
   const struct answer *a;
   switch (q->kind) {
-  case QUANTITY_GAIT: return s->visit.point.crawler.gait->name;
+  case QUANTITY_GAIT: return s->point.crawler.gait->name;
   case QUANTITY_LABEL: return s->swept.label[q->which] ? s->swept.label[q->which] : "-";
   case QUANTITY_PHASE_NAME: return s->scene->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
   case QUANTITY_REGIME:
@@ -316,7 +315,7 @@ const char *state_text(struct scene_state *s, int quantity, long digits)
                                         : motion_modes_text(s->text, (enum quantity_of)q->which, a->modes);
   case QUANTITY_CERTIFIED:
     return !s->is_outside && certify(s, quantity_rows[q->which].of)
-               ? scene_flint.text(s->flint, &s->visit, q, digits > 0 ? digits : DIGITS_OF_DOUBLE)
+               ? scene_flint.text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE)
                : "nan";
   default: return status_text(s);
   }

@@ -158,7 +158,7 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
   while (k < KINDS && strcmp(what, names[k]) != 0)
     k++;
   if (k == KINDS)
-    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names, false),
+    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names),
               did_you_mean(nearest(what, names)));
   return k;
 }
