@@ -74,10 +74,10 @@ void sweep_free(struct sweep *sweep);
 
 /* Where a sweep is: what is beside the point, and the numbers of the point as they are written. */
 struct swept {
-  const char *label[SWEEP_LABELS];       /* NULL: none */
-  double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan */
-  char why[SWEEP_WHY];                   /* the first value that is not allowed, or "" */
-  char written[CRAWLER_NUMBERS][DIGITS_TEXT], written_v0[DIGITS_TEXT];
+  const char *label[SWEEP_LABELS];                /* NULL: none */
+  double F1_over_F2, m1_over_m2, froude;          /* where they are set; else nan */
+  char why[SWEEP_WHY];                            /* the first value that is not allowed, or "" */
+  char written[CRAWLER_NUMBERS + 1][DIGITS_TEXT]; /* the last: v0 */
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);

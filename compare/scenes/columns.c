@@ -35,7 +35,7 @@ bool has_column(const struct scene_want *w, const char *name)
   int i = 0;
   while (i < w->columns && strcmp(w->column[i].name, name) != 0)
     i++;
-  return i < w->columns || (w->kind == WANT_ORDERS && is_among(name, order_columns));
+  return i < w->columns || (w->kind == WANT_ORDERS && name_among(order_columns, name));
 }
 
 /* Is the quantity known before anything is solved at a point? */

@@ -52,7 +52,7 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
     const config_setting_t *option = member_at(at, i);
     const char *name = config_setting_name(option);
     const struct member *own = find_member(members, name);
-    if (is_among(name, crawler_parameters))
+    if (name_among(crawler_parameters, name))
       return refuse_at(r, option, "%s belongs into the crawler", name);
     if (!(own && !own->only ? read_member(r, option, own, w) : add_option(r, option, w)))
       return false;

@@ -24,13 +24,6 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
   return false;
 }
 
-bool is_among(const char *name, const char *const *names)
-{
-  while (*names && strcmp(name, *names) != 0)
-    names++;
-  return *names != NULL;
-}
-
 bool is_ascii(const char *text)
 {
   while (*text >= ' ' && *text < 0x7f)

@@ -55,7 +55,6 @@ bool read_members(const struct reading *r, const config_setting_t *group, const 
 
 /* "a, b, c". Returns text. */
 const char *joined(char *text, size_t size, const char *const *names);
-bool is_among(const char *name, const char *const *names);
 bool is_ascii(const char *text); /* printable */
 const config_setting_t *member_at(const config_setting_t *group, int i);
 /* The elements of a list or an array; anything else is one. */

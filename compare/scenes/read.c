@@ -12,7 +12,7 @@ static bool read_parameter(const struct reading *r, const config_setting_t *at)
   const char *name = config_setting_name(at), *text = config_setting_get_string(at);
   int place = crawler_place(name);
   double x;
-  if (!is_among(name, crawler_parameters))
+  if (!name_among(crawler_parameters, name))
     return refuse_at(r, at, "there is no '%s' in a crawler%s", name, did_you_mean(nearest(name, crawler_parameters)));
   bool is_gait = place == CRAWLER_NUMBERS;
   if (is_gait ? !text : !is_number(at, &x, &text) && !text)
