@@ -32,14 +32,13 @@ bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
   return false;
 }
 
-const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, double x, const char *text)
+const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, const char *text)
 {
   struct point probe = *point;
-  char written[DIGITS_TEXT];
-  number_text(written, x, 0);
-  if (v->target == TARGET_NUMBER || v->target == TARGET_V0)
-    return point_set(&probe, v->name, text ? text : written);
-  return isfinite(x) && x > 0 ? NULL : "a finite number > 0 is wanted";
+  double x;
+  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT)
+    return point_set(&probe, v->name, text);
+  return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
 }
 
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product)
@@ -89,7 +88,6 @@ void sweep_free(struct sweep *s)
 {
   const struct sweep_variable *v;
   for (int i = 0; (v = sweep_variable(s, i)); i++) {
-    free(v->numbers);
     free(v->texts);
   }
   free(s->product);
@@ -109,7 +107,8 @@ static void set(const struct move *m, const char *parameter, double x, const cha
 {
   struct swept *s = m->swept;
   char *written = s->written[crawler_place(parameter)];
-  number_text(written, x, 0);
+  if (!text)
+    number_text(written, x, 0);
   const char *wrong = point_set(m->point, parameter, text ? text : written);
   if (wrong && s->why[0] == '\0')
     snprintf(s->why, sizeof s->why, "%s: %s", name, wrong);
@@ -147,7 +146,11 @@ static void set_variable(const struct move *m, const struct sweep_variable *v, l
 {
   long place = v->count == 1 ? 0 : i;
   const char *text = v->texts ? v->texts[place] : NULL;
-  double x = v->numbers ? v->numbers[place] : v->texts ? 0 : range_value(m, v, place);
+  double x = 0;
+  if (!text)
+    x = range_value(m, v, place);
+  else if (v->target != TARGET_GAIT && v->target != TARGET_LABEL)
+    read_number(text, &x);
   switch (v->target) {
   case TARGET_NUMBER:
   case TARGET_V0: set(m, v->name, x, text, v->name); break;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/scenes/parts.h"
+#include "compare/text/values.h"
 
 const char *const series_sources[] = { "published", "derived", "limit", NULL };
 enum { PUBLISHED, DERIVED };
@@ -47,10 +48,10 @@ static bool is_of_parameters(const struct quantity *q)
 
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
 {
-  const char *text, *name = config_setting_name(at);
+  const char *text = text_of(r, at), *name = config_setting_name(at);
   int places[FORMULA_STEPS];
-  if (is_number(at, &end->number, &text))
-    return isfinite(end->number) || refuse_at(r, at, "%s is a finite number", name);
+  if (text && read_number(text, &end->number))
+    return true;
   if (!text)
     return refuse_at(r, at, "%s is a number, or a formula in quotes", name);
   const char *wrong = read_formula(r, &end->formula, text);

@@ -6,13 +6,6 @@
 
 enum { MOST_ARGUMENTS = 64 };
 
-static bool add_argument(struct scene_want *w, const char *text)
-{
-  if (text)
-    w->arguments[w->argument_count++] = (char *)text;
-  return text != NULL;
-}
-
 /* A member of the want as "--name value" */
 static bool add_option(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
@@ -23,16 +16,14 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
     return refuse_at(r, at, "%s has too many values, or the want too many options", name);
   if (is_flag && !config_setting_get_bool(at))
     return true;
-  if (!add_argument(w, keep(r, "--%s", name)))
+  w->arguments[w->argument_count] = (char *)keep(r, "--%s", name);
+  if (!w->arguments[w->argument_count++])
     return false;
   for (int i = 0; i < values; i++) {
-    const config_setting_t *element = element_at(at, i);
-    const char *text = config_setting_get_string(element);
-    double x;
-    if (!text && !is_number(element, &x, &text))
+    const char *text = text_of(r, element_at(at, i));
+    if (!text)
       return refuse_at(r, at, "%s takes what it takes on the command line: a number, a text, or true", name);
-    if (!add_argument(w, text ? text : keep_number(r, x)))
-      return false;
+    w->arguments[w->argument_count++] = (char *)text;
   }
   return true;
 }

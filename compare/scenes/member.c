@@ -49,16 +49,17 @@ const config_setting_t *member_at(const config_setting_t *group, int i)
   return config_setting_get_elem(group, (unsigned)i);
 }
 
-bool is_number(const config_setting_t *at, double *value, const char **text)
+const char *text_of(const struct reading *r, const config_setting_t *at)
 {
-  *text = NULL;
+  char text[NUMBER_TEXT];
   switch (config_setting_type(at)) {
+  case CONFIG_TYPE_STRING: return config_setting_get_string(at);
   case CONFIG_TYPE_INT:
-  case CONFIG_TYPE_INT64: *value = (double)config_setting_get_int64(at); return true;
-  case CONFIG_TYPE_FLOAT: *value = config_setting_get_float(at); return true;
-  case CONFIG_TYPE_STRING: *text = config_setting_get_string(at); return read_number(*text, value);
-  default: return false;
+  case CONFIG_TYPE_INT64: number_text(text, (double)config_setting_get_int64(at), 0); break;
+  case CONFIG_TYPE_FLOAT: number_text(text, config_setting_get_float(at), 0); break;
+  default: return NULL;
   }
+  return keep(r, "%s", text);
 }
 
 const char *joined(char *text, size_t size, const char *const *names)
@@ -105,7 +106,6 @@ bool read_member(const struct reading *r, const config_setting_t *at, const stru
   const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
-  double x;
   switch (m->kind) {
   case MEMBER_OTHER: return true;
   case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(r, at, "%s takes a text in quotes", m->name);
@@ -121,9 +121,8 @@ bool read_member(const struct reading *r, const config_setting_t *at, const stru
     return (m->low <= n && n <= m->high)
            || refuse_at(r, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
   case MEMBER_NUMBER:
-    if (!is_number(at, &x, &text) || !isfinite(x))
-      return refuse_at(r, at, "%s is a finite number", m->name);
-    *(double *)field = x;
+    text = text_of(r, at);
+    return (text && read_number(text, (double *)field)) || refuse_at(r, at, "%s is a finite number", m->name);
   }
   return true;
 }
@@ -182,13 +181,6 @@ const char *keep(const struct reading *r, const char *format, ...)
   kept->next = r->scene->kept;
   r->scene->kept = kept;
   return kept->text;
-}
-
-const char *keep_number(const struct reading *r, double x)
-{
-  char text[NUMBER_TEXT];
-  number_text(text, x, 0);
-  return keep(r, "%s", text);
 }
 
 const char *path_beside(const struct reading *r, const char *path)

@@ -60,8 +60,8 @@ const config_setting_t *member_at(const config_setting_t *group, int i);
 /* The elements of a list or an array; anything else is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
-/* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
-bool is_number(const config_setting_t *at, double *value, const char **text);
+/* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
+const char *text_of(const struct reading *r, const config_setting_t *at);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;
@@ -69,7 +69,6 @@ struct kept { /* a text that the scene keeps */
 };
 /* A text for as long as the scene lives. NULL: no memory, which is said. */
 const char *keep(const struct reading *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
-const char *keep_number(const struct reading *r, double x);
 /* Paths of inputs are those of the folder of the scene; so "measured:FILE", and other gaits as they are. NULL as above. */
 const char *path_beside(const struct reading *r, const char *path);
 const char *gait_beside(const struct reading *r, const char *gait);

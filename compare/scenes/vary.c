@@ -16,41 +16,25 @@ static bool is_overridden(const struct reading *r, const struct sweep_variable *
          && (place < CRAWLER_NUMBERS ? given->written[place] != NULL : v->target == TARGET_GAIT && given->has_gait);
 }
 
-static bool is_of_words(const struct sweep_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
-
-static const char *read_word(const struct reading *r, const struct sweep_variable *v, const char **text)
-{
-  struct point probe = r->scene->base;
-  if (!*text)
-    return "it takes texts in quotes";
-  if (v->target == TARGET_LABEL)
-    return is_ascii(*text) ? NULL : "a label is of printable ASCII";
-  *text = gait_beside(r, *text);
-  return *text ? point_set(&probe, "gait", *text) : "out of memory";
-}
-
 static bool read_list(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   v->count = element_count(at);
   if (v->count < 1)
     return refuse_at(r, at, "%s has no values", v->name);
-  v->numbers = calloc((size_t)v->count, sizeof *v->numbers);
   v->texts = calloc((size_t)v->count, sizeof *v->texts);
-  if (!v->numbers || !v->texts)
+  if (!v->texts)
     return refuse_at(r, at, "out of memory");
   for (int i = 0; i < v->count; i++) {
-    const config_setting_t *element = element_at(at, i);
-    double *x = &v->numbers[i];
-    const char **text = &v->texts[i], *wrong;
-    if (is_of_words(v)) {
-      *text = config_setting_get_string(element);
-      wrong = read_word(r, v, text);
-    } else if (is_number(element, x, text) || (v->target == TARGET_NUMBER && *text))
-      wrong = sweep_wrong(v, &r->scene->base, *x, *text);
-    else
-      wrong = "it takes numbers, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
+    const char *text = text_of(r, element_at(at, i));
+    const char *wrong = "it takes values, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
+    if (text && v->target == TARGET_GAIT)
+      text = gait_beside(r, text);
+    if (text)
+      wrong = v->target == TARGET_LABEL && !is_ascii(text) ? "a label is of printable ASCII"
+                                                           : sweep_wrong(v, &r->scene->base, text);
     if (wrong)
-      return refuse_at(r, element, "%s: %s", v->name, wrong);
+      return refuse_at(r, element_at(at, i), "%s: %s", v->name, wrong);
+    v->texts[i] = text;
   }
   return true;
 }
@@ -71,7 +55,7 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   struct sweep_end *const range[] = { &v->from, &v->to };
   if (!read_members(r, at, members, &values, "a range", NULL))
     return false;
-  if (is_of_words(v))
+  if (v->target == TARGET_GAIT || v->target == TARGET_LABEL)
     return refuse_at(r, at, "%s takes texts in quotes, no range", v->name);
   if (!ends[0] || !ends[1] || values.count == 0)
     return refuse_at(r, at, "the range of %s needs from, to and count", v->name);
@@ -80,7 +64,7 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   for (int i = 0; i < 2; i++) {
     if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
-    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, range[i]->number, NULL);
+    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, text_of(r, ends[i]));
     if (!wrong && v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
       wrong = "an end of a range with log spacing is > 0";
     if (wrong)
