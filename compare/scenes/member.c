@@ -102,17 +102,15 @@ static bool read_word(const struct reading *r, const config_setting_t *at, const
 
 bool read_member(const struct reading *r, const config_setting_t *at, const struct member *m, void *into)
 {
-  char *field = (char *)into + m->field;
+  void *field = (char *)into + m->field;
   const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
   switch (m->kind) {
   case MEMBER_OTHER: return true;
   case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(r, at, "%s takes a text in quotes", m->name);
-  case MEMBER_TEXTS:
-    *(int *)((char *)into + m->count) = element_count(at);
-    return read_texts(r, at, m, (const char **)field);
-  case MEMBER_WORD: return read_word(r, at, m, (int *)field);
+  case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(r, at, m, field);
+  case MEMBER_WORD: return read_word(r, at, m, field);
   case MEMBER_FLAG:
     *(bool *)field = config_setting_get_bool(at) != 0;
     return type == CONFIG_TYPE_BOOL || refuse_at(r, at, "%s is true or false", m->name);
@@ -122,7 +120,7 @@ bool read_member(const struct reading *r, const config_setting_t *at, const stru
            || refuse_at(r, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
   case MEMBER_NUMBER:
     text = text_of(r, at);
-    return (text && read_number(text, (double *)field)) || refuse_at(r, at, "%s is a finite number", m->name);
+    return (text && read_number(text, field)) || refuse_at(r, at, "%s is a finite number", m->name);
   }
   return true;
 }

@@ -244,15 +244,14 @@ static double compute(struct scene_state *s, const struct quantity *q)
 {
   const struct scallop_crawler *c = &s->point.crawler;
   const struct quantities *all = &s->scene->quantities;
-  const struct comparison *series = NULL;
+  static const struct comparison none;
   const struct answer *a;
   double numbers[CRAWLER_NUMBERS];
   if (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0)
     return NAN; /* the point has no such thing */
   if (s->scene->plan.needs.certified_errors && quantity_is_series(q) && quantity_is_compared(all, q))
     return compared(s, (int)(q - all->item))->value; /* rounded from the one that the error is of */
-  if (q->of >= 0)
-    series = compared(s, q->of);
+  const struct comparison *series = q->of >= 0 ? compared(s, q->of) : &none;
   switch (q->kind) {
   case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
   case QUANTITY_V0: return state_v0(s);
