@@ -5,7 +5,7 @@
 
 #include "compare/scenes/parts.h"
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
