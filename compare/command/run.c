@@ -35,26 +35,6 @@ struct scenes {
   struct scene *scene;
 };
 
-/* Tables and plots all go to different places, and none in that of a file that is read. */
-static bool check_places(const struct scenes *all, const struct scene_options *o)
-{
-  static struct scene_places places;
-  const char *command = o->request.style.command;
-  places.count = 0;
-  for (int i = 0; i < all->count; i++)
-    places_reads(&places, &all->scene[i]);
-  if (o->explain)
-    return !o->request.style.has_output || places_writes(&places, command, o->request.style.output);
-  for (int i = 0; i < all->count; i++)
-    for (int w = 0; w < all->scene[i].wants; w++) {
-      const struct scene_want *want = &all->scene[i].want[w];
-      if (!places_writes(&places, command, want->file)
-          || (want->has_plot && !places_writes(&places, command, want->plot.file)))
-        return false;
-    }
-  return true;
-}
-
 /* What is done first, then what is not requested. */
 static enum exit_code explain(const struct scenes *all, const struct scene_options *o)
 {
@@ -173,7 +153,7 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
     complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
-  if (!check_places(all, o))
+  if (!scenes_check_files(all->scene, all->count, o))
     return EXIT_USAGE;
   if (o->explain)
     return explain(all, o);
