@@ -116,9 +116,8 @@ static void solve_and_check(long count, int threads)
   assert_int_equal(failed, 0);
 }
 
-static void every_family(void **state)
+TEST(every_family)
 {
-  (void)state;
   struct random r = { 20261121 };
   long counts[3] = { 0 };
   for (int which = 0; which < FAMILIES; which++)
@@ -142,9 +141,8 @@ static void every_family(void **state)
 }
 
 /* Blocks that end anywhere, and no crawler at all. */
-static void every_length(void **state)
+TEST(every_length)
 {
-  (void)state;
   struct random r = { 7 };
   for (long i = 0; i < 300; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, &scallop_gait_quadratic);
@@ -157,9 +155,8 @@ static void every_length(void **state)
 /* The last is more than OpenMP can start. */
 static const int numbers_of_threads[] = { 1, 2, 3, 4, 5, 100000000, 0 };
 
-static void threads_do_not_matter(void **state)
+TEST(threads_do_not_matter)
 {
-  (void)state;
   struct random r = { 11 };
   for (long i = 0; i < most(); i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
@@ -177,9 +174,8 @@ static void threads_do_not_matter(void **state)
 }
 
 /* Bad crawlers among good ones, at every place of a block: each keeps its own status. */
-static void failures_stay_where_they_are(void **state)
+TEST(failures_stay_where_they_are)
 {
-  (void)state;
   struct random r = { 13 };
   long bad = 0;
   for (long i = 0; i < 1000; i++) {
@@ -203,9 +199,8 @@ static void failures_stay_where_they_are(void **state)
 }
 
 /* What is not wanted is not touched. */
-static void only_what_is_wanted(void **state)
+TEST(only_what_is_wanted)
 {
-  (void)state;
   struct random r = { 17 };
   double displacement[200];
   for (long i = 0; i < 200; i++) {
@@ -220,8 +215,6 @@ static void only_what_is_wanted(void **state)
   assert_int_equal(scallop_steady_batch(&c, &s, 1), 0);
   assert_memory_equal(displacement, out.displacement, sizeof displacement);
 }
-
-/* ---- one phase ---- */
 
 static void check_phase(long i, enum scallop_phase_kind kind)
 {
@@ -242,9 +235,8 @@ static void check_phase(long i, enum scallop_phase_kind kind)
   check_modes(&p->modes[i], &r.modes);
 }
 
-static void every_family_of_phases(void **state)
+TEST(every_family_of_phases)
 {
-  (void)state;
   struct random r = { 20261122 };
   long counts[3] = { 0 };
   for (int which = 0; which < FAMILIES; which++)
@@ -268,9 +260,8 @@ static void every_family_of_phases(void **state)
 }
 
 /* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
-static void every_length_of_phases(void **state)
+TEST(every_length_of_phases)
 {
-  (void)state;
   struct random r = { 19 };
   for (long i = 0; i < 300; i++) {
     struct scallop_crawler c = random_crawler(&r, ORDINARY, every_gait[i % ALL_GAITS]);
@@ -289,9 +280,8 @@ static void every_length_of_phases(void **state)
   }
 }
 
-static void threads_do_not_matter_to_phases(void **state)
+TEST(threads_do_not_matter_to_phases)
 {
-  (void)state;
   struct random r = { 23 };
   for (long i = 0; i < most(); i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
@@ -311,9 +301,8 @@ static void threads_do_not_matter_to_phases(void **state)
 }
 
 /* Bad crawlers and bad start velocities among good ones: each keeps its own status, and its regime is not touched. */
-static void failures_of_phases_stay_where_they_are(void **state)
+TEST(failures_of_phases_stay_where_they_are)
 {
-  (void)state;
   struct random r = { 29 };
   long bad = 0, out_of_range = 0;
   for (long i = 0; i < 1000; i++) {
@@ -341,9 +330,8 @@ static void failures_of_phases_stay_where_they_are(void **state)
 }
 
 /* What is not wanted is not touched. */
-static void only_the_columns_that_are_wanted(void **state)
+TEST(only_the_columns_that_are_wanted)
 {
-  (void)state;
   struct random r = { 31 };
   double dxC[200];
   for (long i = 0; i < 200; i++) {
@@ -358,19 +346,4 @@ static void only_the_columns_that_are_wanted(void **state)
   assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &one, 2), 1);
   assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &all, 1), 1);
   assert_memory_equal(dxC, phase_out.dxC, sizeof dxC);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_family),
-                                      cmocka_unit_test(every_length),
-                                      cmocka_unit_test(threads_do_not_matter),
-                                      cmocka_unit_test(failures_stay_where_they_are),
-                                      cmocka_unit_test(only_what_is_wanted),
-                                      cmocka_unit_test(every_family_of_phases),
-                                      cmocka_unit_test(every_length_of_phases),
-                                      cmocka_unit_test(threads_do_not_matter_to_phases),
-                                      cmocka_unit_test(failures_of_phases_stay_where_they_are),
-                                      cmocka_unit_test(only_the_columns_that_are_wanted) };
-  return cmocka_run_group_tests_name("batch", tests, NULL, NULL);
 }

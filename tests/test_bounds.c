@@ -17,9 +17,7 @@ enum { PARTS = sizeof parts / sizeof *parts };
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
 enum { GAITS = 3 };
 
-/* ---- |exact - terms below T^order| <= C T^power ---- */
-
-struct ratios { /* of the bound to the error                                                 */
+struct ratios { /* of the bound, |exact - terms below T^order| <= C T^power, to the error */
   double all[CRAWLERS];
   int count;
 };
@@ -181,9 +179,8 @@ static int forget_all(void **state)
   return 0;
 }
 
-static void bounds_hold(void **state)
+TEST(bounds_hold)
 {
-  (void)state;
   static struct ratios small[QUANTITIES];
   for (int i = 0; i < CRAWLERS; i++)
     for (int k = 0; k < PARTS; k++)
@@ -196,11 +193,8 @@ static void bounds_hold(void **state)
   }
 }
 
-/* ---- T_end ---- */
-
-static void modes_of_the_limit_up_to_the_end(void **state)
+TEST(modes_of_the_limit_up_to_the_end)
 {
-  (void)state;
   static const double before[] = { 1e-3, 0.7, 0.999 };
   char modes[2 * SCALLOP_MODES_TEXT + 4];
   for (int i = 0; i < CRAWLERS; i++)
@@ -218,9 +212,8 @@ static bool ends_at(const struct subject *s, double part)
   return strcmp(modes, s->expansion.modes) != 0 || strstr(s->bounds[0].ends, "corner");
 }
 
-static void other_modes_beyond_the_end(void **state)
+TEST(other_modes_beyond_the_end)
 {
-  (void)state;
   int soon = 0, late = 0;
   for (int i = 0; i < CRAWLERS; i++) {
     bool later = ends_at(&subjects[i], 1.05);
@@ -236,8 +229,6 @@ static void other_modes_beyond_the_end(void **state)
   assert_int_equal(late, 0);
   assert_true(soon <= CRAWLERS / 10);
 }
-
-/* ---- refusals ---- */
 
 /* Refused, with a reason, and the bounds as they were */
 static void refuses_at(struct subject *s, slong order, slong precision, enum scallop_status wanted, const char *fragment)
@@ -257,9 +248,8 @@ static void refuses(struct subject *s, slong order, enum scallop_status wanted, 
   refuses_at(s, order, PRECISION, wanted, fragment);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   struct random r = { 20260842 };
   struct subject s;
   subject_init(&s);
@@ -296,9 +286,8 @@ static void refuse_modes(const struct scallop_rational_crawler *crawler, slong p
   arb_clear(T);
 }
 
-static void refusals_of_modes(void **state)
+TEST(refusals_of_modes)
 {
-  (void)state;
   struct random r = { 20260843 };
   struct subject s;
   subject_init(&s);
@@ -311,14 +300,4 @@ static void refusals_of_modes(void **state)
   subject_clear(&s);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(bounds_hold),
-    cmocka_unit_test(modes_of_the_limit_up_to_the_end),
-    cmocka_unit_test(other_modes_beyond_the_end),
-    cmocka_unit_test(refusals),
-    cmocka_unit_test(refusals_of_modes),
-  };
-  return cmocka_run_group_tests_name("bounds", tests, find_all, forget_all);
-}
+int main(void) { return check_run(find_all, forget_all); }

@@ -41,12 +41,9 @@ static void subject_clear(struct subject *s)
   arb_clear(s->one);
 }
 
-/* ---- levels ---- */
-
 /* |l'| of trapezoid: 0 to 16/13, and curve 0 is half of that. */
-static void levels(void **state)
+TEST(levels)
 {
-  (void)state;
   static const struct {
     double c;
     int crossings; /* -1: cannot be told */
@@ -70,9 +67,8 @@ static void levels(void **state)
 
 /* A branch has room for MOST_CROSSINGS, and 16 teeth are crossed twice as
  * often. */
-static void more_crossings_than_there_is_room_for(void **state)
+TEST(more_crossings_than_there_is_room_for)
 {
-  (void)state;
   struct teeth teeth;
   struct subject s;
   grow_teeth(&teeth);
@@ -94,8 +90,6 @@ static void more_crossings_than_there_is_room_for(void **state)
   subject_clear(&s);
 }
 
-/* ---- crossings that are none ---- */
-
 static void set_offset(struct subject *s, double u)
 {
   arb_t at;
@@ -107,9 +101,8 @@ static void set_offset(struct subject *s, double u)
 
 /* At the plateau, where the slope of the curve is that of the line: no time is
  * the crossing. */
-static void crossings_along_the_curve(void **state)
+TEST(crossings_along_the_curve)
 {
-  (void)state;
   const struct ring ring = { 4, PRECISION };
   struct subject s;
   struct base base;
@@ -150,14 +143,11 @@ static void crossings_along_the_curve(void **state)
   arb_clear(before);
 }
 
-/* ---- the limit ---- */
-
 /* m1 = m2, F1 = 7 F2, alpha = 3/4: w = 3/8, crossings and all are fractions
  * with a power of 2 below, so that balls hold them exactly; an enclosure is
  * found all the same, and holds it. */
-static void a_limit_that_balls_hold_exactly(void **state)
+TEST(a_limit_that_balls_hold_exactly)
 {
-  (void)state;
   const struct scallop_crawler c = { 1, 1, 7, 1, 1, 1, 0.75, &scallop_gait_quadratic };
   struct scallop_rational_crawler exact;
   struct limit l;
@@ -210,9 +200,8 @@ static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t 
 
 /* Minimum jerk is one polynomial in four pieces. F1 = 22 F2 and alpha = 0.9: as eps grows the first crossing of the extension moves from
  * the second piece into the first, and nothing happens there: the modes hold, and this is the steady state. */
-static void a_crossing_moves_to_another_piece(void **state)
+TEST(a_crossing_moves_to_another_piece)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 22, 1, 1, 1, 0.9, &minimum_jerk_gait };
   struct scallop_rational_crawler exact;
   struct scallop_steady_result steady;
@@ -252,9 +241,8 @@ static void a_crossing_moves_to_another_piece(void **state)
 }
 
 /* Where pieces are one function a crossing may as well be measured in any of them, from either end. */
-static void a_crossing_measured_elsewhere(void **state)
+TEST(a_crossing_measured_elsewhere)
 {
-  (void)state;
   const struct scallop_gait *const gaits[] = { &scallop_gait_sinusoidal, &minimum_jerk_gait, &trapezoid_gait };
   for (int g = 0; g < 3; g++) {
     const struct scallop_crawler c = { 1, 1, 4, 1, 1, 1, 0.75, gaits[g] };
@@ -284,17 +272,4 @@ static void a_crossing_measured_elsewhere(void **state)
     arb_clear(zero);
     arb_clear(u);
   }
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(levels),
-    cmocka_unit_test(more_crossings_than_there_is_room_for),
-    cmocka_unit_test(crossings_along_the_curve),
-    cmocka_unit_test(a_limit_that_balls_hold_exactly),
-    cmocka_unit_test(a_crossing_moves_to_another_piece),
-    cmocka_unit_test(a_crossing_measured_elsewhere),
-  };
-  return cmocka_run_group_tests_name("branch", tests, NULL, NULL);
 }

@@ -12,8 +12,6 @@
 
 enum { PHASE = 6, STEADY = 4, ULPS = 16, CONDITION_DIGITS = 50 };
 
-/* ---- balls ---- */
-
 static arb_ptr phase_quantity(struct scallop_certified_phase *r, int i)
 {
   arb_ptr all[PHASE] = { r->t1, r->dT, r->v_end, r->dx1, r->dx2, r->dxC };
@@ -45,8 +43,6 @@ static void check_digits(const arb_t x, long digits, const char *what)
     fail();
   }
 }
-
-/* ---- against the double solver ---- */
 
 struct worst {
   double ulps;
@@ -164,9 +160,8 @@ static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_ki
   scallop_certified_phase_clear(&r);
 }
 
-static void phases_agree_with_doubles(void **state)
+TEST(phases_agree_with_doubles)
 {
-  (void)state;
   struct random r = { 20260701 };
   static struct worst worst[PHASE];
   for (int i = 0; i < 140 * ALL_GAITS; i++) {
@@ -231,9 +226,8 @@ static void compare_steady(const struct scallop_crawler *c, struct worst *worst)
   scallop_certified_steady_clear(&r);
 }
 
-static void steady_states_agree_with_doubles(void **state)
+TEST(steady_states_agree_with_doubles)
 {
-  (void)state;
   struct random r = { 20260702 };
   static struct worst worst[STEADY];
   for (int i = 0; i < 28 * SMOOTH_GAITS; i++) {
@@ -242,8 +236,6 @@ static void steady_states_agree_with_doubles(void **state)
   }
   print_worst(worst, steady_names, STEADY);
 }
-
-/* ---- against 50-digit values of scripts/reference.py ---- */
 
 enum { COLUMNS = 27, LINE = 4096, FIRST_INPUT = 3, V0 = 11, MODES = 19, REFERENCE_DIGITS = 45 };
 
@@ -298,9 +290,8 @@ static void check_reference_row(char *const *cell)
   fmpq_clear(v0);
 }
 
-static void every_reference_row(void **state)
+TEST(every_reference_row)
 {
-  (void)state;
   static char line[LINE];
   FILE *file = fopen("tests/reference.tsv", "r");
   assert_non_null(file);
@@ -321,11 +312,8 @@ static void every_reference_row(void **state)
   assert_int_equal(rows, 896);
 }
 
-/* ---- against itself, with more digits ---- */
-
-static void more_digits_agree(void **state)
+TEST(more_digits_agree)
 {
-  (void)state;
   struct random r = { 20260703 };
   struct scallop_certified_steady few, many;
   struct scallop_certified_phase short_phase, long_phase;
@@ -365,9 +353,8 @@ static void more_digits_agree(void **state)
 
 /* A thousand digits where a double has none: T = 1e-30. The displacement of the default crawler tends to
  * (F1 - F2)(2 alpha - 1) L m / (alpha^2 F1 m1 + (1 - alpha)^2 F2 m2), m = m1 m2/M, with an error of order T^4: 120/37. */
-static void a_thousand_digits_of_a_small_period(void **state)
+TEST(a_thousand_digits_of_a_small_period)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rational_crawler exact;
   struct scallop_certified_steady s, more;
@@ -397,16 +384,4 @@ static void a_thousand_digits_of_a_small_period(void **state)
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&exact);
   arb_clear(limit);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_agree_with_doubles),
-    cmocka_unit_test(steady_states_agree_with_doubles),
-    cmocka_unit_test(every_reference_row),
-    cmocka_unit_test(more_digits_agree),
-    cmocka_unit_test(a_thousand_digits_of_a_small_period),
-  };
-  return cmocka_run_group_tests_name("certified", tests, NULL, NULL);
 }

@@ -5,8 +5,6 @@
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 
-/* ---- what is refused ---- */
-
 /* l' = 6 u (1 - u) in one piece: a parabola, which a straight line can touch at a rational point. */
 static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
@@ -39,9 +37,8 @@ static void check_undecided(const struct scallop_crawler *c, const char *v0_text
 }
 
 /* m1 = m2 = 1, tau = 1, L = 1: while both go forward v1 = v0 - (F1 + F2) t/2 - l'/2. */
-static void exact_coincidences_are_said(void **state)
+TEST(exact_coincidences_are_said)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &parabola_gait };
   check_undecided(&c, "1.6875", "body 1 touches"); /* v0 - 3 t/2 - 3 t (1 - t): 0 and least at t = 3/4 */
   c.gait = &scallop_gait_quadratic;
@@ -59,27 +56,22 @@ static void exact_coincidences_are_said(void **state)
 
 /* With l' to its digits the limit can be met within a phase as well: minimum jerk at t = 1/4, where l' = 135/128 and l'' = 45/8. Body 1
  * comes to rest there, v0 - l'/2 - (F1 + F2) t/2 = 0, and F1 - F2 = 45/8 is what it takes to hold it. */
-static void a_limit_met_where_a_body_comes_to_rest(void **state)
+TEST(a_limit_met_where_a_body_comes_to_rest)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 6, 0.375, 1, 2, 0.5, &minimum_jerk_gait };
   check_undecided(&c, "1.32421875", "force that holds body 1");
 }
 
 /* l' jumps from 0 to 1, and v1 with it from 1/2 to 0. */
-static void at_rest_after_a_jump(void **state)
+TEST(at_rest_after_a_jump)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &sawtooth_gait };
   check_undecided(&c, "0.5", "cannot be told from 0");
 }
 
-/* ---- a law that is not that of a gait ---- */
-
 /* l grows by 3/2, while the amplitude is 1: nothing is decided of any motion, and it is said why. */
-static void a_law_against_its_amplitude(void **state)
+TEST(a_law_against_its_amplitude)
 {
-  (void)state;
   const struct scallop_law law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 9, -9 }, 1 };
   struct scallop_piece pieces[2] = { parabola_extension[0], parabola_contraction[0] };
   struct scallop_gait gait = parabola_gait;
@@ -104,8 +96,6 @@ static void a_law_against_its_amplitude(void **state)
   scallop_rational_clear(&exact);
 }
 
-/* ---- a search that begins where nothing can be decided ---- */
-
 /* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the contraction, with l' at its
  * peak: there v = 2 m1/M + eps/2 in L/tau. M = 100, and eps = 1 in the extension: it ends with v = 2 m1/M a + 1/(2 a), a = alpha/(1 - alpha),
  * for that F1/F2. Velocities nearby are decided; unless, at alpha = 5/6, from rest is the steady state. */
@@ -116,9 +106,8 @@ static const struct from_rest {
 } from_rest[] = { { { 6, 7 }, 13357 * 49, 7318 * 49, 7443, { 427, 1800 }, false },
                   { { 5, 6 }, 74 * 144, 41 * 144, 115, { 6, 25 }, true } };
 
-static void a_search_from_an_undecided_velocity(void **state)
+TEST(a_search_from_an_undecided_velocity)
 {
-  (void)state;
   struct scallop_rational_crawler c;
   struct scallop_certified_phase p;
   struct scallop_certified_steady s;
@@ -178,9 +167,8 @@ static void check_domain(const struct scallop_rational_crawler *c, long digits)
   fmpq_clear(v0);
 }
 
-static void domain(void **state)
+TEST(domain)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rational_crawler exact;
   struct scallop_certified_steady s;
@@ -224,11 +212,8 @@ static void domain(void **state)
   scallop_rational_clear(&exact);
 }
 
-/* ---- exact zeros ---- */
-
-static void zeros_are_exact(void **state)
+TEST(zeros_are_exact)
 {
-  (void)state;
   struct scallop_rational_crawler exact;
   struct scallop_certified_steady s;
   scallop_rational_init(&exact);
@@ -252,9 +237,8 @@ static void zeros_are_exact(void **state)
 }
 
 /* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the exact answer. */
-static void barely_held(void **state)
+TEST(barely_held)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_quadratic };
   struct scallop_rational_crawler exact;
   struct scallop_certified_steady s;
@@ -268,8 +252,6 @@ static void barely_held(void **state)
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&exact);
 }
-
-/* ---- forces exactly at their limits, where l'' is constant ---- */
 
 struct at_limit {
   int m1, m2, F1, F2, L, T, alpha[2];
@@ -290,9 +272,8 @@ static const struct at_limit at_limits[] = {
 };
 
 /* Held, and so at rest: the motion of a body that friction would just let slide with acceleration 0 is the same. */
-static void forces_at_their_limits_hold(void **state)
+TEST(forces_at_their_limits_hold)
 {
-  (void)state;
   struct scallop_rational_crawler c;
   struct scallop_certified_steady s;
   char text[SCALLOP_MODES_TEXT];
@@ -315,20 +296,4 @@ static void forces_at_their_limits_hold(void **state)
   }
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&c);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(exact_coincidences_are_said),
-    cmocka_unit_test(a_limit_met_where_a_body_comes_to_rest),
-    cmocka_unit_test(at_rest_after_a_jump),
-    cmocka_unit_test(a_law_against_its_amplitude),
-    cmocka_unit_test(a_search_from_an_undecided_velocity),
-    cmocka_unit_test(domain),
-    cmocka_unit_test(zeros_are_exact),
-    cmocka_unit_test(barely_held),
-    cmocka_unit_test(forces_at_their_limits_hold),
-  };
-  return cmocka_run_group_tests_name("certified: edges", tests, NULL, NULL);
 }

@@ -72,9 +72,8 @@ static void check_laws(const struct scallop_rational_crawler *c, enum scallop_ph
   _arb_vec_clear(t, 3);
 }
 
-static void phases_obey_laws(void **state)
+TEST(phases_obey_laws)
 {
-  (void)state;
   struct random r = { 20260704 };
   struct scallop_certified_phase p, moved;
   struct scallop_rational_crawler exact;
@@ -101,9 +100,8 @@ static void phases_obey_laws(void **state)
 }
 
 /* "++ -+ ++" in the quadratic gait of the default crawler: where body 1 is at its turns, from l = 2 L (t/tau)^2 at both ends. */
-static void turning_places(void **state)
+TEST(turning_places)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rational_crawler exact;
   struct scallop_certified_phase p;
@@ -128,9 +126,8 @@ static void turning_places(void **state)
 }
 
 /* A period that is its own mirror image, half of it late, leads nowhere: whatever the masses and the forces. */
-static void mirrored_periods_lead_nowhere(void **state)
+TEST(mirrored_periods_lead_nowhere)
 {
-  (void)state;
   struct random r = { 20260705 };
   struct scallop_rational_crawler exact;
   struct scallop_certified_steady s;
@@ -150,14 +147,4 @@ static void mirrored_periods_lead_nowhere(void **state)
   }
   scallop_certified_steady_clear(&s);
   scallop_rational_clear(&exact);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_obey_laws),
-    cmocka_unit_test(turning_places),
-    cmocka_unit_test(mirrored_periods_lead_nowhere),
-  };
-  return cmocka_run_group_tests_name("certified: laws", tests, NULL, NULL);
 }

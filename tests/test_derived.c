@@ -20,8 +20,6 @@ struct scale {
 };
 static const struct scale ordinary = { 1e-30, 220, 800 }, wild = { 1e-100, 700, 2600 };
 
-/* ---- a quantity: its series and its exact values at T and T/8 ---- */
-
 struct quantity {
   const char *name;
   const struct series *series;
@@ -91,8 +89,6 @@ static void print_worst(const char *what)
   compared = 0;
   worst[0] = worst[1] = 0;
 }
-
-/* ---- phases ---- */
 
 enum { PHASE = 8 };
 
@@ -174,9 +170,8 @@ static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &sc
 enum { WITH_SERIES_OF_PHASES = 3, GAITS = 4 };
 
 /* Of small fractions, with either body stronger and alpha on either side of 1/2 */
-static void phases_of_ordinary_crawlers(void **state)
+TEST(phases_of_ordinary_crawlers)
 {
-  (void)state;
   struct random r = { 20260821 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -203,9 +198,8 @@ static void wild_crawler(struct scallop_rational_crawler *exact, struct random *
   set_small_T(exact, wild.eps);
 }
 
-static void phases_of_wild_crawlers(void **state)
+TEST(phases_of_wild_crawlers)
 {
-  (void)state;
   struct random r = { 20260822 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -218,9 +212,8 @@ static void phases_of_wild_crawlers(void **state)
 }
 
 /* l' = 1 throughout: a small velocity changes no mode. */
-static void phases_of_the_sawtooth(void **state)
+TEST(phases_of_the_sawtooth)
 {
-  (void)state;
   struct random r = { 20260823 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -232,8 +225,6 @@ static void phases_of_the_sawtooth(void **state)
   scallop_rational_clear(&c);
   print_worst("terms of the sawtooth");
 }
-
-/* ---- steady states ---- */
 
 enum { STEADY = 5 };
 
@@ -311,9 +302,8 @@ static bool steady_is_right(const struct scallop_rational_crawler *crawler, cons
   return right;
 }
 
-static void steady_states_of_ordinary_crawlers(void **state)
+TEST(steady_states_of_ordinary_crawlers)
 {
-  (void)state;
   struct random r = { 20260824 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -326,9 +316,8 @@ static void steady_states_of_ordinary_crawlers(void **state)
   print_worst("terms of steady states");
 }
 
-static void steady_states_of_wild_crawlers(void **state)
+TEST(steady_states_of_wild_crawlers)
 {
-  (void)state;
   struct random r = { 20260825 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -342,9 +331,8 @@ static void steady_states_of_wild_crawlers(void **state)
 }
 
 /* alpha = 1/2: v_start is of the order of T, and the body moves nowhere. F1 = F2: nothing moves. */
-static void steady_states_that_go_nowhere(void **state)
+TEST(steady_states_that_go_nowhere)
 {
-  (void)state;
   struct random r = { 20260826 };
   struct scallop_rational_crawler c;
   scallop_rational_init(&c);
@@ -359,14 +347,4 @@ static void steady_states_that_go_nowhere(void **state)
   }
   scallop_rational_clear(&c);
   print_worst("terms of steady states that go nowhere");
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_of_ordinary_crawlers),    cmocka_unit_test(phases_of_wild_crawlers),
-    cmocka_unit_test(phases_of_the_sawtooth),         cmocka_unit_test(steady_states_of_ordinary_crawlers),
-    cmocka_unit_test(steady_states_of_wild_crawlers), cmocka_unit_test(steady_states_that_go_nowhere),
-  };
-  return cmocka_run_group_tests_name("derived", tests, NULL, NULL);
 }

@@ -3,8 +3,6 @@
 
 #include "tests/expansions.h"
 
-/* ---- fractions and balls ---- */
-
 /* A fraction so close to pi^2 that only the last bits notice */
 static void nearly_pi_squared(fmpq_t q)
 {
@@ -16,9 +14,8 @@ static void nearly_pi_squared(fmpq_t q)
   arb_clear(pi);
 }
 
-static void pi_squared_as_a_fraction(void **state)
+TEST(pi_squared_as_a_fraction)
 {
-  (void)state;
   struct random r = { 20260837 };
   struct pair p;
   fmpq_t pi_squared;
@@ -52,8 +49,6 @@ static void pi_squared_as_a_fraction(void **state)
   arb_clear(y);
 }
 
-/* ---- refusals: a status, a reason, and the outputs as they were ---- */
-
 static void refuses_phase(struct pair *p, slong order, slong precision, const char *fragment)
 {
   const char *why = NULL;
@@ -82,9 +77,8 @@ static void refuses_steady(struct pair *p, slong order, slong precision, enum sc
     check_equal(steady_series(&p->steady[0], q), steady_series(&p->steady[1], q), 1, ORDER, "a refused steady state");
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   static const slong orders[] = { 0, -1, SCALLOP_MOST_TERMS + 1, WORD_MAX };
   struct random r = { 20260838 };
   struct pair p;
@@ -121,9 +115,8 @@ static void refusals(void **state)
 
 /* At m1 = 0.08627301503..., otherwise the default crawler, body 2 ceases to turn in the contraction as T -> 0. Near that, above it,
  * the limit is either refused or the one with the right modes: an extrapolation from the other side would be smooth and wrong. */
-static void limit_near_a_touch(void **state)
+TEST(limit_near_a_touch)
 {
-  (void)state;
   struct scallop_steady_expansion e;
   struct scallop_rational_crawler c;
   struct scallop_crawler defaults = scallop_crawler_default();
@@ -145,14 +138,4 @@ static void limit_near_a_touch(void **state)
   assert_true(refused < (int)(sizeof masses / sizeof *masses));
   scallop_steady_expansion_clear(&e);
   scallop_rational_clear(&c);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(pi_squared_as_a_fraction),
-    cmocka_unit_test(refusals),
-    cmocka_unit_test(limit_near_a_touch),
-  };
-  return cmocka_run_group_tests_name("derived edges", tests, NULL, NULL);
 }

@@ -71,13 +71,10 @@ static void check_sum(const struct series *series, const fmpq_t x, const arb_t w
   arb_clear(value);
 }
 
-/* ---- right ---- */
-
 /* Crossings are found wherever they are, but those at an end that is not an
  * anchor are refused. */
-static void one_piece(void **state)
+TEST(one_piece)
 {
-  (void)state;
   struct scallop_certified_steady c;
   struct subject s;
   const char *why = NULL;
@@ -107,9 +104,8 @@ static void one_piece(void **state)
 /* Each phase of a mixed gait is symmetric about its middle, but they are not
  * mirror images of each other: the displacement has no T^2 but at alpha = 1/2.
  */
-static void phases_of_two_kinds(void **state)
+TEST(phases_of_two_kinds)
 {
-  (void)state;
   const struct scallop_gait mixed[] = { mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal),
                                         mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic) };
   struct scallop_certified_steady c;
@@ -132,8 +128,6 @@ static void phases_of_two_kinds(void **state)
     }
   scallop_certified_steady_clear(&c);
 }
-
-/* ---- refused ---- */
 
 /* By all three, with a reason, and the outputs as they were */
 static void refuses(const struct scallop_gait *gait, double alpha, const char *fragment)
@@ -166,9 +160,8 @@ static void refuses(const struct scallop_gait *gait, double alpha, const char *f
   subject_clear(&s);
 }
 
-static void gaits_without_a_branch(void **state)
+TEST(gaits_without_a_branch)
 {
-  (void)state;
   struct teeth teeth;
   grow_teeth(&teeth);
   const struct scallop_gait backward = { "backward", { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
@@ -191,9 +184,8 @@ static void gaits_without_a_branch(void **state)
 }
 
 /* One phase, or one piece of it, without a law is enough. */
-static void gaits_without_a_law(void **state)
+TEST(gaits_without_a_law)
 {
-  (void)state;
   struct scallop_piece lawless[2][2];
   for (int kind = 0; kind < 2; kind++)
     for (int piece = 0; piece < 2; piece++) {
@@ -207,12 +199,9 @@ static void gaits_without_a_law(void **state)
     }
 }
 
-/* ---- laws ---- */
-
 /* A sine has exact coefficients at its zero only, and does not go on as a polynomial nor the other way round. */
-static void sines_and_polynomials(void **state)
+TEST(sines_and_polynomials)
 {
-  (void)state;
   const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces, *ramp = scallop_gait_quadratic.phase[0].pieces;
   bool turned;
   fmpq_poly_t series;
@@ -235,11 +224,8 @@ static void sines_and_polynomials(void **state)
   fmpq_clear(ten);
 }
 
-/* ---- by the names of the formulas ---- */
-
-static void quantities(void **state)
+TEST(quantities)
 {
-  (void)state;
   struct subject s;
   subject_init(&s, &scallop_gait_quadratic, 0.75);
   for (int kind = 0; kind < 2; kind++) {
@@ -257,9 +243,8 @@ static void quantities(void **state)
 
 /* Where l'' = 0 at both ends of a phase the kinematic length is 0/0: 0 stands
  * for it. A name that the paper does not have has no value. */
-static void symbols(void **state)
+TEST(symbols)
 {
-  (void)state;
   const struct ring ring = { 3, PRECISION };
   struct subject s;
   struct scallop_symbols symbols;
@@ -282,18 +267,4 @@ static void symbols(void **state)
   scallop_symbols_clear(&symbols);
   series_clear(&value);
   fmpq_clear(x);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(one_piece),
-    cmocka_unit_test(phases_of_two_kinds),
-    cmocka_unit_test(gaits_without_a_branch),
-    cmocka_unit_test(gaits_without_a_law),
-    cmocka_unit_test(sines_and_polynomials),
-    cmocka_unit_test(quantities),
-    cmocka_unit_test(symbols),
-  };
-  return cmocka_run_group_tests_name("derived, other gaits", tests, NULL, NULL);
 }

@@ -4,9 +4,8 @@
 
 #include "tests/expansions.h"
 
-static void few_terms_and_many(void **state)
+TEST(few_terms_and_many)
 {
-  (void)state;
   struct random r = { 20260831 };
   struct pair p;
   pair_init(&p);
@@ -27,9 +26,8 @@ static void few_terms_and_many(void **state)
 }
 
 /* Every number of terms gives that many. */
-static void every_order(void **state)
+TEST(every_order)
 {
-  (void)state;
   struct random r = { 20260832 };
   struct pair p;
   pair_init(&p);
@@ -74,9 +72,8 @@ static void change_units(struct pair *p, fmpq_t length, fmpq_t time, struct rand
   fmpq_clear(force);
 }
 
-static void units(void **state)
+TEST(units)
 {
-  (void)state;
   struct random r = { 20260833 };
   struct pair p;
   fmpq_t length, time, factor, per_time;
@@ -116,8 +113,6 @@ static void units(void **state)
   pair_clear(&p);
 }
 
-/* ---- symmetries ---- */
-
 static void exchange_bodies(struct scallop_rational_crawler *c)
 {
   fmpq_swap(c->m1, c->m2);
@@ -125,9 +120,8 @@ static void exchange_bodies(struct scallop_rational_crawler *c)
 }
 
 /* A contraction is an extension with the bodies exchanged, if the gait goes back as it came. */
-static void contraction_is_an_extension_exchanged(void **state)
+TEST(contraction_is_an_extension_exchanged)
 {
-  (void)state;
   struct random r = { 20260834 };
   struct pair p;
   static const int partner[PHASE] = { 0, 2, 1, 3, 4, 5, 6, 7 };
@@ -153,9 +147,8 @@ static void contraction_is_an_extension_exchanged(void **state)
 }
 
 /* In a mirror the bodies change places and velocities their signs. */
-static void mirrored(void **state)
+TEST(mirrored)
 {
-  (void)state;
   struct random r = { 20260835 };
   struct pair p;
   static const int partner[PHASE] = {
@@ -185,9 +178,8 @@ static void mirrored(void **state)
 /* Backward in time friction drives: eps becomes -eps, T becomes i T, and the steady motion is that of the exchanged phases. So for
  * a gait that looks the same backward v_mid has the coefficients of v_start with alternating signs, and the
  * displacement has powers of T^4 only. For the trapezoid neither holds. */
-static void reversed_in_time(void **state)
+TEST(reversed_in_time)
 {
-  (void)state;
   struct random r = { 20260836 };
   struct scallop_rational_crawler c;
   struct scallop_steady_expansion e;
@@ -220,17 +212,4 @@ static void reversed_in_time(void **state)
   series_clear(&mid);
   scallop_rational_clear(&c);
   scallop_steady_expansion_clear(&e);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(few_terms_and_many),
-    cmocka_unit_test(every_order),
-    cmocka_unit_test(units),
-    cmocka_unit_test(contraction_is_an_extension_exchanged),
-    cmocka_unit_test(mirrored),
-    cmocka_unit_test(reversed_in_time),
-  };
-  return cmocka_run_group_tests_name("derived laws", tests, NULL, NULL);
 }

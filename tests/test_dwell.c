@@ -28,12 +28,9 @@ static void check_text(const struct scallop_modes *modes, const char *wanted)
   assert_string_equal(text, wanted);
 }
 
-/* ---- by hand ---- */
-
 /* In the dwell at the start v' = -(F1 + F2)/M = -64: from v0 = 3 both rest after 3/64, 9/128 further on; then body 2 goes out and back. */
-static void comes_to_rest_in_a_dwell(void **state)
+TEST(comes_to_rest_in_a_dwell)
 {
-  (void)state;
   struct scallop_crawler c = anchored(&wait_gait);
   struct scallop_phase_result r;
   double tau = 0.75, way = 9. / 128;
@@ -52,9 +49,8 @@ static void comes_to_rest_in_a_dwell(void **state)
 }
 
 /* Body 1 never moves: at rest, whatever body 2 does. */
-static void rests(void **state)
+TEST(rests)
 {
-  (void)state;
   struct scallop_crawler c = anchored(&wait_gait);
   struct scallop_phase_result r;
   struct scallop_period_result p;
@@ -74,9 +70,8 @@ static void rests(void **state)
 }
 
 /* Above every curve the dwells are nothing special: v' = -(F1 + F2)/M throughout. */
-static void passes_a_dwell(void **state)
+TEST(passes_a_dwell)
 {
-  (void)state;
   struct scallop_crawler c = anchored(&pause_gait);
   struct scallop_phase_result r;
   struct scallop_period_result p;
@@ -94,9 +89,8 @@ static void passes_a_dwell(void **state)
 /* A dwell of a fourth of the time costs a fourth of the friction there is. What the phases of unlike duration bring has to be more, or it comes to
  * rest there however short the period is: (F1 - F2)/(F1 + F2) (2 alpha - 1) 3/4 = 0.576 here, and 0.225 by default. With phases of one duration what the contraction does is the mirror image of what the
  * extension does, half a period late. */
-static void slides_on(void **state)
+TEST(slides_on)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result s;
   struct scallop_period_result again;
@@ -121,9 +115,8 @@ static void slides_on(void **state)
 }
 
 /* Held by a dwell for any length of time, and moving otherwise: stick-slip, and the start is forgotten. */
-static void a_dwell_forgets(void **state)
+TEST(a_dwell_forgets)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_period_result p, q;
   c.gait = &wait_gait;
@@ -156,16 +149,13 @@ static bool watch(void *context, const struct scallop_sample *s)
   return true;
 }
 
-static void trajectory_through_a_dwell(void **state)
+TEST(trajectory_through_a_dwell)
 {
-  (void)state;
   struct scallop_crawler c = anchored(&wait_gait);
   struct watched w = { 0, 0, 0 };
   assert_int_equal(scallop_trajectory(&c, 3, 1, 512, watch, &w), SCALLOP_OK);
   assert_int_equal(w.samples, 512 * 3 / 32 + 1);
 }
-
-/* ---- by other solvers ---- */
 
 static void check_wide(const struct scallop_wide *got, const arb_t wanted, double size)
 {
@@ -178,9 +168,8 @@ static void check_wide(const struct scallop_wide *got, const arb_t wanted, doubl
 }
 
 /* In doubles the same is done in test_odd_gaits.c. */
-static void binary128_and_certified(void **state)
+TEST(binary128_and_certified)
 {
-  (void)state;
   struct random r = { 20261201 };
   if (scallop_width_bits(SCALLOP_BINARY128) == 0)
     skip();
@@ -211,9 +200,8 @@ static void binary128_and_certified(void **state)
 }
 
 /* Seen in a mirror from the other side body 1 is body 2. */
-static void mirror(void **state)
+TEST(mirror)
 {
-  (void)state;
   struct random r = { 20261202 };
   for (int i = 0; i < 50 * DWELLING; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, dwelling[i % DWELLING]), m = c;
@@ -230,26 +218,9 @@ static void mirror(void **state)
 }
 
 /* There is no series for it, and the reason says that l' is 0 within a phase. */
-static void no_series(void **state)
+TEST(no_series)
 {
-  (void)state;
   for (int i = 0; i < DWELLING; i++)
     assert_false(branch_is_possible(dwelling[i]));
   assert_non_null(strstr(branch_impossible, "l' is 0"));
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(comes_to_rest_in_a_dwell),
-    cmocka_unit_test(rests),
-    cmocka_unit_test(passes_a_dwell),
-    cmocka_unit_test(slides_on),
-    cmocka_unit_test(a_dwell_forgets),
-    cmocka_unit_test(trajectory_through_a_dwell),
-    cmocka_unit_test(binary128_and_certified),
-    cmocka_unit_test(mirror),
-    cmocka_unit_test(no_series),
-  };
-  return cmocka_run_group_tests_name("dwells", tests, NULL, NULL);
 }

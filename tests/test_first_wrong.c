@@ -187,9 +187,8 @@ static void check_steady_formula(struct subject *s, int k, bool inside)
     check_wrong(s, &scallop_published[k], SCALLOP_EXTENSION, inside ? wanted[k].inside : wanted[k].outside);
 }
 
-static void published_for_the_quadratic_gait(void **state)
+TEST(published_for_the_quadratic_gait)
 {
-  (void)state;
   struct random r = { 20260861 };
   struct subject s;
   subject_init(&s);
@@ -210,8 +209,6 @@ static void published_for_the_quadratic_gait(void **state)
   assert_null(scallop_published[WANTED].name);
   subject_clear(&s);
 }
-
-/* ---- the corrected ones ---- */
 
 /* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in T^4: not so
  * for the trapezoid. */
@@ -243,9 +240,8 @@ static void set_start(struct subject *s, enum scallop_setting start, enum scallo
     fmpq_mul_si(c->F2, c->F1, 1);
 }
 
-static void corrected_phases(void **state)
+TEST(corrected_phases)
 {
-  (void)state;
   static const enum scallop_setting starts[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_AT_REST_START,
                                                  SCALLOP_AT_REST_EQUAL_FORCES };
   enum { STARTS = sizeof starts / sizeof *starts };
@@ -266,9 +262,8 @@ static void corrected_phases(void **state)
 }
 
 /* Where a body does not turn at all in one of the phases: the names say which. Like (26) to (28) they are for the quadratic gait. */
-static void corrected_steady_states(void **state)
+TEST(corrected_steady_states)
 {
-  (void)state;
   struct random r = { 20260863 };
   struct subject s;
   int found[2] = { 0, 0 };
@@ -289,14 +284,4 @@ static void corrected_steady_states(void **state)
   }
   assert_true(found[0] >= 20 && found[1] >= 20);
   subject_clear(&s);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(published_for_the_quadratic_gait),
-    cmocka_unit_test(corrected_phases),
-    cmocka_unit_test(corrected_steady_states),
-  };
-  return cmocka_run_group_tests_name("first wrong", tests, NULL, NULL);
 }

@@ -40,9 +40,8 @@ static double value(const char *text)
   return formula_double(&formula, values);
 }
 
-static void operators_bind_as_in_print(void **state)
+TEST(operators_bind_as_in_print)
 {
-  (void)state;
   static const struct {
     const char *text;
     double wanted;
@@ -59,9 +58,8 @@ static void operators_bind_as_in_print(void **state)
       fail_msg("%s = %g, not %g", formulas[i].text, value(formulas[i].text), formulas[i].wanted);
 }
 
-static void numbers_are_decimal(void **state)
+TEST(numbers_are_decimal)
 {
-  (void)state;
   CHECK_EQUAL(value("12.5"), 12.5);
   CHECK_EQUAL(value(".5"), 0.5);
   CHECK_EQUAL(value("5."), 5);
@@ -75,9 +73,8 @@ static void numbers_are_decimal(void **state)
   CHECK_EQUAL(value("1.7976931348623157e308"), 0x1.fffffffffffffp+1023);
 }
 
-static void functions(void **state)
+TEST(functions)
 {
-  (void)state;
   CHECK_EQUAL(value("abs(x)"), 2.385);
   CHECK_EQUAL(value("abs(-x)"), 2.385);
   CHECK_EQUAL(value("sqrt(2)"), sqrt(2));
@@ -99,9 +96,8 @@ static void functions(void **state)
   CHECK_EQUAL(value("-abs(-3)^2"), -9);
 }
 
-static void names_of_every_kind(void **state)
+TEST(names_of_every_kind)
 {
-  (void)state;
   CHECK_EQUAL(value("F1/F2"), 4.25 / 1.5);
   CHECK_EQUAL(value("series:dT.15*2"), 15);
   CHECK_EQUAL(value("min_+1"), 12);
@@ -110,9 +106,8 @@ static void names_of_every_kind(void **state)
   CHECK_EQUAL(value("T*x/F2"), 0.3 * -2.385 / 1.5);
 }
 
-static void outside_of_domains(void **state)
+TEST(outside_of_domains)
 {
-  (void)state;
   CHECK_EQUAL(value("sqrt(x)"), NAN);
   CHECK_EQUAL(value("log(x)"), NAN);
   CHECK_EQUAL(value("asin(x)"), NAN);
@@ -137,9 +132,8 @@ static uint64_t bits(double x)
   return b;
 }
 
-static void a_name_alone_gives_its_bits(void **state)
+TEST(a_name_alone_gives_its_bits)
 {
-  (void)state;
   static const uint64_t patterns[] = { 0x8000000000000000U, 0x7ff8000000000123U, 0xfff8000000000001U,
                                        0x0000000000000001U, 0x7ff0000000000000U, 0x3fb999999999999aU };
   struct formula formula;
@@ -163,9 +157,8 @@ static double power_of(const char *exponent, double x)
 }
 
 /* To 16 by multiplication, each within its half ulps; the next ones are pow's. */
-static void powers(void **state)
+TEST(powers)
 {
-  (void)state;
   char text[20];
   for (double x = -3.7; x < 3.8; x += 0.0137) {
     double x2 = x * x, x4 = x2 * x2;
@@ -188,9 +181,8 @@ static void powers(void **state)
   }
 }
 
-static void the_places_it_uses(void **state)
+TEST(the_places_it_uses)
 {
-  (void)state;
   struct formula formula;
   int places[FORMULA_STEPS];
   assert_null(compile(&formula, "T + F1*T - min(F1, x, T) + a"));
@@ -250,9 +242,8 @@ static const struct {
   { "1+max(T)", "character 3: max takes two arguments or more, not 1", "" },
 };
 
-static void what_is_wrong_is_said(void **state)
+TEST(what_is_wrong_is_said)
 {
-  (void)state;
   for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
     struct formula formula, before;
     memset(&formula, 0x5a, sizeof formula);
@@ -287,9 +278,8 @@ static char *repeated(const char *begin, int count, const char *part, const char
   return text;
 }
 
-static void limits(void **state)
+TEST(limits)
 {
-  (void)state;
   /* 128 numbers and 127 operations, and one more of either */
   CHECK_EQUAL(value(repeated("1", 127, "+1", "")), 128);
   CHECK_EQUAL(value(repeated("-1", 127, "+1", "")), 126);
@@ -320,30 +310,11 @@ static void limits(void **state)
   assert_wrong(repeated("2*0.", 1197, "0", "1"), "character 3: a number of 1200 characters: it may have 1199");
 }
 
-static void names_are_asked_once_each_time(void **state)
+TEST(names_are_asked_once_each_time)
 {
-  (void)state;
   struct formula formula;
   int asked = 0;
   char message[FORMULA_MESSAGE];
   assert_null(formula_read(&formula, "F1+log(F1)*T", &(struct formula_names){ place_of, NULL, &asked }, message));
   assert_int_equal(asked, 3);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(operators_bind_as_in_print),
-    cmocka_unit_test(numbers_are_decimal),
-    cmocka_unit_test(functions),
-    cmocka_unit_test(names_of_every_kind),
-    cmocka_unit_test(outside_of_domains),
-    cmocka_unit_test(a_name_alone_gives_its_bits),
-    cmocka_unit_test(powers),
-    cmocka_unit_test(the_places_it_uses),
-    cmocka_unit_test(what_is_wrong_is_said),
-    cmocka_unit_test(limits),
-    cmocka_unit_test(names_are_asked_once_each_time),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,9 +63,8 @@ static void check_number(const char *text, slong numerator, ulong denominator)
   series_clear(&value);
 }
 
-static void precedence(void **state)
+TEST(precedence)
 {
-  (void)state;
   check_number("1 + 2*3", 7, 1);
   check_number("(1 + 2)*3", 9, 1);
   check_number("2*3 + 1", 7, 1);
@@ -82,9 +81,8 @@ static void precedence(void **state)
   check_number("0", 0, 1);
 }
 
-static void unary_minus(void **state)
+TEST(unary_minus)
 {
-  (void)state;
   check_number("-1", -1, 1);
   check_number("-2^2", -4, 1);
   check_number("(-2)^2", 4, 1);
@@ -98,9 +96,8 @@ static void unary_minus(void **state)
   check_number("-1/2 - 1/2", -1, 1);
 }
 
-static void powers(void **state)
+TEST(powers)
 {
-  (void)state;
   check_number("2^10", 1024, 1);
   check_number("7^1", 7, 1);
   check_number("7^0", 1, 1);
@@ -117,9 +114,8 @@ static void powers(void **state)
   check_number("(x^2 + 3*x)^2/x^2 - x^2 - 6*x", 9, 1);
 }
 
-static void parentheses(void **state)
+TEST(parentheses)
 {
-  (void)state;
   check_number("((((5))))", 5, 1);
   check_number("((1 + 2)*(3 + (4 - 2)))/(5)", 3, 1);
   check_number("(2 - (3 - (4 - (5 - 6))))", 4, 1);
@@ -127,9 +123,8 @@ static void parentheses(void **state)
 }
 
 /* 0.1 is a tenth, not the double. */
-static void decimals_are_exact(void **state)
+TEST(decimals_are_exact)
 {
-  (void)state;
   check_number("0.1", 1, 10);
   check_number("1.5", 3, 2);
   check_number("25e-2*4", 1, 1);
@@ -138,9 +133,8 @@ static void decimals_are_exact(void **state)
 }
 
 /* 1/(1 - x)^2 and (1 + x)^3/x, by what everybody knows of them */
-static void series_in_the_variable(void **state)
+TEST(series_in_the_variable)
 {
-  (void)state;
   static const slong binomial[] = { 1, 3, 3, 1 };
   struct series value;
   fmpq_t c;
@@ -161,9 +155,8 @@ static void series_in_the_variable(void **state)
   fmpq_clear(c);
 }
 
-static void refusals_change_nothing(void **state)
+TEST(refusals_change_nothing)
 {
-  (void)state;
   static const char *const bad[] = { "",       " ",           "unknown",     "1 + unknown", "1 +",    "1 -",
                                      "1 *",    "1 /",         "* 2",         "/ 2",         "+ 1",    "1 + + 2",
                                      "1 ** 2", "(1",          "1)",          "()",          "((1)",   "(1))",
@@ -187,9 +180,8 @@ static void refusals_change_nothing(void **state)
   work_clear(w);
 }
 
-static void what_a_series_cannot_do(void **state)
+TEST(what_a_series_cannot_do)
 {
-  (void)state;
   static const char *const refusals[][2] = {
     { "1 + sqrt(2)", "character 5: sqrt of a series is not known" },
     { "min(1, x)", "character 1: min of a series is not known" },
@@ -208,9 +200,8 @@ static void what_a_series_cannot_do(void **state)
 }
 
 /* pi is enclosed, to the precision of the ring. */
-static void pi_is_a_ball(void **state)
+TEST(pi_is_a_ball)
 {
-  (void)state;
   struct series value;
   arb_t got, pi;
   series_init(&value);
@@ -227,9 +218,8 @@ static void pi_is_a_ball(void **state)
 }
 
 /* In balls: every operation encloses the same one in double, and 0.1 is a tenth. */
-static void in_balls(void **state)
+TEST(in_balls)
 {
-  (void)state;
   static const char *const formulas[] = { "three/7 - -none", "half^three", "2^half",       "2^-3",          "abs(-three)",
                                           "sqrt(three)",     "exp(half)",  "log(three)",   "log10(three)",  "sin(half)",
                                           "cos(half)",       "asin(half)", "min(3, half)", "max(1,half,3)", "2*pi*0.25" };
@@ -291,9 +281,8 @@ static void random_formula(char text[TEXT], fmpq_t value, struct random *r, int 
   fmpq_clear(other);
 }
 
-static void random_formulas(void **state)
+TEST(random_formulas)
 {
-  (void)state;
   struct random r = { 20260813 };
   static char text[TEXT];
   struct series value;
@@ -330,9 +319,8 @@ static void check_parsed(const char *text, const char *fraction)
   fmpq_clear(wanted);
 }
 
-static void numbers(void **state)
+TEST(numbers)
 {
-  (void)state;
   static const char *const good[][2] = {
     { "0.7", "7/10" },
     { ".5", "1/2" },
@@ -368,9 +356,8 @@ static void numbers(void **state)
     check_parsed(good[i][0], good[i][1]);
 }
 
-static void what_is_no_number(void **state)
+TEST(what_is_no_number)
 {
-  (void)state;
   static const char *const bad[] = { "",
                                      " ",
                                      "1e",
@@ -426,9 +413,8 @@ static void what_is_no_number(void **state)
 }
 
 /* In hexadecimal, and in decimals with all of its digits, a double is read as the number it is. */
-static void doubles_in_and_out(void **state)
+TEST(doubles_in_and_out)
 {
-  (void)state;
   struct random r = { 20260814 };
   static char text[2000];
   fmpq_t parsed, exact;
@@ -444,25 +430,4 @@ static void doubles_in_and_out(void **state)
   }
   fmpq_clear(parsed);
   fmpq_clear(exact);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(precedence),
-    cmocka_unit_test(unary_minus),
-    cmocka_unit_test(powers),
-    cmocka_unit_test(parentheses),
-    cmocka_unit_test(decimals_are_exact),
-    cmocka_unit_test(series_in_the_variable),
-    cmocka_unit_test(what_a_series_cannot_do),
-    cmocka_unit_test(pi_is_a_ball),
-    cmocka_unit_test(in_balls),
-    cmocka_unit_test(refusals_change_nothing),
-    cmocka_unit_test(random_formulas),
-    cmocka_unit_test(numbers),
-    cmocka_unit_test(what_is_no_number),
-    cmocka_unit_test(doubles_in_and_out),
-  };
-  return cmocka_run_group_tests_name("formula_series", tests, NULL, NULL);
 }

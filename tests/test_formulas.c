@@ -12,8 +12,6 @@
 enum { PRECISION = 300, LENGTH = 24 };
 static const struct ring ring = { LENGTH, PRECISION };
 
-/* ---- a second reader: values in doubles, each with its size ---- */
-
 /* The size is what the formula is with the absolute value of every term, as in test_published.c: a rounding error is a few epsilon
  * of it. */
 struct sized {
@@ -110,8 +108,6 @@ static struct sized sum(struct reader *r)
   }
 }
 
-/* ---- texts and functions ---- */
-
 /* No formula has more than 32 operations; the inputs l0, lT and L_kin are rounded themselves, and enter with small powers. */
 #define ROUNDING (32 * DBL_EPSILON)
 
@@ -192,9 +188,8 @@ static void check_steady_texts(const struct scallop_crawler *c, struct scallop_s
   scallop_rational_clear(&exact);
 }
 
-static void texts_are_the_functions(void **state)
+TEST(texts_are_the_functions)
 {
-  (void)state;
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
   struct random r = { 20260851 };
   struct scallop_symbols s;
@@ -217,9 +212,8 @@ static const struct scallop_formula *corrected_named(const char *name)
 }
 
 /* What corrects a formula gives the same quantity, and no less of it. */
-static void corrected_ones_exist(void **state)
+TEST(corrected_ones_exist)
 {
-  (void)state;
   const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++) {
@@ -235,13 +229,4 @@ static void corrected_ones_exist(void **state)
     }
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     assert_true(f->text && !f->corrected && !f->phase && !f->steady);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(texts_are_the_functions),
-    cmocka_unit_test(corrected_ones_exist),
-  };
-  return cmocka_run_group_tests_name("formulas", tests, NULL, NULL);
 }

@@ -44,9 +44,8 @@ static void around_edge(const struct scallop_crawler *c, enum scallop_phase_kind
   }
 }
 
-static void every_edge(void **state)
+TEST(every_edge)
 {
-  (void)state;
   struct random r = { 31 };
   for (int n = 0; n < CRAWLERS; n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, every_gait[n % SMOOTH_GAITS]);
@@ -67,9 +66,8 @@ static void every_edge(void **state)
 }
 
 /* This one did not end: the line touches the curve at the very time from which friction can hold the body. */
-static void touches_where_it_is_held(void **state)
+TEST(touches_where_it_is_held)
 {
-  (void)state;
   struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1, 0x1.3305d4310c97ep+8, 0x1.7a4c877234cdap+7,
                                0x1.5ac4f07b010d9p+3, 0x1.0a883a7556ce8p+0, 0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
   char text[SCALLOP_MODES_TEXT];
@@ -80,9 +78,8 @@ static void touches_where_it_is_held(void **state)
 
 /* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on, and was
  * once found to slide on for a twelfth of the phase. */
-static void stops_at_once(void **state)
+TEST(stops_at_once)
 {
-  (void)state;
   struct scallop_crawler c = { 1.6810482026957038e-09, 19782534.230478894,  231.11260285226103, 0.13007378432978592, 1,
                                66095444.255873002,     0.66363254363346347, &minimum_jerk_gait };
   char text[SCALLOP_MODES_TEXT];
@@ -93,9 +90,8 @@ static void stops_at_once(void **state)
 }
 
 /* m1 = m2 = 1, tau = 1, L = 1: l' = 0 at t = 3/4, where both bodies, which go backward at -12 + 16 t -+ l'/2, come to rest at once. */
-static void stops_where_the_length_turns(void **state)
+TEST(stops_where_the_length_turns)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 20, 12, 1, 2, 0.5, &there_and_back_gait };
   char text[SCALLOP_MODES_TEXT];
   struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -12);
@@ -117,9 +113,8 @@ static void stops_where_the_length_turns(void **state)
       RUN(BUMP_END, 0.75, sign, (sign)*BUMP_FALL, (sign) * -BUMP_FALL), \
       SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -BUMP_FALL)
 
-static void lets_go_for_a_while(void **state)
+TEST(lets_go_for_a_while)
 {
-  (void)state;
   static const struct scallop_piece out[] = { BUMP(1) }, back[] = { BUMP(-1) };
   static const struct scallop_gait bump = {
     "bump", { { out, 5, 5, -BUMP_FALL, 2, 1, false, false }, { back, 5, -5, BUMP_FALL, 2, -1, false, false } }
@@ -135,9 +130,8 @@ static void lets_go_for_a_while(void **state)
 }
 
 /* Forces so weak that the square of a velocity is nothing: a phase is the first half of the period all the same. */
-static void weak_forces(void **state)
+TEST(weak_forces)
 {
-  (void)state;
   static const struct {
     struct scallop_crawler crawler;
     double v0, v_mid;
@@ -161,22 +155,12 @@ static void weak_forces(void **state)
 }
 
 /* So light a body that the steady velocity is 1e-147 of l': no bracket is too wide. */
-static void far_from_the_guess(void **state)
+TEST(far_from_the_guess)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
                                1, 0.39310801961328146,     &scallop_gait_sinusoidal };
   struct scallop_steady_result s;
   assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
   CHECK_NEAR(s.period.v_start, -7.170448668775392e-147, 1e-160);
   CHECK_NEAR(s.period.v_end, s.period.v_start, 1e-160);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge),          cmocka_unit_test(touches_where_it_is_held),
-                                      cmocka_unit_test(stops_at_once),       cmocka_unit_test(stops_where_the_length_turns),
-                                      cmocka_unit_test(lets_go_for_a_while), cmocka_unit_test(weak_forces),
-                                      cmocka_unit_test(far_from_the_guess) };
-  return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
 }

@@ -71,8 +71,6 @@ static void require(bool holds, const char *what, int line)
 }
 #define REQUIRE(condition) require(condition, #condition, __LINE__)
 
-/* ---- an interval as functions of its offset u ---- */
-
 static double sense(const struct scallop_interval *i) { return i->piece->anchor == SCALLOP_FROM_START ? 1 : -1; }
 static double duration(const struct scallop_interval *i) { return sense(i) * (i->u_end - i->u_begin); }
 static double rate(const struct scallop_interval *i, double u) { return i->piece->curve->velocity(i->piece, u); }
@@ -113,8 +111,6 @@ static double size(const struct phase *p, const struct scallop_interval *i, int 
   double c = fmax(fabs(i->c_begin), fabs(i->c_end)), l = fmax(fabs(rate(i, i->u_begin)), fabs(rate(i, i->u_end)));
   return c + mu * l + (fabs(i->c_slope) + mu * largest_bend(i)) * u;
 }
-
-/* ---- the laws ---- */
 
 /* Friction on both bodies while they slide. F1 - F2 from the inputs: it can be small. */
 static double total_friction(const struct phase *p, const struct scallop_interval *i)
@@ -196,8 +192,6 @@ static void order_and_continuity(const struct phase *p)
   NEAR(first->c_begin, p->v0 / p->unit, ROUNDOFF * fabs(p->v0 / p->unit));
 }
 
-/* ---- the balances ---- */
-
 struct integral {
   double value, terms;
 }; /* terms: the integral of what was summed, in absolute values */
@@ -269,8 +263,6 @@ static void momentum_balance(const struct phase *p)
   NEAR(p->interval[p->count - 1].c_end - p->interval[0].c_begin, impulse, ROUNDOFF * (terms + jumps));
 }
 
-/* ---- the result of the phase against its intervals ---- */
-
 static bool same_mode(struct scallop_mode a, struct scallop_mode b) { return a.s1 == b.s1 && a.s2 == b.s2; }
 
 static double from_start(const struct scallop_interval *i, double u) { return sense(i) > 0 ? u : 1 - u; }
@@ -327,8 +319,6 @@ static void displacements(const struct phase *p, const struct scallop_phase_resu
   NEAR(r->dx2 - r->dx1, stroke * L, ROUNDOFF * (fabs(r->dx1) + fabs(r->dx2)));
 }
 
-/* ---- one phase, all laws ---- */
-
 static void keep(void *context, const struct scallop_interval *interval)
 {
   struct phase *p = context;
@@ -382,46 +372,17 @@ static void family(enum family which, uint64_t seed)
   print_message("largest share of a tolerance used: %.2g\n", worst_share);
 }
 
-static void ordinary(void **state)
-{
-  (void)state;
-  family(ORDINARY, 1);
-}
-static void stick_slip(void **state)
-{
-  (void)state;
-  family(STICK_SLIP, 2);
-}
-static void extreme_ratios(void **state)
-{
-  (void)state;
-  family(EXTREME_RATIOS, 3);
-}
-static void small_period(void **state)
-{
-  (void)state;
-  family(SMALL_PERIOD, 4);
-}
-static void equal_forces(void **state)
-{
-  (void)state;
-  family(EQUAL_FORCES, 5);
-}
-static void nearly_equal_forces(void **state)
-{
-  (void)state;
-  family(NEARLY_EQUAL_FORCES, 6);
-}
-static void alpha_edge(void **state)
-{
-  (void)state;
-  family(ALPHA_EDGE, 7);
-}
+TEST(ordinary) { family(ORDINARY, 1); }
+TEST(stick_slip) { family(STICK_SLIP, 2); }
+TEST(extreme_ratios) { family(EXTREME_RATIOS, 3); }
+TEST(small_period) { family(SMALL_PERIOD, 4); }
+TEST(equal_forces) { family(EQUAL_FORCES, 5); }
+TEST(nearly_equal_forces) { family(NEARLY_EQUAL_FORCES, 6); }
+TEST(alpha_edge) { family(ALPHA_EDGE, 7); }
 
 /* A body that is stuck for all of the phase does not move: 0, and not a rounding. */
-static void at_rest_means_zero(void **state)
+TEST(at_rest_means_zero)
 {
-  (void)state;
   struct random r = { 9 };
   int found = 0;
   for (int n = 0; n < 10 * CRAWLERS; n++) {
@@ -439,9 +400,8 @@ static void at_rest_means_zero(void **state)
 }
 
 /* The phases of the steady state, where the start velocity is not arbitrary. */
-static void steady_phases(void **state)
+TEST(steady_phases)
 {
-  (void)state;
   struct random r = { 8 };
   for (int n = 0; n < check_cases(CRAWLERS * FAMILIES); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % SMOOTH_GAITS]);
@@ -466,12 +426,4 @@ static int tear_down(void **state)
   return 0;
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(ordinary),     cmocka_unit_test(stick_slip),    cmocka_unit_test(extreme_ratios),
-    cmocka_unit_test(small_period), cmocka_unit_test(equal_forces),  cmocka_unit_test(nearly_equal_forces),
-    cmocka_unit_test(alpha_edge),   cmocka_unit_test(steady_phases), cmocka_unit_test(at_rest_means_zero),
-  };
-  return cmocka_run_group_tests_name("laws", tests, set_up, tear_down);
-}
+int main(void) { return check_run(set_up, tear_down); }

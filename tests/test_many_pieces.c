@@ -15,8 +15,7 @@ static double way_size(const struct scallop_crawler *c, double v0, double tau)
   return c->L + (fabs(v0) + (c->F1 + c->F2) * tau / (c->m1 + c->m2)) * tau;
 }
 
-/* ---- the quadratic gait in very many pieces ---- */
-
+/* The quadratic gait in very many pieces */
 enum { CUTS = 512 }; /* of each half of a phase */
 
 struct cut {
@@ -43,9 +42,8 @@ static void cut_up(struct cut *cut)
   }
 }
 
-static void cut_up_it_is_the_same(void **state)
+TEST(cut_up_it_is_the_same)
 {
-  (void)state;
   static struct cut cut;
   struct random r = { 20261301 };
   cut_up(&cut);
@@ -68,8 +66,7 @@ static void cut_up_it_is_the_same(void **state)
   }
 }
 
-/* ---- a spline, as through data: out, back a little, out; a dwell; and the other way ---- */
-
+/* A spline, as through data: out, back a little, out; a dwell; and the other way */
 enum { KNOTS = 513 };
 
 struct drawn {
@@ -123,9 +120,8 @@ static void rub_out(struct drawn *d)
   free(d);
 }
 
-static void the_gait_has_it_all(void **state)
+TEST(the_gait_has_it_all)
 {
-  (void)state;
   struct drawn *d = draw_gait();
   for (int kind = 0; kind < 2; kind++) {
     const struct scallop_shape *shape = &d->spline.gait.phase[kind];
@@ -167,9 +163,8 @@ static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kin
   fmpq_clear(start);
 }
 
-static void a_spline_through_many_knots(void **state)
+TEST(a_spline_through_many_knots)
 {
-  (void)state;
   struct random r = { 20261303 };
   struct drawn *d = draw_gait();
   for (int i = 0; i < 24; i++) {
@@ -180,9 +175,8 @@ static void a_spline_through_many_knots(void **state)
   rub_out(d);
 }
 
-static void its_steady_state(void **state)
+TEST(its_steady_state)
 {
-  (void)state;
   struct drawn *d = draw_gait();
   struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
   struct scallop_steady_result got;
@@ -201,11 +195,4 @@ static void its_steady_state(void **state)
   scallop_certified_steady_clear(&exact);
   scallop_rational_clear(&rational);
   rub_out(d);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(cut_up_it_is_the_same), cmocka_unit_test(the_gait_has_it_all),
-                                      cmocka_unit_test(a_spline_through_many_knots), cmocka_unit_test(its_steady_state) };
-  return cmocka_run_group_tests_name("many pieces", tests, NULL, NULL);
 }

@@ -25,8 +25,6 @@ static struct scallop_rival_period period_of(const struct scallop_crawler *c, do
   return p;
 }
 
-/* ---- a slow reference ---- */
-
 struct inclusion {
   double k1, k2, rest1, rest2; /* c + k1 Sgn(c - rest1) + k2 Sgn(c - rest2) */
 };
@@ -57,10 +55,9 @@ static void reference_phase(const struct scallop_crawler *crawler, enum scallop_
   }
 }
 
-static void each_step_by_bisection(void **state)
+TEST(each_step_by_bisection)
 {
   struct random r = { 19880501 };
-  (void)state;
   for (int i = 0; i < REFERENCED; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(i % SMALL_PERIOD), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), v = v0, x = 0;
@@ -74,8 +71,6 @@ static void each_step_by_bisection(void **state)
     CHECK_NEAR(p.displacement, x, 1e-13 * fastest * c.T);
   }
 }
-
-/* ---- the exact solver ---- */
 
 /* From the steady start, from rest, and from anything. */
 static double a_start(struct random *r, const struct scallop_crawler *c, int i)
@@ -104,10 +99,9 @@ static double observed_order(const double worst[LEVELS])
   return sum / weights;
 }
 
-static void first_order(void **state)
+static void first_order(const struct scallop_gait *gait)
 {
   const double bound = 2;
-  const struct scallop_gait *gait = *state;
   double worst[LEVELS] = { 0 }, largest = 0;
   int regimes[3] = { 0 };
   struct random r = { 1999 };
@@ -134,12 +128,14 @@ static void first_order(void **state)
     assert_true(regimes[i] >= 3);
 }
 
+TEST(first_order_quadratic) { first_order(&scallop_gait_quadratic); }
+TEST(first_order_sinusoidal) { first_order(&scallop_gait_sinusoidal); }
+
 /* No body turns: nothing is left of the error but rounding, and for the sinusoidal gait too. */
-static void exact_without_crossings(void **state)
+TEST(exact_without_crossings)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_period_result exact;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   for (int direction = -1; direction <= 1; direction += 2) {
     double v0 = direction * 1013.7;
@@ -152,12 +148,9 @@ static void exact_without_crossings(void **state)
   }
 }
 
-/* ---- stuck ---- */
-
 /* Friction far above what the gait asks for: one body never moves. */
-static void at_rest(void **state)
+TEST(at_rest)
 {
-  (void)state;
   for (int i = 0; i < SMOOTH_GAITS; i++)
     for (int heavy = 1; heavy <= 2; heavy++)
       for (long steps = 1; steps <= 4096; steps *= 8) {
@@ -174,11 +167,10 @@ static void at_rest(void **state)
 
 /* The sawtooth ends its phases in motion: a body that is stuck is so to the last bit, or c would not be the other's
  * share of l'. */
-static void stuck_exactly(void **state)
+TEST(stuck_exactly)
 {
   struct scallop_crawler c = { 1, 2, 300, 7, 3, 1.7, 0.6, &sawtooth_gait };
   struct scallop_scaled s;
-  (void)state;
   for (int stuck = 1; stuck <= 2; stuck++) {
     assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
     struct scallop_rival_period p = period_of(&c, 0.1, 1000);
@@ -189,8 +181,6 @@ static void stuck_exactly(void **state)
     c.F2 = 300;
   }
 }
-
-/* ---- limits ---- */
 
 static void refused(const struct scallop_crawler *c, double v0, enum scallop_status wanted)
 {
@@ -203,10 +193,9 @@ static void refused(const struct scallop_crawler *c, double v0, enum scallop_sta
   scallop_rival_destroy(rival);
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
   struct scallop_crawler good = scallop_crawler_default(), c = good;
-  (void)state;
   assert_null(scallop_moreau_rival(0));
   assert_null(scallop_moreau_rival(-1));
   if ((double)LONG_MAX > 0x1p53)
@@ -235,12 +224,11 @@ static bool ends(void *context)
 
 /* Patience is asked before the first step, and often: 6 times for 3 x 256 steps in each of two pieces of the
  * extension. */
-static void patience_ends(void **state)
+TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rival *rival = scallop_moreau_rival(6 * 256);
   struct scallop_rival_period p, before, patient;
-  (void)state;
   memset(&p, 0x5a, sizeof p);
   before = p;
   for (int questions = 0; questions <= 12; questions++) {
@@ -254,20 +242,4 @@ static void patience_ends(void **state)
   CHECK_EQUAL(patient.v_end, p.v_end);
   CHECK_EQUAL(patient.displacement, p.displacement);
   scallop_rival_destroy(rival);
-}
-
-int main(void)
-{
-  struct scallop_gait quadratic = scallop_gait_quadratic, sinusoidal = scallop_gait_sinusoidal;
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(each_step_by_bisection),
-    { "first_order: quadratic", first_order, NULL, NULL, &quadratic },
-    { "first_order: sinusoidal", first_order, NULL, NULL, &sinusoidal },
-    cmocka_unit_test(exact_without_crossings),
-    cmocka_unit_test(at_rest),
-    cmocka_unit_test(stuck_exactly),
-    cmocka_unit_test(bad_input),
-    cmocka_unit_test(patience_ends),
-  };
-  return cmocka_run_group_tests_name("moreau", tests, NULL, NULL);
 }

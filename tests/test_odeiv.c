@@ -74,9 +74,8 @@ static void compare(const struct scallop_crawler *c, double v0, const struct sca
 }
 
 /* Every regime and both directions of travel must have been among the crawlers. */
-static void agrees(void **state)
+static void agrees_for(const char *gait)
 {
-  const char *gait = *state;
   int regimes[3] = { 0 }, backward = 0, reversed = 0;
   seed = 20130311;
   worst_share = 0;
@@ -100,13 +99,15 @@ static void agrees(void **state)
   assert_true(backward >= 20 && reversed >= 10);
 }
 
+TEST(agrees_quadratic) { agrees_for("quadratic"); }
+TEST(agrees_sinusoidal) { agrees_for("sinusoidal"); }
+
 /* Gaits with plateaus, with l'' = 0 at both ends of a phase and with a jump of l', and crawlers of every family. */
-static void other_gaits(void **state)
+TEST(other_gaits)
 {
   struct random r = { 1311 };
   struct scallop_rival_period p;
   long events[STEPPERS] = { 0 };
-  (void)state;
   worst_share = 0;
   for (int family = 0; family < FAMILIES; family++)
     for (int i = 0; i < EACH * ALL_GAITS; i++) {
@@ -128,11 +129,10 @@ static void other_gaits(void **state)
 
 /* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then neither can
  * hold the other. */
-static void parted_from_rest(void **state)
+TEST(parted_from_rest)
 {
   struct scallop_crawler c = { 3.2, 0.28, 0.024, 0.024, 12.6, 1.45, 0.4, &minimum_jerk_gait };
   struct scallop_rival_period r;
-  (void)state;
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
     assert_int_equal(scallop_odeiv_period(&c, 0, (enum scallop_odeiv_stepper)stepper, 1e-10, &r), SCALLOP_OK);
     CHECK_NEAR(r.v_mid, 0, bound_of[stepper] * 1e-10 * c.L / (c.T * c.alpha));
@@ -141,14 +141,13 @@ static void parted_from_rest(void **state)
 }
 
 /* No tolerance bounds the error from below: tightening it must pay. */
-static void tolerance_controls_error(void **state)
+TEST(tolerance_controls_error)
 {
   const double tolerance[] = { 1e-4, 1e-8, 1e-12 };
   double error[STEPPERS][3];
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_period_result exact;
   struct scallop_rival_period r;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   assert_int_equal(scallop_period(&c, 1.317, &exact), SCALLOP_OK);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
@@ -163,12 +162,11 @@ static void tolerance_controls_error(void **state)
 
 /* Body 1 comes to zero and is off again within one step, which begins and ends with it moving forward:
  * only a look inside the step can tell. */
-static void dip_within_a_step(void **state)
+TEST(dip_within_a_step)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
   struct scallop_period_result exact;
   char modes[SCALLOP_MODES_TEXT];
-  (void)state;
   assert_int_equal(scallop_period(&c, 1.32, &exact), SCALLOP_OK);
   scallop_modes_text(&exact.modes[0], modes);
   assert_string_equal(modes, "++ 0+ ++");
@@ -181,7 +179,7 @@ static void dip_within_a_step(void **state)
 
 /* One body 1e17 times lighter: its acceleration cannot be had as a difference from the other's, or
  * locating its events takes over a hundred steps. A crawler from a random search. */
-static void light_body(void **state)
+TEST(light_body)
 {
   struct scallop_crawler c = { .m1 = 330326390.34026927,
                                .m2 = 1.1252853324524996e-09,
@@ -194,7 +192,6 @@ static void light_body(void **state)
   const double v0 = -0.02662866572576535;
   struct scallop_period_result exact;
   struct scallop_rival_period r;
-  (void)state;
   assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
   for (int stepper = SCALLOP_ODEIV_RKF45; stepper <= SCALLOP_ODEIV_MSADAMS; stepper++) {
     compare(&c, v0, &exact, (enum scallop_odeiv_stepper)stepper, 1e-9);
@@ -204,9 +201,8 @@ static void light_body(void **state)
 }
 
 /* Friction far above what the gait asks for: one body never moves, and the other returns. */
-static void at_rest(void **state)
+TEST(at_rest)
 {
-  (void)state;
   for (int i = 0; scallop_gait_name(i); i++)
     for (int heavy = 1; heavy <= 2; heavy++) {
       struct scallop_crawler c = scallop_crawler_default();
@@ -222,12 +218,11 @@ static void at_rest(void **state)
 }
 
 /* Lengths, times and forces in other units: powers of two, so every digit must stay. */
-static void any_units(void **state)
+TEST(any_units)
 {
   struct scallop_rival_period a, b;
   struct scallop_crawler c = scallop_crawler_default(), d;
   const double length = 0x1p200, time = 0x1p-150, mass = 0x1p-300;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   const double force = mass * length / time / time;
   d = (struct scallop_crawler){ c.m1 * mass,  c.m2 * mass, c.F1 * force, c.F2 * force,
@@ -241,10 +236,9 @@ static void any_units(void **state)
 }
 
 /* A workspace used before gives what a new one gives. */
-static void workspace_forgets(void **state)
+TEST(workspace_forgets)
 {
   struct scallop_crawler c = scallop_crawler_default(), other;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   other = c;
   other.T = 37;
@@ -273,11 +267,10 @@ static void refused(const struct scallop_crawler *c, double v0, int stepper, dou
   assert_memory_equal(&r, &before, sizeof r);
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
   const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY };
   struct scallop_crawler good = scallop_crawler_default(), c = good;
-  (void)state;
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
     refused(&good, 1, SCALLOP_ODEIV_RKF45, bad_tolerances[i], SCALLOP_EDOMAIN);
   refused(&good, NAN, SCALLOP_ODEIV_RKF45, 1e-9, SCALLOP_EDOMAIN);
@@ -311,7 +304,7 @@ static double restless_acceleration(const struct scallop_piece *p, double u)
   return 1e6 * sin(1e8 * u);
 }
 
-static void no_convergence(void **state)
+TEST(no_convergence)
 {
   const struct scallop_curve *linear = &scallop_curve_linear;
   struct scallop_curve curve = { linear->length, linear->velocity, rough_acceleration, linear->when, NULL };
@@ -319,7 +312,6 @@ static void no_convergence(void **state)
   const struct scallop_shape shape = { .pieces = &piece, .count = 1, .l0 = 1, .lT = -1, .peak = 1, .net = 1 };
   const struct scallop_gait gait = { "rough", { shape, shape } };
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   c.gait = &gait;
   for (int stepper = 0; stepper < STEPPERS; stepper++)
     refused(&c, 100, stepper, 1e-9, SCALLOP_ECONVERGE);
@@ -328,9 +320,8 @@ static void no_convergence(void **state)
 }
 
 /* Whatever the crawler, there is an answer that agrees or a status, and never an endless run. */
-static void extremes_end(void **state)
+TEST(extremes_end)
 {
-  (void)state;
   seed = 1736;
   worst_share = 0;
   for (int i = 0; i < EXTREMES; i++) {
@@ -348,25 +339,4 @@ static void extremes_end(void **state)
     compare(&c, v0, &exact, (enum scallop_odeiv_stepper)(i / 6 % STEPPERS), 1e-8);
   }
   print_message("extremes: worst %.2g of the bound\n", worst_share);
-}
-
-int main(void)
-{
-  static char quadratic[] = "quadratic", sinusoidal[] = "sinusoidal";
-  const struct CMUnitTest tests[] = {
-    { "agrees: quadratic", agrees, NULL, NULL, quadratic },
-    { "agrees: sinusoidal", agrees, NULL, NULL, sinusoidal },
-    cmocka_unit_test(other_gaits),
-    cmocka_unit_test(parted_from_rest),
-    cmocka_unit_test(tolerance_controls_error),
-    cmocka_unit_test(dip_within_a_step),
-    cmocka_unit_test(light_body),
-    cmocka_unit_test(at_rest),
-    cmocka_unit_test(any_units),
-    cmocka_unit_test(workspace_forgets),
-    cmocka_unit_test(bad_input),
-    cmocka_unit_test(no_convergence),
-    cmocka_unit_test(extremes_end),
-  };
-  return cmocka_run_group_tests_name("odeiv", tests, NULL, NULL);
 }

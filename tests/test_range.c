@@ -18,8 +18,6 @@ static struct scallop_crawler in_units(double L, double T, double eps, double al
   return (struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction, 0.2 * M * friction, L, T, alpha, gait };
 }
 
-/* ---- one phase ---- */
-
 enum phase_number { V_END, DX1, DX2, DXC, T1, DT, PHASE_NUMBERS };
 static const char *const phase_names[] = { "v_end", "dx1", "dx2", "dxC", "t1", "dT" };
 static void take(double x[PHASE_NUMBERS], const struct scallop_phase_result *r)
@@ -41,9 +39,8 @@ static const struct {
   { 1e-290, 2e-300, 1e-9, 0, DT },
 };
 
-static void one_phase(void **state)
+TEST(one_phase)
 {
-  (void)state;
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
     struct scallop_crawler c = in_units(phases[i].L, phases[i].T, phases[i].eps, 0.5, &scallop_gait_quadratic);
     struct scallop_crawler moderate = in_units(1, 2, phases[i].eps, 0.5, &scallop_gait_quadratic);
@@ -62,8 +59,6 @@ static void one_phase(void **state)
   }
 }
 
-/* ---- one period, and the rivals ---- */
-
 static void check_rivals(const struct scallop_crawler *c, double v0)
 {
   struct scallop_rival *rival[] = { scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6), scallop_cvode_rival(1e-6),
@@ -77,9 +72,8 @@ static void check_rivals(const struct scallop_crawler *c, double v0)
     }
 }
 
-static void one_period(void **state)
+TEST(one_period)
 {
-  (void)state;
   static const struct {
     double L, T, eps, v0;
     bool overflows;
@@ -106,11 +100,8 @@ static void one_period(void **state)
   }
 }
 
-/* ---- the steady state ---- */
-
-static void steady_states(void **state)
+TEST(steady_states)
 {
-  (void)state;
   static const struct {
     double L, T, eps, alpha;
   } states[] = {
@@ -136,8 +127,6 @@ static void steady_states(void **state)
   }
 }
 
-/* ---- trajectories ---- */
-
 struct last_sample {
   long count;
   struct scallop_sample sample;
@@ -157,9 +146,8 @@ static const struct {
 } motions[] = { { 1e308, 1e3, 0.5, -1 },  { 1e308, 1e3, 0.5, 1 },  { 1e308, 1e3, 1e-3, 0.5 },
                 { 8e307, 1, 0.01, -0.5 }, { 8e307, 1, 0.01, 0.5 }, { 1e10, 1e308, 1e300, 0 } };
 
-static void trajectories(void **state)
+TEST(trajectories)
 {
-  (void)state;
   for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
     struct scallop_crawler c = in_units(motions[i].L, motions[i].T, motions[i].eps, 0.5, &scallop_gait_quadratic);
     struct last_sample last = { 0 };
@@ -169,9 +157,8 @@ static void trajectories(void **state)
   }
 }
 
-static void smoothed_phases(void **state)
+TEST(smoothed_phases)
 {
-  (void)state;
   enum { TIMES = 50 };
   static const double v0[] = { -50, 50, 1.45, -0.5, 0.5 };
   struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6);
@@ -194,9 +181,8 @@ static void smoothed_phases(void **state)
 
 /* The bracket of the root, 1.01 times the largest velocity of a body, is beyond
  * the range. */
-static void a_root_beyond(void **state)
+TEST(a_root_beyond)
 {
-  (void)state;
   struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6);
   assert_non_null(rival);
   for (int lopsided = 0; lopsided < 2; lopsided++) { /* then forward only */
@@ -207,13 +193,4 @@ static void a_root_beyond(void **state)
     CHECK_EQUAL(steady.v_start, 7);
   }
   scallop_rival_destroy(rival);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(one_phase),    cmocka_unit_test(one_period),      cmocka_unit_test(steady_states),
-    cmocka_unit_test(trajectories), cmocka_unit_test(smoothed_phases), cmocka_unit_test(a_root_beyond),
-  };
-  return cmocka_run_group_tests_name("range", tests, NULL, NULL);
 }

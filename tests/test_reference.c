@@ -119,9 +119,8 @@ static void check_row(const struct row *r)
   check_modes(r, &p.modes, 1);
 }
 
-static void every_row(void **state)
+TEST(every_row)
 {
-  (void)state;
   FILE *file = fopen("tests/reference.tsv", "r");
   assert_non_null(file);
   int rows = 0;
@@ -142,10 +141,4 @@ static void every_row(void **state)
   assert_true(rows > 500);
   for (int q = 0; q < QUANTITIES; q++)
     print_message("%-13s worst %.1f ulp: %s\n", quantities[q], BOUND * worst[q].worst, worst[q].where);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_row) };
-  return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }

@@ -12,8 +12,7 @@
 enum { CRAWLERS = 40, STEPPERS = 3 };
 static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_odeiv.c */
 
-/* ---- maps whose answer is known, in units where L/T = 1 ---- */
-
+/* A map whose answer is known, in units where L/T = 1 */
 struct map {
   struct scallop_rival rival;
   double (*value)(struct map *map, double v);
@@ -83,10 +82,9 @@ static struct scallop_rival_steady simulated(struct map *m, double v0, double to
 }
 
 /* To the tolerance, after few more periods than the change needs to fall to it. */
-static void simulates_slow_maps(void **state)
+TEST(simulates_slow_maps)
 {
   const double multipliers[] = { 0, 3e-3, 0.5, 0.99, 0.9999, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-6, 1e-9 };
-  (void)state;
   for (size_t i = 0; i < sizeof multipliers / sizeof *multipliers; i++)
     for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
@@ -103,29 +101,26 @@ static void simulates_slow_maps(void **state)
 }
 
 /* Begun near the end, where rounding leaves two digits of a change and so none of 1 - m. */
-static void rounding_does_not_end_a_simulation(void **state)
+TEST(rounding_does_not_end_a_simulation)
 {
   struct map m = map_of(rounded, 1 - 1e-6, -0.385);
-  (void)state;
   struct scallop_rival_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
   CHECK_NEAR(s.v_start, -0.385, 1.385e-9);
 }
 
 /* A change that stays the same is no reason to end, nor to believe the end is near. */
-static void simulates_what_is_braked(void **state)
+TEST(simulates_what_is_braked)
 {
   struct map m = map_of(braked, 0.9, 0.25);
-  (void)state;
   struct scallop_rival_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
   CHECK_NEAR(s.v_start, 0.25, 1.25e-8);
   assert_true(s.periods > 19000);
 }
 
 /* With a tolerance that the noise of the map does not allow, the simulation ends where the noise does. */
-static void noise_ends_a_simulation(void **state)
+TEST(noise_ends_a_simulation)
 {
   const double multipliers[] = { 0.5, 0.99, 0.9999 };
-  (void)state;
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 2; k++) {
       struct map m = map_of(noisy, multipliers[i], 0.731);
@@ -145,10 +140,9 @@ static void noise_ends_a_simulation(void **state)
   assert_int_equal(simulated(&m, 0.3, 1e-9, SCALLOP_OK).periods, 1);
 }
 
-static void simulation_passes_failures_on(void **state)
+TEST(simulation_passes_failures_on)
 {
   struct map m = map_of(linear, 3, 0);
-  (void)state;
   assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ERANGE).v_start)); /* runs away */
   m.status = SCALLOP_ECONVERGE;
   assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ECONVERGE).v_start));
@@ -166,10 +160,9 @@ static struct scallop_rival_steady rooted(struct map *m, double tolerance, enum 
   return s;
 }
 
-static void roots_of_maps(void **state)
+TEST(roots_of_maps)
 {
   const double multipliers[] = { 0, 0.5, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-9, 0 };
-  (void)state;
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
@@ -190,10 +183,9 @@ static void roots_of_maps(void **state)
 }
 
 /* A map that does not slow down what is too fast has no root that could be trusted. */
-static void no_root(void **state)
+TEST(no_root)
 {
   struct map m = map_of(escaping, 1, 0);
-  (void)state;
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
   m = map_of(linear, 1, 0); /* nor one that changes nothing */
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
@@ -206,8 +198,6 @@ static void no_root(void **state)
   m.status = SCALLOP_ERANGE;
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
 }
-
-/* ---- GSL's integrators beside the exact solver ---- */
 
 static double worst_share;
 
@@ -238,9 +228,8 @@ static void compare(const struct scallop_crawler *c, enum scallop_odeiv_stepper 
   scallop_rival_destroy(rival);
 }
 
-static void agrees(void **state)
+static void agrees_for(const struct scallop_gait *gait)
 {
-  const struct scallop_gait *gait = scallop_gait_named(*state);
   struct random r = { 2718 };
   int regimes[3] = { 0 };
   worst_share = 0;
@@ -262,13 +251,15 @@ static void agrees(void **state)
     assert_true(regimes[i] >= 3);
 }
 
+TEST(agrees_quadratic) { agrees_for(&scallop_gait_quadratic); }
+TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
+
 /* A body that has been stuck forgets how it began: the third period shows that nothing changes. */
-static void forgets_at_once(void **state)
+TEST(forgets_at_once)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result exact;
   struct scallop_rival_steady s;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   c.T = 6;
   assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
@@ -283,11 +274,10 @@ static void forgets_at_once(void **state)
 }
 
 /* Nothing tells forward from backward: the crawler stays where it is. */
-static void goes_nowhere(void **state)
+TEST(goes_nowhere)
 {
   struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, NULL };
   struct scallop_rival_steady s;
-  (void)state;
   for (int i = 0; scallop_gait_name(i); i++)
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
       c.gait = scallop_gait_named(scallop_gait_name(i));
@@ -300,8 +290,6 @@ static void goes_nowhere(void **state)
     }
 }
 
-/* ---- patience ---- */
-
 struct counter {
   long asked, most;
 };
@@ -312,10 +300,9 @@ static bool count_down(void *context)
   return ++c->asked <= c->most;
 }
 
-static void patience_in_a_period(void **state)
+TEST(patience_in_a_period)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
     struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-11);
@@ -339,14 +326,13 @@ static void patience_in_a_period(void **state)
 }
 
 /* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. */
-static void patience_in_a_search(void **state)
+TEST(patience_in_a_search)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-12);
   struct scallop_rival_steady s;
   struct counter counter = { 0, 0 };
   const struct scallop_patience patience = { count_down, &counter };
-  (void)state;
   c.T = 1e-4;
   assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, 0.25);
@@ -365,14 +351,13 @@ static void patience_in_a_search(void **state)
 }
 
 /* It ends a search also of a rival that never asks. */
-static void patience_between_periods(void **state)
+TEST(patience_between_periods)
 {
   struct map m = map_of(linear, 1 - 1e-6, 0.2);
   struct scallop_crawler c = unit_crawler();
   struct scallop_rival_steady s;
   struct counter counter = { 0, 11 };
   const struct scallop_patience patience = { count_down, &counter };
-  (void)state;
   assert_int_equal(scallop_rival_simulate(&m.rival, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 11);
   CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
@@ -380,8 +365,6 @@ static void patience_between_periods(void **state)
   assert_int_equal(scallop_rival_root(&m.rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 3);
 }
-
-/* ---- bad input ---- */
 
 static void refused(const struct scallop_crawler *c, double v0, double tolerance, enum scallop_status wanted)
 {
@@ -396,12 +379,11 @@ static void refused(const struct scallop_crawler *c, double v0, double tolerance
   scallop_rival_destroy(rival);
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
   const double bad_tolerances[] = { -1e-9, NAN, INFINITY }, bad_settings[] = { 0, 0.2, -1, 1e-17, NAN, INFINITY };
   struct scallop_crawler good = scallop_crawler_default(), c = good;
   struct map m = map_of(linear, 0.5, 0);
-  (void)state;
   for (int i = 0; i < 3; i++)
     refused(&good, 1, bad_tolerances[i], SCALLOP_EDOMAIN);
   refused(&good, NAN, 1e-9, SCALLOP_EDOMAIN);
@@ -422,24 +404,6 @@ static void bad_input(void **state)
 
 int main(void)
 {
-  static char quadratic[] = "quadratic", sinusoidal[] = "sinusoidal";
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(simulates_slow_maps),
-    cmocka_unit_test(rounding_does_not_end_a_simulation),
-    cmocka_unit_test(simulates_what_is_braked),
-    cmocka_unit_test(noise_ends_a_simulation),
-    cmocka_unit_test(simulation_passes_failures_on),
-    cmocka_unit_test(roots_of_maps),
-    cmocka_unit_test(no_root),
-    { "agrees: quadratic", agrees, NULL, NULL, quadratic },
-    { "agrees: sinusoidal", agrees, NULL, NULL, sinusoidal },
-    cmocka_unit_test(forgets_at_once),
-    cmocka_unit_test(goes_nowhere),
-    cmocka_unit_test(patience_in_a_period),
-    cmocka_unit_test(patience_in_a_search),
-    cmocka_unit_test(patience_between_periods),
-    cmocka_unit_test(bad_input),
-  };
   gsl_set_error_handler_off();
-  return cmocka_run_group_tests_name("rival", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

@@ -3,8 +3,6 @@
 
 #include "tests/random_series.h"
 
-/* ---- the laws of a ring ---- */
-
 static void check_laws(const struct series *a, const struct series *b, const struct series *c)
 {
   struct series w[WORK];
@@ -39,9 +37,8 @@ static void check_laws(const struct series *a, const struct series *b, const str
   work_clear(w);
 }
 
-static void laws_of_a_ring(void **state)
+TEST(laws_of_a_ring)
 {
-  (void)state;
   struct random r = { 20260801 };
   struct series w[WORK];
   work_init(w);
@@ -76,9 +73,8 @@ static void check_division(const struct series *a, const struct series *b)
   work_clear(w);
 }
 
-static void division_undoes_multiplication(void **state)
+TEST(division_undoes_multiplication)
 {
-  (void)state;
   struct random r = { 20260802 };
   struct series w[WORK];
   work_init(w);
@@ -96,9 +92,8 @@ static void division_undoes_multiplication(void **state)
 }
 
 /* A divisor whose first coefficients are exactly 0 begins later. */
-static void division_by_a_series_with_leading_zeros(void **state)
+TEST(division_by_a_series_with_leading_zeros)
 {
-  (void)state;
   struct series w[WORK];
   arb_poly_t poly;
   work_init(w);
@@ -116,9 +111,8 @@ static void division_by_a_series_with_leading_zeros(void **state)
 }
 
 /* Refused, with the quotient as it was: 0, 0 with an error term, and a ball that holds 0. */
-static void division_by_what_may_be_zero(void **state)
+TEST(division_by_what_may_be_zero)
 {
-  (void)state;
   struct random r = { 20260803 };
   struct series w[WORK];
   arb_t ball;
@@ -145,8 +139,6 @@ static void division_by_what_may_be_zero(void **state)
   arb_clear(ball);
   work_clear(w);
 }
-
-/* ---- what a series claims to know ---- */
 
 /* One step of a random calculation, the same in both rings. In `shorter` every series may have been cut. */
 static void random_step(struct series *to, const struct series *a, const struct series *b, int step, const struct ring *in)
@@ -195,18 +187,16 @@ static void check_calculation(struct random *r, bool balls)
   work_clear(many);
 }
 
-static void what_is_known_is_right(void **state)
+TEST(what_is_known_is_right)
 {
-  (void)state;
   struct random r = { 20260808 };
   for (int i = 0; i < 400; i++)
     check_calculation(&r, i % 2);
 }
 
 /* The ball of each coefficient holds the fraction, and is thin. */
-static void balls_hold_the_fractions(void **state)
+TEST(balls_hold_the_fractions)
 {
-  (void)state;
   struct random r = { 20260809 };
   struct series w[WORK];
   fmpq_t exact;
@@ -233,17 +223,4 @@ static void balls_hold_the_fractions(void **state)
   fmpq_clear(exact);
   arb_clear(ball);
   work_clear(w);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(laws_of_a_ring),
-    cmocka_unit_test(division_undoes_multiplication),
-    cmocka_unit_test(division_by_a_series_with_leading_zeros),
-    cmocka_unit_test(division_by_what_may_be_zero),
-    cmocka_unit_test(what_is_known_is_right),
-    cmocka_unit_test(balls_hold_the_fractions),
-  };
-  return cmocka_run_group_tests_name("series", tests, NULL, NULL);
 }

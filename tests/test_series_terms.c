@@ -34,9 +34,8 @@ static void check_coefficient(const struct series *s, slong power, const fmpq_t 
 /* What is known to all orders stays so. */
 static slong shifted(slong known, slong power) { return known >= SERIES_ALL ? SERIES_ALL : known + power; }
 
-static void products_are_convolutions(void **state)
+TEST(products_are_convolutions)
 {
-  (void)state;
   struct random r = { 20260804 };
   struct series w[WORK];
   fmpq_t sum;
@@ -85,9 +84,8 @@ static void horner(struct series *to, const struct series *f, const struct serie
   fmpq_clear(c);
 }
 
-static void composition(void **state)
+TEST(composition)
 {
-  (void)state;
   struct random r = { 20260805 };
   struct series w[WORK];
   work_init(w);
@@ -134,9 +132,8 @@ static void check_inflated(const struct series *a, slong power)
   fmpq_clear(c);
 }
 
-static void shift_scale_and_inflate(void **state)
+TEST(shift_scale_and_inflate)
 {
-  (void)state;
   struct random r = { 20260806 };
   struct series w[WORK];
   fmpq_t c, factor;
@@ -164,9 +161,8 @@ static void shift_scale_and_inflate(void **state)
   work_clear(w);
 }
 
-static void integral_and_derivative(void **state)
+TEST(integral_and_derivative)
 {
-  (void)state;
   struct random r = { 20260807 };
   struct series w[WORK];
   fmpq_t c;
@@ -219,9 +215,8 @@ static void sum_of_terms(fmpq_t sum, const struct series *s, const fmpq_t x, slo
   fmpq_clear(power);
 }
 
-static void values(void **state)
+TEST(values)
 {
-  (void)state;
   struct random r = { 20260810 };
   struct series w[WORK];
   fmpq_t x, sum;
@@ -252,9 +247,8 @@ static void values(void **state)
 }
 
 /* A coefficient that is proven to be 0 becomes 0 and nothing else changes. */
-static void a_term_set_to_zero(void **state)
+TEST(a_term_set_to_zero)
 {
-  (void)state;
   struct random r = { 20260811 };
   struct series w[WORK];
   work_init(w);
@@ -271,13 +265,4 @@ static void a_term_set_to_zero(void **state)
     }
   }
   work_clear(w);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(products_are_convolutions), cmocka_unit_test(composition), cmocka_unit_test(shift_scale_and_inflate),
-    cmocka_unit_test(integral_and_derivative),   cmocka_unit_test(values),      cmocka_unit_test(a_term_set_to_zero),
-  };
-  return cmocka_run_group_tests_name("series terms", tests, NULL, NULL);
 }

@@ -58,8 +58,6 @@ static void check_proven(const struct scallop_singularity *s)
   assert_true(arb_rel_accuracy_bits(s->T) > 80);
 }
 
-/* ---- growth of the coefficients ---- */
-
 /* How far the coefficients a_j of Z^j, Z = T^4, are from those of branch points at Z and its conjugate: b_j = j^(3/2) a_j |Z|^j is then
  * Re(A e^(i j arg Z)) but for terms of the order of 1/j, and b_(j+1) - 2 cos(arg Z) b_j + b_(j-1), of a real Z b_(j+1) -+ b_j, is of the
  * order of 1/j^2 beside it. */
@@ -100,9 +98,8 @@ static void check_growth(const struct subject *s, double error)
   scallop_steady_expansion_clear(&e);
 }
 
-static void coefficients_grow_as_the_singularity_says(void **state)
+TEST(coefficients_grow_as_the_singularity_says)
 {
-  (void)state;
   enum { CRAWLERS = 20 };
   struct random r = { 82 };
   for (int i = 0; i < CRAWLERS; i++) {
@@ -122,9 +119,8 @@ static void coefficients_grow_as_the_singularity_says(void **state)
 
 /* Of the default crawler, where other sheets have branch points too: one nearer, which the branch does not meet, and one on the real axis a
  * thousandth farther, between the two that are the nearest. */
-static void branch_points_of_other_sheets(void **state)
+TEST(branch_points_of_other_sheets)
 {
-  (void)state;
   struct subject s;
   struct scallop_crawler c = scallop_crawler_default();
   c.gait = &scallop_gait_sinusoidal;
@@ -137,13 +133,10 @@ static void branch_points_of_other_sheets(void **state)
   end(&s);
 }
 
-/* ---- one phase ---- */
-
 /* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
  * one that it meets at x = 4.4934, where eps < 0. */
-static void from_rest(void **state)
+TEST(from_rest)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct subject s;
   fmpq_t v0;
@@ -168,9 +161,8 @@ static void from_rest(void **state)
 }
 
 /* The first crossing knows nothing of the second: its series goes on converging where that of the second does not. */
-static void first_crossing_alone(void **state)
+TEST(first_crossing_alone)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct subject s;
   fmpq_t v0;
@@ -190,12 +182,9 @@ static void first_crossing_alone(void **state)
   end(&s);
 }
 
-/* ---- what else there is ---- */
-
 /* T goes as the square root of L; w = 0 in the limit at alpha = 1/2; nothing is singular of a crawler that rests. */
-static void special_crawlers(void **state)
+TEST(special_crawlers)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct subject s, longer;
   c.gait = &scallop_gait_sinusoidal;
@@ -215,9 +204,8 @@ static void special_crawlers(void **state)
 }
 
 /* Of a polynomial gait, whose crossings are joined as those of the sine are */
-static void minimum_jerk(void **state)
+TEST(minimum_jerk)
 {
-  (void)state;
   struct subject s;
   struct scallop_crawler c = scallop_crawler_default();
   c.gait = &minimum_jerk_gait;
@@ -227,9 +215,8 @@ static void minimum_jerk(void **state)
   end(&s);
 }
 
-static void no_expansion_no_singularity(void **state)
+TEST(no_expansion_no_singularity)
 {
-  (void)state;
   const char *why = NULL;
   struct subject s;
   fmpq_t v0;
@@ -255,8 +242,6 @@ static void no_expansion_no_singularity(void **state)
   fmpq_clear(v0);
   end(&s);
 }
-
-/* ---- the curves ---- */
 
 /* D = (f(b) - f(a))/(b - a) of the law f: D_a = (D - f'(a))/(b - a), D_b = (f'(b) - D)/(b - a) and so on, in balls */
 static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr b)
@@ -290,9 +275,8 @@ static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr
   _acb_vec_clear(wanted, JET);
 }
 
-static void joined_crossings(void **state)
+TEST(joined_crossings)
 {
-  (void)state;
   struct random r = { 83 };
   struct continued_crossing at = { .sine = true };
   acb_t a, b;
@@ -327,9 +311,8 @@ static void joined_crossings(void **state)
 
 /* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the equations is singular and the
  * branch is not: for every other crawler or so on the imaginary axis of T^2. */
-static void a_crossing_does_not_meet_itself(void **state)
+TEST(a_crossing_does_not_meet_itself)
 {
-  (void)state;
   struct subject s;
   const struct scallop_crawler c = { 2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal };
   find_steady(&s, &c);
@@ -338,8 +321,6 @@ static void a_crossing_does_not_meet_itself(void **state)
   check_growth(&s, 0);
   end(&s);
 }
-
-/* ---- where the proof ends early ---- */
 
 enum gathered { NOTHING, MANY_PLACES, MANY_FOLDS, MANY_SECTORS, MORE_SECTORS };
 
@@ -392,9 +373,8 @@ static struct outcome search_after(enum gathered what, slong shift)
 }
 
 /* Without room the search finds nothing, and the proof goes no farther than the branch point that there is. */
-static void a_search_without_room(void **state)
+TEST(a_search_without_room)
 {
-  (void)state;
   struct outcome whole = search_after(NOTHING, 0);
   assert_true(whole.covered > 0 && whole.covered >= whole.reach);
   for (int what = MANY_PLACES; what <= MORE_SECTORS; what++) {
@@ -404,26 +384,4 @@ static void a_search_without_room(void **state)
   }
 }
 
-static void a_search_from_beside_the_branch(void **state)
-{
-  (void)state;
-  CHECK_EQUAL(search_after(NOTHING, 100).covered, 0);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(coefficients_grow_as_the_singularity_says),
-    cmocka_unit_test(branch_points_of_other_sheets),
-    cmocka_unit_test(from_rest),
-    cmocka_unit_test(first_crossing_alone),
-    cmocka_unit_test(special_crawlers),
-    cmocka_unit_test(minimum_jerk),
-    cmocka_unit_test(no_expansion_no_singularity),
-    cmocka_unit_test(joined_crossings),
-    cmocka_unit_test(a_crossing_does_not_meet_itself),
-    cmocka_unit_test(a_search_without_room),
-    cmocka_unit_test(a_search_from_beside_the_branch),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST(a_search_from_beside_the_branch) { CHECK_EQUAL(search_after(NOTHING, 100).covered, 0); }

@@ -45,8 +45,6 @@ static struct scallop_period_result steady_period(const struct scallop_crawler *
   return exact;
 }
 
-/* ---- the error of the model ---- */
-
 /* Slope of log error against log delta, by least squares over delta = 1e-2, 1e-3 ... */
 static double observed_order(const double error[DECADES])
 {
@@ -75,9 +73,8 @@ static void errors_of(const struct scallop_crawler *c, double worst[3][DECADES])
   }
 }
 
-static void first_order_in_delta(void **state)
+static void first_order_in_delta(const struct scallop_gait *gait)
 {
-  const struct scallop_gait *gait = *state;
   double worst[3][DECADES] = { { 0 } };
   struct random r = { 20130311 };
   for (int i = 0; i < CRAWLERS; i++) {
@@ -95,14 +92,16 @@ static void first_order_in_delta(void **state)
   }
 }
 
+TEST(first_order_quadratic) { first_order_in_delta(&scallop_gait_quadratic); }
+TEST(first_order_sinusoidal) { first_order_in_delta(&scallop_gait_sinusoidal); }
+
 /* A body that sticks and is released goes (delta/4) ln(1/delta) ahead of the exact one, and here nothing in the rest
  * of the phase takes that away: the slope of error/delta against ln(1/delta) is 1/4. */
-static void logarithm_of_a_release(void **state)
+TEST(logarithm_of_a_release)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
   struct scallop_period_result exact;
   char modes[SCALLOP_MODES_TEXT];
-  (void)state;
   assert_int_equal(scallop_period(&c, 1.32, &exact), SCALLOP_OK);
   scallop_modes_text(&exact.modes[0], modes);
   assert_string_equal(modes, "++ 0+ ++");
@@ -117,14 +116,11 @@ static void logarithm_of_a_release(void **state)
   }
 }
 
-/* ---- the error of the solvers ---- */
-
-static void tolerance_controls_error(void **state)
+TEST(tolerance_controls_error)
 {
   const double tolerances[] = { 1e-4, 1e-6, 1e-8, 1e-10 }, bounds[STEPPERS] = { 1000, 200, 40 };
   double worst[STEPPERS][4] = { { 0 } };
   struct random r = { 31 };
-  (void)state;
   for (int i = 0; i < 12; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i % ALL_GAITS]);
     struct scallop_period_result exact = steady_period(&c);
@@ -149,12 +145,11 @@ static void tolerance_controls_error(void **state)
 
 /* The header says that bsimp and rk4imp leap over crossings where delta is small, whatever the tolerance, and that
  * msbdf does not. */
-static void blind_steps(void **state)
+TEST(blind_steps)
 {
   const double delta = 1e-6;
   struct scallop_crawler c = scallop_crawler_default();
   double error[STEPPERS];
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   struct scallop_period_result exact = steady_period(&c);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
@@ -166,11 +161,10 @@ static void blind_steps(void **state)
 }
 
 /* With a wrong Jacobian the implicit steps do not converge, or only short ones do. Body 1 sticks, then body 2. */
-static void jacobian_pays(void **state)
+TEST(jacobian_pays)
 {
   const long most[STEPPERS] = { 750, 160, 5500 };
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   c.T = 5;
   for (int stuck = 1; stuck <= 2; stuck++) {
@@ -186,15 +180,12 @@ static void jacobian_pays(void **state)
   }
 }
 
-/* ---- limits ---- */
-
 /* Lengths, times and forces in other units: powers of two, so every digit must stay. A handle used before gives what a
  * new one gives. */
-static void units_and_handles(void **state)
+TEST(units_and_handles)
 {
   const double length = 0x1p200, time = 0x1p-150, mass = 0x1p-300, force = mass * length / time / time;
   struct scallop_crawler c = scallop_crawler_default(), d;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   d = (struct scallop_crawler){ c.m1 * mass,  c.m2 * mass, c.F1 * force, c.F2 * force,
                                 c.L * length, c.T * time,  c.alpha,      c.gait };
@@ -212,12 +203,11 @@ static void units_and_handles(void **state)
 }
 
 /* Smoothed beyond recognition, friction does nothing; far above its layer, it is what it is without one. */
-static void large_arguments(void **state)
+TEST(large_arguments)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_period_result exact;
   const double v0 = 1013.7;
-  (void)state;
   c.gait = &scallop_gait_sinusoidal;
   assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
@@ -242,10 +232,9 @@ static void refused(const struct scallop_crawler *c, double v0, double delta, en
   }
 }
 
-static void bad_arguments(void **state)
+TEST(bad_arguments)
 {
   const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY }, bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
-  (void)state;
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
     assert_null(scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
   for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
@@ -254,10 +243,9 @@ static void bad_arguments(void **state)
   assert_null(scallop_smoothed_rival(stepper_of(-1), 1e-3, 1e-6));
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
   struct scallop_crawler good = scallop_crawler_default(), c = good;
-  (void)state;
   refused(&good, NAN, 1e-3, SCALLOP_EDOMAIN);
   refused(&good, -INFINITY, 1e-3, SCALLOP_EDOMAIN);
   refused(&good, 5e-324, 1e-3, SCALLOP_ERANGE);
@@ -288,7 +276,7 @@ static double hole_velocity(const struct scallop_piece *p, double u)
   return u < 1 / 3.0 ? u : NAN;
 }
 
-static void no_convergence(void **state)
+TEST(no_convergence)
 {
   const struct scallop_curve *linear = &scallop_curve_linear;
   const struct scallop_curve hole = { linear->length, hole_velocity, linear->acceleration, linear->when, NULL };
@@ -296,7 +284,6 @@ static void no_convergence(void **state)
   const struct scallop_shape shape = { .pieces = &piece, .count = 1, .l0 = 1, .lT = -1, .peak = 1, .net = 1 };
   const struct scallop_gait gait = { "hole", { shape, shape } };
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   c.gait = &gait;
   refused(&c, 1, 1e-3, SCALLOP_ECONVERGE);
 }
@@ -307,11 +294,10 @@ static bool ends(void *context)
   return --*left >= 0;
 }
 
-static void patience_ends(void **state)
+TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rival_period p, before;
-  (void)state;
   memset(&p, 0x5a, sizeof p);
   before = p;
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
@@ -335,11 +321,10 @@ static void patience_ends(void **state)
 }
 
 /* Whatever the crawler, delta and tolerance: an answer or a status, soon. */
-static void extremes_end(void **state)
+TEST(extremes_end)
 {
   int failed = 0, answered = 0, impatient = 0;
   struct random r = { 1736 };
-  (void)state;
   for (int i = 0; i < 600; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), delta = random_decades(&r, 1e-12, 1e3);
@@ -363,22 +348,6 @@ static void extremes_end(void **state)
 
 int main(void)
 {
-  struct scallop_gait quadratic = scallop_gait_quadratic, sinusoidal = scallop_gait_sinusoidal;
-  const struct CMUnitTest tests[] = {
-    { "first_order_in_delta: quadratic", first_order_in_delta, NULL, NULL, &quadratic },
-    { "first_order_in_delta: sinusoidal", first_order_in_delta, NULL, NULL, &sinusoidal },
-    cmocka_unit_test(logarithm_of_a_release),
-    cmocka_unit_test(tolerance_controls_error),
-    cmocka_unit_test(blind_steps),
-    cmocka_unit_test(jacobian_pays),
-    cmocka_unit_test(units_and_handles),
-    cmocka_unit_test(large_arguments),
-    cmocka_unit_test(bad_arguments),
-    cmocka_unit_test(bad_input),
-    cmocka_unit_test(no_convergence),
-    cmocka_unit_test(patience_ends),
-    cmocka_unit_test(extremes_end),
-  };
   gsl_set_error_handler_off();
-  return cmocka_run_group_tests_name("smoothed", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

@@ -39,10 +39,9 @@ static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop
 }
 
 /* Looked at only at its ends, an extension is the very one of the period; a contraction begins with another step. */
-static void phase_is_that_of_the_period(void **state)
+TEST(phase_is_that_of_the_period)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   for (int i = 0; i < ALL_GAITS; i++)
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
       c.gait = every_gait[i];
@@ -89,10 +88,9 @@ static bool compare_with(void *context, const struct scallop_sample *exact)
   return look->count < look->wanted;
 }
 
-static void samples_follow_the_exact_motion(void **state)
+TEST(samples_follow_the_exact_motion)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
   for (int i = 0; i < 2; i++)
     for (int stuck = 0; stuck < 2; stuck++) {
       c.gait = i == 0 ? &scallop_gait_quadratic : &scallop_gait_sinusoidal;
@@ -123,13 +121,12 @@ static bool never(void *context)
   return false;
 }
 
-static void looks_that_end(void **state)
+TEST(looks_that_end)
 {
   const double good[] = { 0, 0.2, 0.4 };
   const double bad[][2] = { { -1e-9, 0.1 }, { 0.2, 0.1 }, { 0.1, 0.8 }, { NAN, 0.1 }, { 0.1, NAN }, { 0.1, INFINITY } };
   struct scallop_crawler c = scallop_crawler_default();
   struct look look = { .count = 0 };
-  (void)state;
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, bad[i], 2, &look), SCALLOP_EDOMAIN);
     assert_int_equal(look.count, 0);
@@ -151,11 +148,6 @@ static void looks_that_end(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phase_is_that_of_the_period),
-    cmocka_unit_test(samples_follow_the_exact_motion),
-    cmocka_unit_test(looks_that_end),
-  };
   gsl_set_error_handler_off();
-  return cmocka_run_group_tests_name("smoothed_phase", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

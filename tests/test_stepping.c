@@ -65,8 +65,7 @@ static double step_steady(const struct scallop_crawler *crawler, int steps)
   return 0.5 * (low + high);
 }
 
-/* ---- errors against the solver, velocities in L/T and lengths in L ---- */
-
+/* Errors against the solver: velocities in L/T, lengths in L */
 enum { V_EXTENSION, X_EXTENSION, V_CONTRACTION, X_CONTRACTION, V_PERIOD, X_PERIOD, V_STEADY, X_STEADY, QUANTITIES };
 
 static double centre_of_mass(const struct scallop_crawler *c, const struct scallop_phase_result *r)
@@ -166,31 +165,15 @@ static void first_order(uint64_t seed, enum family family)
   CHECK_NEAR(log2(tally.error[0] / tally.error[LEVELS - 1]) / (LEVELS - 1), 1, 0.07);
 }
 
-static void sliding(void **state)
-{
-  (void)state;
-  first_order(31, ORDINARY);
-}
-static void stick_slip(void **state)
-{
-  (void)state;
-  first_order(32, STICK_SLIP);
-}
+TEST(sliding) { first_order(31, ORDINARY); }
+TEST(stick_slip) { first_order(32, STICK_SLIP); }
 
 /* The reference itself: a free slide, a body that stops, one that stays stuck, and one that is dragged. */
-static void resolvent_by_hand(void **state)
+TEST(resolvent_by_hand)
 {
-  (void)state;
   CHECK_EQUAL(resolvent(3, 1, 0.5, -1, 0.25), 2.25);   /* both forward       */
   CHECK_EQUAL(resolvent(1.5, 1, 0.5, -1, 0.25), 1);    /* stops on the upper */
   CHECK_EQUAL(resolvent(0, 1, 0.5, -1, 0.25), 0.25);   /* opposite           */
   CHECK_EQUAL(resolvent(-1.5, 1, 0.5, -1, 0.25), -1);  /* stops on the lower */
   CHECK_EQUAL(resolvent(-3, 1, 0.5, -1, 0.25), -2.25); /* both backward      */
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(resolvent_by_hand), cmocka_unit_test(sliding),
-                                      cmocka_unit_test(stick_slip) };
-  return cmocka_run_group_tests_name("stepping", tests, NULL, NULL);
 }

@@ -61,17 +61,9 @@ static void same_modes(const struct scallop_modes *a, const struct scallop_modes
   assert_string_equal(text[0], text[1]);
 }
 
-/* The crawler under test, if for_crawlers was left by a failure. */
 static struct scallop_crawler under_test;
 
-static int name_the_culprit(void **state)
-{
-  (void)state;
-  if (under_test.gait)
-    print_crawler(&under_test);
-  under_test.gait = NULL;
-  return 0;
-}
+static void name_the_culprit(void) { print_crawler(&under_test); }
 
 typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
 
@@ -79,15 +71,14 @@ typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
 static void for_crawlers(uint64_t seed, crawler_test *test)
 {
   struct random r = { seed };
+  check_failed = name_the_culprit;
   for (int family = 0; family < FAMILIES; family++)
     for (int n = 0; n < check_cases(CRAWLERS); n++) {
       under_test = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
       test(&r, &under_test);
     }
-  under_test.gait = NULL;
+  check_failed = NULL;
 }
-
-/* ---- units ---- */
 
 struct units {
   double mass, length, time;
@@ -178,26 +169,20 @@ static void any_units(struct random *r, const struct scallop_crawler *c)
   }
 }
 
-static void units_of_powers_of_two(void **state)
-{
-  (void)state;
-  for_crawlers(11, binary_units);
-}
+TEST(units_of_powers_of_two) { for_crawlers(11, binary_units); }
 
 /* EQUAL_FORCES and its like would not stay equal: the families without them, one by one. */
-static void units_of_any_size(void **state)
+TEST(units_of_any_size)
 {
-  (void)state;
   struct random r = { 12 };
   const enum family families[] = { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD };
+  check_failed = name_the_culprit;
   for (int n = 0; n < check_cases(4 * CRAWLERS); n++) {
     under_test = random_crawler(&r, families[n % 4], every_gait[n / 4 % SMOOTH_GAITS]);
     any_units(&r, &under_test);
   }
-  under_test.gait = NULL;
+  check_failed = NULL;
 }
-
-/* ---- mirror and exchange ---- */
 
 static struct scallop_crawler exchanged(const struct scallop_crawler *c)
 {
@@ -253,18 +238,8 @@ static void relabelled(struct random *r, const struct scallop_crawler *given)
   CHECK_NEAR(t.period.displacement, s.period.displacement, BOUND * ULP * displacement_size(&c, &s));
 }
 
-static void mirror_image(void **state)
-{
-  (void)state;
-  for_crawlers(13, mirrored);
-}
-static void bodies_exchanged(void **state)
-{
-  (void)state;
-  for_crawlers(14, relabelled);
-}
-
-/* ---- the period map ---- */
+TEST(mirror_image) { for_crawlers(13, mirrored); }
+TEST(bodies_exchanged) { for_crawlers(14, relabelled); }
 
 static double largest_velocity(const struct scallop_crawler *c, double v0)
 {
@@ -304,15 +279,10 @@ static void multiplier_is_the_derivative(struct random *r, const struct scallop_
   sharp_differences += 2 * spread + noise < 1e-3 * fmax(1, 1e-3 / eps);
 }
 
-static void period_map(void **state)
-{
-  (void)state;
-  for_crawlers(15, map_is_monotone_and_nonexpansive);
-}
+TEST(period_map) { for_crawlers(15, map_is_monotone_and_nonexpansive); }
 
-static void multiplier(void **state)
+TEST(multiplier)
 {
-  (void)state;
   for_crawlers(16, multiplier_is_the_derivative);
   print_message("%ld of %ld differences sharp\n", sharp_differences, differences);
   assert_true(sharp_differences > differences / 2);
@@ -331,24 +301,17 @@ static void fast_start(struct random *r, const struct scallop_crawler *c)
   }
 }
 
-static void above_every_curve(void **state)
-{
-  (void)state;
-  for_crawlers(17, fast_start);
-}
+TEST(above_every_curve) { for_crawlers(17, fast_start); }
 
 /* At a kink: m1 = m2, F1 = F2, eps of the phase 1/16, the start such that the rear body comes to rest
  * for an instant at the middle of the extension, where l' peaks. To the right it never turns back. */
-static void multiplier_at_grazing_is_the_right_one(void **state)
+TEST(multiplier_at_grazing_is_the_right_one)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 0.25, 0.25, 1, 1, 0.5, &scallop_gait_quadratic };
   double v0 = 2.0625, step = 0x1p-12;
   struct scallop_period_result at = period_of(&c, v0), right = period_of(&c, v0 + step);
   CHECK_NEAR(at.multiplier, (right.v_end - at.v_end) / step, 64 * ULP / step);
 }
-
-/* ---- the steady state ---- */
 
 static void steady_is_a_fixed_point(struct random *r, const struct scallop_crawler *c)
 {
@@ -421,9 +384,8 @@ static void symmetric_goes_nowhere(struct random *r, const struct scallop_crawle
 
 /* Where a root finder that keeps its bracket badly has gone wrong: Newton's method jumps between the two
  * ends of the bracket (the balance is piecewise linear), or is thrown off a root it has found. */
-static void awkward_fixed_points(void **state)
+TEST(awkward_fixed_points)
 {
-  (void)state;
   const struct scallop_crawler awkward[] = {
     { 0.8600653530882657, 0.091638556541162694, 0.14221223671773683, 0.6712699065680231, 15.404457108972549,
       1.6337619364041711, 0.64779187280096906, &trapezoid_gait },
@@ -432,46 +394,14 @@ static void awkward_fixed_points(void **state)
     { 1.005555104355869, 0.34464279269686077, 0.20340021387305435, 1.9351561748532251, 6.2489810736853961,
       0.00042542337761461294, 0.13370486197499587, &scallop_gait_sinusoidal },
   };
+  check_failed = name_the_culprit;
   for (size_t k = 0; k < sizeof awkward / sizeof *awkward; k++) {
     under_test = awkward[k];
     steady_is_a_fixed_point(NULL, &under_test);
   }
-  under_test.gait = NULL;
+  check_failed = NULL;
 }
 
-static void fixed_point(void **state)
-{
-  (void)state;
-  for_crawlers(18, steady_is_a_fixed_point);
-}
-static void reached_from_anywhere(void **state)
-{
-  (void)state;
-  for_crawlers(19, steady_is_reached);
-}
-static void no_displacement(void **state)
-{
-  (void)state;
-  for_crawlers(20, symmetric_goes_nowhere);
-}
-
-#define TEST(name) cmocka_unit_test_teardown(name, name_the_culprit)
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    TEST(units_of_powers_of_two),
-    TEST(units_of_any_size),
-    TEST(mirror_image),
-    TEST(bodies_exchanged),
-    TEST(period_map),
-    TEST(multiplier),
-    TEST(above_every_curve),
-    TEST(multiplier_at_grazing_is_the_right_one),
-    TEST(fixed_point),
-    TEST(reached_from_anywhere),
-    TEST(awkward_fixed_points),
-    TEST(no_displacement),
-  };
-  return cmocka_run_group_tests_name("symmetry", tests, NULL, NULL);
-}
+TEST(fixed_point) { for_crawlers(18, steady_is_a_fixed_point); }
+TEST(reached_from_anywhere) { for_crawlers(19, steady_is_reached); }
+TEST(no_displacement) { for_crawlers(20, symmetric_goes_nowhere); }

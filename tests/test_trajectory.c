@@ -61,8 +61,6 @@ static double fastest(const struct scallop_crawler *c, double v0)
   return fabs(v0) + 3 * c->L / (c->T * fmin(c->alpha, 1 - c->alpha));
 }
 
-/* ---- the ends of phases and periods ---- */
-
 /* Both velocities, and every position, as the phase gives them; alpha = k/8, so that sample k of 8 is
  * at the very end of the extension. */
 static void ends_of_phases(const struct scallop_crawler *given, double v0, int k)
@@ -94,9 +92,8 @@ static void ends_of_phases(const struct scallop_crawler *given, double v0, int k
   free(t.sample);
 }
 
-static void against_phases(void **state)
+TEST(against_phases)
 {
-  (void)state;
   struct random r = { 51 };
   for (int family = 0; family < FAMILIES; family++)
     for (int n = 0; n < check_cases(CRAWLERS); n++) {
@@ -107,9 +104,8 @@ static void against_phases(void **state)
 }
 
 /* Period starts against the iterated period map, and the end against its displacements. */
-static void against_periods(void **state)
+TEST(against_periods)
 {
-  (void)state;
   struct random r = { 52 };
   for (int n = 0; n < check_cases(FAMILIES * CRAWLERS); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % ALL_GAITS]);
@@ -131,8 +127,6 @@ static void against_periods(void **state)
     free(t.sample);
   }
 }
-
-/* ---- inside a period ---- */
 
 /* x2 - x1 = l, v2 - v1 = l', xC between; and each step of x is the mean of v over it: the trapezium
  * rule is within (its two ends) step/2 times the variation of v, which accelerations bound. */
@@ -164,9 +158,8 @@ static void one_motion(const struct scallop_crawler *c, double v0)
   free(t.sample);
 }
 
-static void velocity_is_the_derivative(void **state)
+TEST(velocity_is_the_derivative)
 {
-  (void)state;
   struct random r = { 53 };
   for (int n = 0; n < check_cases(80); n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? ORDINARY : STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
@@ -176,9 +169,8 @@ static void velocity_is_the_derivative(void **state)
 }
 
 /* A body that is stuck has velocity exactly 0 and, within rounding, stays where it is. */
-static void a_stuck_body_stays(void **state)
+TEST(a_stuck_body_stays)
 {
-  (void)state;
   for (int g = 0; g < SMOOTH_GAITS; g++) {
     struct scallop_crawler c = { 1000, 1, 1000, 1, 1, 1, 0.5, every_gait[g] };
     struct track t = run(&c, 0, 3, 64);
@@ -190,8 +182,6 @@ static void a_stuck_body_stays(void **state)
     free(t.sample);
   }
 }
-
-/* ---- many periods ---- */
 
 /* v_start is rounded, and the map brings it back: what is left is one rounding of the velocity and one
  * of the displacement in every period, none of which grows. */
@@ -206,9 +196,8 @@ static void no_drift(const struct scallop_crawler *c)
   CHECK_RELATIVE(last.t, MANY * c->T, ULP);
 }
 
-static void steady_does_not_drift(void **state)
+TEST(steady_does_not_drift)
 {
-  (void)state;
   struct random r = { 54 };
   struct scallop_crawler c = scallop_crawler_default();
   no_drift(&c);
@@ -236,9 +225,8 @@ static void geometric(double T, double F, long n)
   CHECK_RELATIVE(last_of(&c, 0, n).v1, -target * expm1((double)n * log1p(-loss)), BOUND * ULP);
 }
 
-static void from_rest_geometrically(void **state)
+TEST(from_rest_geometrically)
 {
-  (void)state;
   geometric(1e-3, 1, MANY); /* eps = 2.5e-7: a tenth of the way */
   geometric(1e-3, 1, 1000);
   geometric(1e-3, 100, MANY);   /* nearly there */
@@ -247,9 +235,8 @@ static void from_rest_geometrically(void **state)
 }
 
 /* From rest and from far away the steady state is reached. */
-static void converges(void **state)
+TEST(converges)
 {
-  (void)state;
   struct random r = { 55 };
   for (int n = 0; n < check_cases(60); n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? ORDINARY : STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
@@ -263,11 +250,8 @@ static void converges(void **state)
   }
 }
 
-/* ---- the protocol ---- */
-
-static void stops_when_told(void **state)
+TEST(stops_when_told)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct track all = run(&c, 0, 3, 4);
   for (long stop = 1; stop <= 13; stop++) {
@@ -319,9 +303,8 @@ static void refused(const struct scallop_crawler *c, double v0, bool v0_matters,
   assert_int_equal(calls, 0);
 }
 
-static void bad_parameters(void **state)
+TEST(bad_parameters)
 {
-  (void)state;
   const double bad[] = { NAN, -NAN, INFINITY, -INFINITY, 0, -0.0, -1, -1e-300 };
   const double bad_alpha[] = { NAN, INFINITY, -INFINITY, 0, 1, -0.25, 1.25 };
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
@@ -341,18 +324,16 @@ static void bad_parameters(void **state)
   refused(&c, 0, false, SCALLOP_EDOMAIN);
 }
 
-static void bad_start(void **state)
+TEST(bad_start)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   const double bad[] = { NAN, INFINITY, -INFINITY };
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
     refused(&c, bad[k], true, SCALLOP_EDOMAIN);
 }
 
-static void bad_counts(void **state)
+TEST(bad_counts)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   const long bad[][2] = { { 0, 1 }, { 1, 0 }, { -1, 1 }, { 1, -1 }, { 0, 0 } };
   int calls = 0;
@@ -361,9 +342,8 @@ static void bad_counts(void **state)
   assert_int_equal(calls, 0);
 }
 
-static void out_of_range(void **state)
+TEST(out_of_range)
 {
-  (void)state;
   const struct scallop_gait *g = &scallop_gait_quadratic;
   const struct scallop_crawler bad[] = {
     { 1, 1, 4, 1, 10, 1e200, 0.5, g },     /* eps overflows         */
@@ -383,9 +363,8 @@ static void out_of_range(void **state)
 
 /* eps of the period is normal; of one phase it is not, or L/tau is not. Nothing but ERANGE will do for
  * a function that goes through that phase. */
-static void out_of_range_in_one_phase(void **state)
+TEST(out_of_range_in_one_phase)
 {
-  (void)state;
   const struct scallop_gait *g = &scallop_gait_quadratic;
   const struct scallop_crawler bad[] = {
     { 1, 1, 4, 1, 10, 1, 1e-170, g },                    /* eps alpha^2 underflows   */
@@ -402,24 +381,4 @@ static void out_of_range_in_one_phase(void **state)
     assert_int_equal(scallop_steady(&bad[k], &steady), SCALLOP_ERANGE);
     assert_int_equal(scallop_trajectory(&bad[k], 0, 1, 1, no_sample, &calls), SCALLOP_ERANGE);
   }
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(against_phases),
-    cmocka_unit_test(against_periods),
-    cmocka_unit_test(velocity_is_the_derivative),
-    cmocka_unit_test(a_stuck_body_stays),
-    cmocka_unit_test(steady_does_not_drift),
-    cmocka_unit_test(from_rest_geometrically),
-    cmocka_unit_test(converges),
-    cmocka_unit_test(stops_when_told),
-    cmocka_unit_test(bad_parameters),
-    cmocka_unit_test(bad_start),
-    cmocka_unit_test(bad_counts),
-    cmocka_unit_test(out_of_range),
-    cmocka_unit_test(out_of_range_in_one_phase),
-  };
-  return cmocka_run_group_tests_name("trajectory", tests, NULL, NULL);
 }

@@ -9,8 +9,6 @@
 
 enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
 
-/* ---- certified values, as a double and the rest ---- */
-
 static struct scallop_wide two_doubles(const arb_t x)
 {
   arb_t rest;
@@ -53,12 +51,9 @@ static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NU
   memcpy(out, all, sizeof all);
 }
 
-/* ---- tests ---- */
-
 /* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared with. */
-static void near_certified(void **state)
+TEST(near_certified)
 {
-  (void)state;
   struct random r = { 20261201 };
   int solved = 0;
   double worst[2] = { 0, 0 };
@@ -97,9 +92,8 @@ static double generosity(double estimate, double got, const struct scallop_wide 
 }
 
 /* They bound the error, and are not more than a hundred times that. */
-static void estimates_of_steady_states(void **state)
+TEST(estimates_of_steady_states)
 {
-  (void)state;
   struct random r = { 20261202 };
   double most = 0;
   for (int n = 0; n < CRAWLERS; n++) {
@@ -123,9 +117,8 @@ static void estimates_of_steady_states(void **state)
 }
 
 /* A wrong number is told so: by how much it is wrong. */
-static void estimate_of_a_wrong_number(void **state)
+TEST(estimate_of_a_wrong_number)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_phase_result p;
   struct scallop_phase_error e;
@@ -141,9 +134,8 @@ static void estimate_of_a_wrong_number(void **state)
 }
 
 /* A period from the steady start velocity ends where it began, to what the rounding of that to a double changes. */
-static void period_and_steady_state_agree(void **state)
+TEST(period_and_steady_state_agree)
 {
-  (void)state;
   for (int g = 0; g < 2; g++)
     for (int width = 0; width < 2; width++) {
       struct scallop_crawler c = scallop_crawler_default();
@@ -169,9 +161,8 @@ static void period_and_steady_state_agree(void **state)
 }
 
 /* Modes and regime are those of the double solver where nothing is close to call. */
-static void modes(void **state)
+TEST(modes)
 {
-  (void)state;
   static const double T[] = { 0.5, 3, 5, 50 };
   for (int g = 0; g < 2; g++)
     for (int i = 0; i < 4; i++) {
@@ -193,9 +184,8 @@ static void modes(void **state)
 }
 
 /* Gaits of polynomial pieces, against the same in double. */
-static void polynomial_gaits(void **state)
+TEST(polynomial_gaits)
 {
-  (void)state;
   const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
   for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
     for (double T = 0.1; T < 40; T *= 3) {
@@ -212,9 +202,8 @@ static void polynomial_gaits(void **state)
     }
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default(), small = c, jumping = c;
   struct scallop_wide_steady s, s_before;
   struct scallop_wide_phase p, p_before;
@@ -258,9 +247,8 @@ static void set_control_word(unsigned short word) { __asm__ volatile("fldcw %0" 
 
 /* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for digits that never
  * come. */
-static void long_double_rounded_to_double(void **state)
+TEST(long_double_rounded_to_double)
 {
-  (void)state;
   enum { USUAL = 0x37f, ROUNDED = 0x27f };
   struct random r = { 20261205 };
   struct scallop_wide_steady w;
@@ -284,8 +272,6 @@ static void long_double_rounded_to_double(void **state)
   }
 }
 #endif
-
-/* ---- the end of the range ---- */
 
 /* One phase, or a period, in double; the largest of the numbers in *size */
 static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
@@ -329,9 +315,8 @@ static struct scallop_crawler in_unit(const struct scallop_crawler *c, double un
 
 /* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is said, and else never.
  * With so long a period and such small masses no number is larger than the displacement. */
-static void beyond_the_range(void **state)
+TEST(beyond_the_range)
 {
-  (void)state;
   enum { TRIES = 120, LAST = 6 };
   struct random r = { 20261203 };
   int beyond[2] = { 0 };
@@ -362,22 +347,4 @@ static void beyond_the_range(void **state)
     }
   }
   assert_true(beyond[0] > 0 && beyond[1] > 0);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(near_certified),
-    cmocka_unit_test(estimates_of_steady_states),
-    cmocka_unit_test(estimate_of_a_wrong_number),
-    cmocka_unit_test(period_and_steady_state_agree),
-    cmocka_unit_test(beyond_the_range),
-    cmocka_unit_test(modes),
-    cmocka_unit_test(polynomial_gaits),
-    cmocka_unit_test(refusals),
-#if defined __x86_64__ || defined __i386__
-    cmocka_unit_test(long_double_rounded_to_double),
-#endif
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }
