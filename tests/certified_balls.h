@@ -2,24 +2,19 @@
 #ifndef CERTIFIED_BALLS_H
 #define CERTIFIED_BALLS_H
 
-#include "numerics/certified.h"
 #include "tests/check.h"
+#include "tests/scoped.h"
 
 static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 /* At least how far apart, seen from the outside: |x - y| with the radii of both. */
 static inline double apart(const arb_t x, const arb_t y)
 {
-  arb_t d;
-  arf_t most;
-  arb_init(d);
-  arf_init(most);
+  SCOPED(arb, d);
+  SCOPED(arf, most);
   arb_sub(d, x, y, 400);
   arb_get_abs_ubound_arf(most, d, 53);
-  double far = arf_get_d(most, ARF_RND_UP);
-  arb_clear(d);
-  arf_clear(most);
-  return far;
+  return arf_get_d(most, ARF_RND_UP);
 }
 
 static inline void check_overlap(const arb_t x, const arb_t y, const char *what)

@@ -13,10 +13,8 @@ static inline slong least(slong a, slong b) { return a < b ? a : b; }
 /* Random terms from x^first on, the first of which is not 0; an even series now and then, for the zeros in between. */
 static inline void random_terms(struct series *s, struct random *r, slong first, slong terms)
 {
-  fmpq_poly_t poly;
-  fmpq_t c;
-  fmpq_poly_init(poly);
-  fmpq_init(c);
+  SCOPED(fmpq_poly, poly);
+  SCOPED(fmpq, c);
   slong step = 1 + random_below(r, 4) / 3;
   for (slong k = 0; k < terms; k += step) {
     random_fraction(c, r);
@@ -26,8 +24,6 @@ static inline void random_terms(struct series *s, struct random *r, slong first,
   }
   series_set_rational_poly(s, poly, SERIES_ALL);
   series_shift(s, s, first);
-  fmpq_poly_clear(poly);
-  fmpq_clear(c);
 }
 
 /* Of which everything is known, or only the first few terms */
@@ -41,13 +37,11 @@ static inline void random_series(struct series *s, struct random *r, slong first
 /* The same numbers as balls */
 static inline void as_balls(struct series *to, const struct series *from)
 {
-  arb_poly_t poly;
-  arb_poly_init(poly);
+  SCOPED(arb_poly, poly);
   arb_poly_set_fmpq_poly(poly, from->rational, PRECISION);
   series_set_ball_poly(to, poly, SERIES_ALL);
   series_shift(to, to, from->first);
   series_truncate(to, from->known);
-  arb_poly_clear(poly);
 }
 
 /* All coefficients that both know are the same. The lowest power of interest: -FAR. */
@@ -70,16 +64,18 @@ static inline void check_known(const struct series *s, slong known, const char *
   }
 }
 
+/* Series to work with: SCOPED(work, w) */
 enum { WORK = 8 };
-static inline void work_init(struct series *w)
+typedef struct series scoped_work[WORK];
+static inline void scoped_begin_work(scoped_work *w)
 {
   for (int i = 0; i < WORK; i++)
-    series_init(&w[i]);
+    series_init(&(*w)[i]);
 }
-static inline void work_clear(struct series *w)
+static inline void scoped_end_work(scoped_work *w)
 {
   for (int i = 0; i < WORK; i++)
-    series_clear(&w[i]);
+    series_clear(&(*w)[i]);
 }
 
 #endif

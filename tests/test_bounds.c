@@ -38,16 +38,12 @@ static void print_ratios(struct ratios *r, const char *what)
 /* T = part T0, rounded down to a fraction */
 static void set_T(struct scallop_rational_crawler *c, const arb_t T0, double part)
 {
-  arb_t T;
-  arf_t low;
-  arb_init(T);
-  arf_init(low);
+  SCOPED(arb, T);
+  SCOPED(arf, low);
   arb_set_d(T, part);
   arb_mul(T, T, T0, PRECISION);
   arb_get_lbound_arf(low, part == 1 ? T0 : T, PRECISION);
   arf_get_fmpq(c->T, low);
-  arf_clear(low);
-  arb_clear(T);
 }
 
 struct subject {
@@ -62,10 +58,7 @@ static double ratio(const struct subject *s, const arb_t exact, int quantity)
 {
   const struct scallop_bound *b = &s->bounds[quantity];
   const struct series *series = quantity == 0 ? &s->expansion.v_start : &s->expansion.displacement;
-  arb_t T, error, bound;
-  arb_init(T);
-  arb_init(error);
-  arb_init(bound);
+  SCOPED(arb, T, error, bound);
   arb_set_fmpq(T, s->crawler.T, 4 * PRECISION);
   series_value(error, series, T, s->order, 4 * PRECISION);
   arb_sub(error, exact, error, 4 * PRECISION);
@@ -75,16 +68,12 @@ static double ratio(const struct subject *s, const arb_t exact, int quantity)
   bool holds = !arb_gt(error, bound);
   arb_div(bound, bound, error, PRECISION);
   double times = arb_is_finite(bound) ? nearest(bound) : INFINITY;
-  arb_clear(T);
-  arb_clear(error);
-  arb_clear(bound);
   return holds ? times : -times;
 }
 
 static void check_at(struct subject *s, double part, struct ratios *small)
 {
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   set_T(&s->crawler, s->bounds[0].T0, part);
   assert_int_equal(scallop_certified_steady(&s->crawler, DIGITS, &c, NULL), SCALLOP_OK);
   for (int q = 0; q < QUANTITIES; q++) {
@@ -97,24 +86,19 @@ static void check_at(struct subject *s, double part, struct ratios *small)
     if (part < 1e-3 && isfinite(times)) /* some series end, and nothing is left to bound */
       small[q].all[small[q].count++] = times;
   }
-  scallop_certified_steady_clear(&c);
 }
 
 static void modes_at(const struct subject *s, double part, char *text, size_t size)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady there;
   char modes[2][SCALLOP_MODES_TEXT];
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&there);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_steady, there);
   scallop_rational_copy(&c, &s->crawler);
   set_T(&c, s->bounds[0].T_end, part);
   assert_int_equal(scallop_certified_steady(&c, 20, &there, NULL), SCALLOP_OK);
   scallop_modes_text(&there.modes[0], modes[0]);
   scallop_modes_text(&there.modes[1], modes[1]);
   snprintf(text, size, "%s | %s", modes[0], modes[1]);
-  scallop_certified_steady_clear(&there);
-  scallop_rational_clear(&c);
 }
 
 /* False: they are refused. */
@@ -156,6 +140,7 @@ static void subject_clear(struct subject *s)
   scallop_bound_clear(&s->bounds[0]);
   scallop_bound_clear(&s->bounds[1]);
 }
+SCOPED_KIND(subject, struct subject)
 
 /* What both tests look at: crawlers with their bounds, found once */
 static struct subject subjects[CRAWLERS];
@@ -251,8 +236,7 @@ static void refuses(struct subject *s, slong order, enum scallop_status wanted, 
 TEST(refusals)
 {
   struct random r = { 20260842 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < 2; i++) {
     random_exact_crawler(&s.crawler, &r, gaits[i]);
     refuses(&s, 0, SCALLOP_EDOMAIN, "order");
@@ -270,34 +254,29 @@ TEST(refusals)
   }
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
   refuses(&s, 4, SCALLOP_EUNDECIDED, "");
-  subject_clear(&s);
 }
 
 static void refuse_modes(const struct scallop_rational_crawler *crawler, slong precision, enum scallop_status wanted)
 {
   const char *ends = "untouched", *why = NULL;
-  arb_t T;
-  arb_init(T);
+  SCOPED(arb, T);
   assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, &why), wanted);
   assert_non_null(why);
   assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, NULL), wanted);
   assert_string_equal(ends, "untouched");
   assert_true(arb_is_zero(T));
-  arb_clear(T);
 }
 
 TEST(refusals_of_modes)
 {
   struct random r = { 20260843 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
   refuse_modes(&s.crawler, 31, SCALLOP_EDOMAIN);
   fmpq_neg(s.crawler.m2, s.crawler.m2);
   refuse_modes(&s.crawler, PRECISION, SCALLOP_EDOMAIN);
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
   refuse_modes(&s.crawler, PRECISION, SCALLOP_EUNDECIDED);
-  subject_clear(&s);
 }
 
 int main(void) { return check_run(find_all, forget_all); }

@@ -8,6 +8,9 @@
 #include "tests/exact.h"
 #include "tests/odd_gaits.h"
 
+SCOPED_KIND(lift, struct lift)
+SCOPED_KIND(base, struct base)
+
 enum { PRECISION = 128 };
 
 struct subject {
@@ -80,23 +83,19 @@ TEST(more_crossings_than_there_is_room_for)
   assert_true(branch_of_level(&s.branch, &s.phase, s.c, PRECISION));
   assert_int_equal(s.branch.count, MOST_CROSSINGS);
   for (int i = 0; i < MOST_CROSSINGS; i++) { /* q |l'| = 1/2 at a quarter of a tooth from either side */
-    arb_t u;
-    arb_init(u);
+    SCOPED(arb, u);
     series_coefficient(u, &s.branch.crossing[i].offset, 0, PRECISION);
     int tooth = i / 2;
     CHECK_NEAR(nearest(u), (tooth + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
-    arb_clear(u);
   }
   subject_clear(&s);
 }
 
 static void set_offset(struct subject *s, double u)
 {
-  arb_t at;
-  arb_init(at);
+  SCOPED(arb, at);
   arb_set_d(at, u);
   series_set_ball(&s->branch.crossing[0].offset, at);
-  arb_clear(at);
 }
 
 /* At the plateau, where the slope of the curve is that of the line: no time is
@@ -105,16 +104,10 @@ TEST(crossings_along_the_curve)
 {
   const struct ring ring = { 4, PRECISION };
   struct subject s;
-  struct base base;
-  struct lift lift;
-  struct series c, eps, one;
-  arb_t before;
-  arb_init(before);
-  series_init(&c);
-  series_init(&eps);
-  series_init(&one);
-  lift_init(&lift);
-  base_init(&base);
+  SCOPED(arb, before);
+  SCOPED(series, c, eps, one);
+  SCOPED(lift, lift);
+  SCOPED(base, base);
   subject_init(&s, &trapezoid_gait);
   series_set_si(&one, 1);
   series_set_si(&eps, 0);
@@ -135,12 +128,6 @@ TEST(crossings_along_the_curve)
     CHECK_NEAR(nearest(before), u, 1e-30);
   }
   subject_clear(&s);
-  base_clear(&base);
-  lift_clear(&lift);
-  series_clear(&c);
-  series_clear(&eps);
-  series_clear(&one);
-  arb_clear(before);
 }
 
 /* m1 = m2, F1 = 7 F2, alpha = 3/4: w = 3/8, crossings and all are fractions
@@ -149,15 +136,11 @@ TEST(crossings_along_the_curve)
 TEST(a_limit_that_balls_hold_exactly)
 {
   const struct scallop_crawler c = { 1, 1, 7, 1, 1, 1, 0.75, &scallop_gait_quadratic };
-  struct scallop_rational_crawler exact;
   struct limit l;
-  arb_t w, eps;
-  fmpq_t value;
   const char *why;
-  fmpq_init(value);
-  arb_init(w);
-  arb_init(eps);
-  scallop_rational_init(&exact);
+  SCOPED(fmpq, value);
+  SCOPED(arb, w, eps);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, &c);
   limit_init(&l, &exact);
   assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
@@ -168,22 +151,13 @@ TEST(a_limit_that_balls_hold_exactly)
   assert_true(arb_contains_fmpq(w, value));
   assert_true(mag_cmp_2exp_si(arb_radref(w), -PRECISION / 2) < 0);
   limit_clear(&l);
-  scallop_rational_clear(&exact);
-  arb_clear(w);
-  arb_clear(eps);
-  fmpq_clear(value);
 }
 
 /* The velocity with which the contraction begins, in units of L and the period */
 static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t eps)
 {
-  struct base base;
-  arb_t fraction, here, c, one;
-  base_init(&base);
-  arb_init(fraction);
-  arb_init(here);
-  arb_init(c);
-  arb_init(one);
+  SCOPED(base, base);
+  SCOPED(arb, fraction, here, c, one);
   arb_one(one);
   arb_set_fmpq(fraction, l->phase[0].fraction, PRECISION);
   arb_mul(c, w, fraction, PRECISION);
@@ -191,11 +165,6 @@ static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t 
   arb_mul(here, here, fraction, PRECISION);
   assert_true(base_follow(&base, &l->branch[0], &l->phase[0], here, c, one, false, PRECISION));
   arb_div(w_mid, base.c_end, fraction, PRECISION);
-  base_clear(&base);
-  arb_clear(fraction);
-  arb_clear(here);
-  arb_clear(c);
-  arb_clear(one);
 }
 
 /* Minimum jerk is one polynomial in four pieces. F1 = 22 F2 and alpha = 0.9: as eps grows the first crossing of the extension moves from
@@ -203,17 +172,12 @@ static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t 
 TEST(a_crossing_moves_to_another_piece)
 {
   struct scallop_crawler c = { 1, 1, 22, 1, 1, 1, 0.9, &minimum_jerk_gait };
-  struct scallop_rational_crawler exact;
   struct scallop_steady_result steady;
   struct limit l;
-  arb_t w, w_mid, eps, u;
   const char *why;
   int before = 0, after = 0;
-  arb_init(w);
-  arb_init(w_mid);
-  arb_init(eps);
-  arb_init(u);
-  scallop_rational_init(&exact);
+  SCOPED(arb, w, w_mid, eps, u);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, &c);
   limit_init(&l, &exact);
   assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
@@ -233,11 +197,6 @@ TEST(a_crossing_moves_to_another_piece)
   }
   assert_true(before > 0 && after > 0);
   limit_clear(&l);
-  scallop_rational_clear(&exact);
-  arb_clear(w);
-  arb_clear(w_mid);
-  arb_clear(eps);
-  arb_clear(u);
 }
 
 /* Where pieces are one function a crossing may as well be measured in any of them, from either end. */
@@ -246,14 +205,10 @@ TEST(a_crossing_measured_elsewhere)
   const struct scallop_gait *const gaits[] = { &scallop_gait_sinusoidal, &minimum_jerk_gait, &trapezoid_gait };
   for (int g = 0; g < 3; g++) {
     const struct scallop_crawler c = { 1, 1, 4, 1, 1, 1, 0.75, gaits[g] };
-    struct scallop_rational_crawler exact;
     struct limit l;
-    arb_t w, zero, u;
     const char *why;
-    arb_init(w);
-    arb_init(zero);
-    arb_init(u);
-    scallop_rational_init(&exact);
+    SCOPED(arb, w, zero, u);
+    SCOPED(scallop_rational, exact);
     scallop_rational_of(&exact, &c);
     limit_init(&l, &exact);
     assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
@@ -267,9 +222,5 @@ TEST(a_crossing_measured_elsewhere)
     last->piece = &gaits[g]->phase[0].pieces[0];
     assert_int_equal(limit_holds(&l, w, w, zero, PRECISION) != NULL, gaits[g] == &trapezoid_gait);
     limit_clear(&l);
-    scallop_rational_clear(&exact);
-    arb_clear(w);
-    arb_clear(zero);
-    arb_clear(u);
   }
 }

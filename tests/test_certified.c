@@ -28,12 +28,9 @@ static const char *const steady_names[STEADY] = { "v_start", "v_mid", "displacem
 
 static double apart_from_double(const arb_t x, double y)
 {
-  arb_t ball;
-  arb_init(ball);
+  SCOPED(arb, ball);
   arb_set_d(ball, y);
-  double far = apart(x, ball);
-  arb_clear(ball);
-  return far;
+  return apart(x, ball);
 }
 
 static void check_digits(const arb_t x, long digits, const char *what)
@@ -70,11 +67,9 @@ static bool perturb(struct scallop_rational_crawler *c, fmpq_t v0, int i)
   fmpq *inputs[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, v0 };
   if (i == 8)
     return false;
-  fmpq_t factor;
-  fmpq_init(factor);
+  SCOPED(fmpq, factor);
   assert_true(scallop_rational_parse(factor, "1.000000000000000000000000000001"));
   fmpq_mul(inputs[i], inputs[i], factor);
-  fmpq_clear(factor);
   return true;
 }
 
@@ -94,13 +89,9 @@ static void check_same_modes(const struct scallop_modes *certified, const struct
 /* Sum over the inputs p of |p dq/dp| for every q, by certified differences; inf where a mode changes. */
 static void phase_conditions(double *cond, const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
-  struct scallop_certified_phase base, moved;
-  struct scallop_rational_crawler exact;
-  fmpq_t start;
-  scallop_certified_phase_init(&base);
-  scallop_certified_phase_init(&moved);
-  scallop_rational_init(&exact);
-  fmpq_init(start);
+  SCOPED(scallop_certified_phase, base, moved);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, start);
   memset(cond, 0, PHASE * sizeof *cond);
   for (int i = -1;; i++) {
     scallop_rational_of(&exact, c);
@@ -114,23 +105,16 @@ static void phase_conditions(double *cond, const struct scallop_crawler *c, enum
                      ? 1e30 * apart(phase_quantity(&base, q), phase_quantity(&moved, q))
                      : INFINITY;
   }
-  fmpq_clear(start);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&moved);
-  scallop_certified_phase_clear(&base);
 }
 
 static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct worst *worst)
 {
   struct scallop_phase_result d;
-  struct scallop_certified_phase r;
-  struct scallop_rational_crawler exact;
-  fmpq_t start;
   const char *why = "";
   double cond[PHASE];
-  scallop_certified_phase_init(&r);
-  scallop_rational_init(&exact);
-  fmpq_init(start);
+  SCOPED(scallop_certified_phase, r);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, start);
   scallop_rational_of(&exact, c);
   scallop_rational_set_double(start, v0);
   assert_int_equal(scallop_phase(c, kind, v0, &d), SCALLOP_OK);
@@ -155,9 +139,6 @@ static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_ki
     }
     note(&worst[q], unit > 0 && isfinite(unit) ? error / unit : 0, c, doubles[q]);
   }
-  fmpq_clear(start);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&r);
 }
 
 TEST(phases_agree_with_doubles)
@@ -174,10 +155,8 @@ TEST(phases_agree_with_doubles)
 
 static void steady_conditions(double *cond, struct scallop_certified_steady *base, const struct scallop_crawler *c)
 {
-  struct scallop_certified_steady moved;
-  struct scallop_rational_crawler exact;
-  scallop_certified_steady_init(&moved);
-  scallop_rational_init(&exact);
+  SCOPED(scallop_certified_steady, moved);
+  SCOPED(scallop_rational, exact);
   memset(cond, 0, STEADY * sizeof *cond);
   for (int i = 0; i < 7; i++) {
     scallop_rational_of(&exact, c);
@@ -187,19 +166,15 @@ static void steady_conditions(double *cond, struct scallop_certified_steady *bas
     for (int q = 0; q < STEADY; q++)
       cond[q] += known ? 1e30 * apart(steady_quantity(base, q), steady_quantity(&moved, q)) : INFINITY;
   }
-  scallop_rational_clear(&exact);
-  scallop_certified_steady_clear(&moved);
 }
 
 static void compare_steady(const struct scallop_crawler *c, struct worst *worst)
 {
   struct scallop_steady_result d;
-  struct scallop_certified_steady r;
-  struct scallop_rational_crawler exact;
   const char *why = "";
   double cond[STEADY];
-  scallop_certified_steady_init(&r);
-  scallop_rational_init(&exact);
+  SCOPED(scallop_certified_steady, r);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   assert_int_equal(scallop_steady(c, &d), SCALLOP_OK);
   if (scallop_certified_steady(&exact, CONDITION_DIGITS, &r, &why) != SCALLOP_OK) {
@@ -222,8 +197,6 @@ static void compare_steady(const struct scallop_crawler *c, struct worst *worst)
     }
     note(&worst[q], unit > 0 && isfinite(unit) ? error / unit : 0, c, doubles[q]);
   }
-  scallop_rational_clear(&exact);
-  scallop_certified_steady_clear(&r);
 }
 
 TEST(steady_states_agree_with_doubles)
@@ -242,25 +215,19 @@ enum { COLUMNS = 27, LINE = 4096, FIRST_INPUT = 3, V0 = 11, MODES = 19, REFERENC
 /* The text has 50 digits: half a unit of the last one, and what counts as 0 there, is left to it. */
 static void check_reference(const arb_t ball, const char *text, double unit, const char *what)
 {
-  arb_t wanted;
-  arb_init(wanted);
+  SCOPED(arb, wanted);
   assert_int_equal(arb_set_str(wanted, text, 400), 0);
   check_digits(ball, REFERENCE_DIGITS, what);
   CHECK_NEAR(apart(ball, wanted), 0, 1e-44 * fabs(nearest(wanted)) + 1e-60 * unit);
-  arb_clear(wanted);
 }
 
 static void check_reference_row(char *const *cell)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
   char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4];
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&c);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_phase, p);
+  SCOPED(scallop_certified_steady, s);
   fmpq *inputs[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T, c.alpha };
   for (int i = 0; i < 7; i++)
     assert_true(scallop_rational_parse(inputs[i], cell[FIRST_INPUT + i]));
@@ -284,10 +251,6 @@ static void check_reference_row(char *const *cell)
     scallop_modes_text(&p.modes, both);
   }
   assert_string_equal(both, cell[MODES]);
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&c);
-  fmpq_clear(v0);
 }
 
 TEST(every_reference_row)
@@ -315,16 +278,10 @@ TEST(every_reference_row)
 TEST(more_digits_agree)
 {
   struct random r = { 20260703 };
-  struct scallop_certified_steady few, many;
-  struct scallop_certified_phase short_phase, long_phase;
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
-  scallop_certified_steady_init(&few);
-  scallop_certified_steady_init(&many);
-  scallop_certified_phase_init(&short_phase);
-  scallop_certified_phase_init(&long_phase);
-  scallop_rational_init(&exact);
-  fmpq_init(v0);
+  SCOPED(scallop_certified_steady, few, many);
+  SCOPED(scallop_certified_phase, short_phase, long_phase);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, v0);
   for (int i = 0; i < 20 * SMOOTH_GAITS; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(i / SMOOTH_GAITS % FAMILIES), every_gait[i % SMOOTH_GAITS]);
     scallop_rational_of(&exact, &c);
@@ -343,12 +300,6 @@ TEST(more_digits_agree)
       check_digits(phase_quantity(&long_phase, q), 300, phase_names[q]);
     }
   }
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&long_phase);
-  scallop_certified_phase_clear(&short_phase);
-  scallop_certified_steady_clear(&many);
-  scallop_certified_steady_clear(&few);
 }
 
 /* A thousand digits where a double has none: T = 1e-30. The displacement of the default crawler tends to
@@ -356,13 +307,9 @@ TEST(more_digits_agree)
 TEST(a_thousand_digits_of_a_small_period)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s, more;
-  arb_t limit;
-  arb_init(limit);
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
-  scallop_certified_steady_init(&more);
+  SCOPED(arb, limit);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s, more);
   for (int g = 0; g < 2; g++) {
     c.gait = every_gait[g];
     scallop_rational_of(&exact, &c);
@@ -380,8 +327,4 @@ TEST(a_thousand_digits_of_a_small_period)
       assert_false(arb_overlaps(s.displacement, limit));
     }
   }
-  scallop_certified_steady_clear(&more);
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
-  arb_clear(limit);
 }

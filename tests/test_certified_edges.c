@@ -15,13 +15,10 @@ static const struct scallop_gait parabola_gait = { "parabola",
 
 static void check_undecided(const struct scallop_crawler *c, const char *v0_text, const char *reason)
 {
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_phase p;
   const char *why = NULL;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&exact);
-  scallop_certified_phase_init(&p);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_phase, p);
   scallop_rational_of(&exact, c);
   assert_true(scallop_rational_parse(v0, v0_text));
   arb_set_ui(p.v_end, 7);
@@ -31,9 +28,6 @@ static void check_undecided(const struct scallop_crawler *c, const char *v0_text
   if (!strstr(why, reason))
     fail_msg("%s, not %s", why, reason);
   assert_true(arb_equal_si(p.v_end, 7) && p.modes.count == 77);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&exact);
-  fmpq_clear(v0);
 }
 
 /* m1 = m2 = 1, tau = 1, L = 1: while both go forward v1 = v0 - (F1 + F2) t/2 - l'/2. */
@@ -76,24 +70,20 @@ TEST(a_law_against_its_amplitude)
   struct scallop_piece pieces[2] = { parabola_extension[0], parabola_contraction[0] };
   struct scallop_gait gait = parabola_gait;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &gait };
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
   const char *why = NULL;
   for (int kind = 0; kind < 2; kind++) {
     pieces[kind].law = &law;
     gait.phase[kind].pieces = &pieces[kind];
   }
   check_undecided(&c, "3", "contradicts its amplitude");
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   arb_set_ui(s.v_start, 7);
   scallop_rational_of(&exact, &c);
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, &why), SCALLOP_EUNDECIDED);
   assert_non_null(strstr(why, "contradicts its amplitude"));
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EUNDECIDED);
   assert_true(arb_equal_si(s.v_start, 7));
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
 
 /* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the contraction, with l' at its
@@ -108,14 +98,10 @@ static const struct from_rest {
 
 TEST(a_search_from_an_undecided_velocity)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&c);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_phase, p);
+  SCOPED(scallop_certified_steady, s);
   for (int i = 0; i < 2; i++) {
     const struct from_rest *a = &from_rest[i];
     const struct scallop_crawler doubles = { 1, 99, (double)a->F1 / a->over,           (double)a->F2 / a->over,
@@ -143,36 +129,24 @@ TEST(a_search_from_an_undecided_velocity)
       CHECK_RELATIVE(d.period.displacement, nearest(s.displacement), 1e-13);
     }
   }
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&c);
-  fmpq_clear(v0);
 }
 
 static void check_domain(const struct scallop_rational_crawler *c, long digits)
 {
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_certified_phase, p);
+  SCOPED(scallop_certified_steady, s);
   arb_set_ui(p.t1, 7);
   arb_set_ui(s.v_start, 7);
   assert_int_equal(scallop_certified_phase(c, SCALLOP_EXTENSION, v0, digits, &p, NULL), SCALLOP_EDOMAIN);
   assert_int_equal(scallop_certified_steady(c, digits, &s, NULL), SCALLOP_EDOMAIN);
   assert_true(arb_equal_si(p.t1, 7) && arb_equal_si(s.v_start, 7));
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  fmpq_clear(v0);
 }
 
 TEST(domain)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   fmpq *inputs[] = { exact.m1, exact.m2, exact.F1, exact.F2, exact.L, exact.T, exact.alpha };
   for (int i = 0; i < 7; i++)
     for (int value = -1; value <= 0; value++) {
@@ -194,7 +168,7 @@ TEST(domain)
   unknown.phase[0].pieces = &lawless;
   exact.gait = &unknown;
   check_domain(&exact, 20);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_certified_steady, s);
   exact.gait = &sawtooth_gait;
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
   struct scallop_gait unmarked =
@@ -208,16 +182,12 @@ TEST(domain)
     exact.gait = &unmarked;
     assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
 
 TEST(zeros_are_exact)
 {
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   for (int g = 0; g < SMOOTH_GAITS; g++) {
     struct scallop_crawler c = { 0.3, 0.7, 1.1, 1.1, 3, 0.9, 0.3, every_gait[g] };
     scallop_rational_of(&exact, &c);
@@ -232,25 +202,19 @@ TEST(zeros_are_exact)
     assert_int_equal(s.regime, SCALLOP_AT_REST);
     assert_true(arb_is_zero(s.multiplier));
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
 
 /* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the exact answer. */
 TEST(barely_held)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_quadratic };
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   scallop_rational_of(&exact, &c);
   assert_true(scallop_rational_parse(exact.F1, "5.000000000000000000000000000000000000000000000000000000000001"));
   assert_int_equal(scallop_certified_steady(&exact, 100, &s, NULL), SCALLOP_OK);
   assert_true(arb_is_zero(s.v_start));
   assert_int_equal(s.regime, SCALLOP_AT_REST);
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
 
 struct at_limit {
@@ -274,11 +238,9 @@ static const struct at_limit at_limits[] = {
 /* Held, and so at rest: the motion of a body that friction would just let slide with acceleration 0 is the same. */
 TEST(forces_at_their_limits_hold)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady s;
   char text[SCALLOP_MODES_TEXT];
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_steady, s);
   c.gait = &scallop_gait_quadratic;
   for (size_t i = 0; i < sizeof at_limits / sizeof *at_limits; i++) {
     const struct at_limit *a = &at_limits[i];
@@ -294,6 +256,4 @@ TEST(forces_at_their_limits_hold)
     }
     assert_true(arb_is_zero(s.multiplier)); /* a body has stuck: the start is forgotten */
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&c);
 }

@@ -29,10 +29,7 @@ struct quantity {
 /* |error/term - 1|, the error of the terms below x^before beside the term x^power */
 static double excess(const struct quantity *q, int i, const fmpq_t T, slong before, slong power, slong precision)
 {
-  arb_t at, sum, term;
-  arb_init(at);
-  arb_init(sum);
-  arb_init(term);
+  SCOPED(arb, at, sum, term);
   arb_set_fmpq(at, T, precision);
   series_value(sum, q->series, at, before, precision);
   arb_sub(sum, q->exact[i], sum, precision);
@@ -43,11 +40,7 @@ static double excess(const struct quantity *q, int i, const fmpq_t T, slong befo
   arb_pow_ui(at, at, (ulong)labs(power), precision);
   arb_div(sum, sum, at, precision);
   arb_sub_si(sum, sum, 1, precision);
-  double far = at_most(sum);
-  arb_clear(at);
-  arb_clear(sum);
-  arb_clear(term);
-  return far;
+  return at_most(sum);
 }
 
 static double worst[TIMES]; /* excess */
@@ -111,17 +104,15 @@ static void list_phase(struct quantity q[PHASE], const struct scallop_phase_expa
 static bool phase_is_right(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
                            const struct scale *scale)
 {
-  struct scallop_phase_expansion e;
   struct scallop_certified_phase c[TIMES];
-  struct scallop_rational_crawler there;
   struct quantity q[PHASE];
   char modes[SCALLOP_MODES_TEXT];
-  fmpq_t T[TIMES], fraction;
+  fmpq_t T[TIMES];
   const char *why = "";
-  scallop_phase_expansion_init(&e);
-  scallop_rational_init(&there);
+  SCOPED(scallop_phase_expansion, e);
+  SCOPED(scallop_rational, there);
   scallop_rational_copy(&there, crawler);
-  fmpq_init(fraction);
+  SCOPED(fmpq, fraction);
   set_times(T, crawler->T);
   scallop_rational_fraction(fraction, crawler, kind);
   bool right = scallop_expand_phase(crawler, kind, v0, ORDER, scale->precision, NULL, &e, &why) == SCALLOP_OK;
@@ -141,17 +132,13 @@ static bool phase_is_right(const struct scallop_rational_crawler *crawler, enum 
     scallop_certified_phase_clear(&c[t]);
     fmpq_clear(T[t]);
   }
-  scallop_phase_expansion_clear(&e);
-  scallop_rational_clear(&there);
-  fmpq_clear(fraction);
   return right;
 }
 
 /* From rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1 */
 static void check_phases(const struct scallop_rational_crawler *crawler, struct random *r, const struct scale *scale)
 {
-  fmpq_t v0;
-  fmpq_init(v0);
+  SCOPED(fmpq, v0);
   double size = sqrt(fraction_d(crawler->L) * (fraction_d(crawler->F1) + fraction_d(crawler->F2))
                      / (fraction_d(crawler->m1) + fraction_d(crawler->m2)));
   for (int kind = 0; kind < 2; kind++)
@@ -162,7 +149,6 @@ static void check_phases(const struct scallop_rational_crawler *crawler, struct 
         fail();
       }
     }
-  fmpq_clear(v0);
 }
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait,
@@ -173,8 +159,7 @@ enum { WITH_SERIES_OF_PHASES = 3, GAITS = 4 };
 TEST(phases_of_ordinary_crawlers)
 {
   struct random r = { 20260821 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
     random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     if (i % 10 == 9)
@@ -182,7 +167,6 @@ TEST(phases_of_ordinary_crawlers)
     set_small_T(&c, ordinary.eps);
     check_phases(&c, &r, &ordinary);
   }
-  scallop_rational_clear(&c);
   print_worst("terms of phases");
 }
 
@@ -201,13 +185,11 @@ static void wild_crawler(struct scallop_rational_crawler *exact, struct random *
 TEST(phases_of_wild_crawlers)
 {
   struct random r = { 20260822 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < WILD * WITH_SERIES_OF_PHASES; i++) {
     wild_crawler(&c, &r, i / WITH_SERIES_OF_PHASES, gaits[i % WITH_SERIES_OF_PHASES]);
     check_phases(&c, &r, &wild);
   }
-  scallop_rational_clear(&c);
   print_worst("terms of wild phases");
 }
 
@@ -215,14 +197,12 @@ TEST(phases_of_wild_crawlers)
 TEST(phases_of_the_sawtooth)
 {
   struct random r = { 20260823 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 10; i++) {
     random_exact_crawler(&c, &r, &sawtooth_gait);
     set_small_T(&c, ordinary.eps);
     check_phases(&c, &r, &ordinary);
   }
-  scallop_rational_clear(&c);
   print_worst("terms of the sawtooth");
 }
 
@@ -252,25 +232,20 @@ static void steady_modes(char *text, size_t size, const struct scallop_certified
  * curve: a body rests meanwhile, and no power series exists. */
 static bool rests_on_a_plateau(const struct scallop_rational_crawler *crawler)
 {
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
-  bool rests = crawler->gait == &trapezoid_gait && scallop_certified_steady(crawler, 20, &c, NULL) == SCALLOP_OK
-               && c.regime == SCALLOP_STICK_SLIP;
-  scallop_certified_steady_clear(&c);
-  return rests;
+  SCOPED(scallop_certified_steady, c);
+  return crawler->gait == &trapezoid_gait && scallop_certified_steady(crawler, 20, &c, NULL) == SCALLOP_OK
+         && c.regime == SCALLOP_STICK_SLIP;
 }
 
 static bool steady_is_right(const struct scallop_rational_crawler *crawler, const struct scale *scale)
 {
-  struct scallop_steady_expansion e;
   struct scallop_certified_steady c[TIMES];
-  struct scallop_rational_crawler there;
   struct quantity q[STEADY];
   char modes[2 * SCALLOP_MODES_TEXT + 4] = "";
   fmpq_t T[TIMES];
   const char *why = "";
-  scallop_steady_expansion_init(&e);
-  scallop_rational_init(&there);
+  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_rational, there);
   scallop_rational_copy(&there, crawler);
   set_times(T, crawler->T);
   enum scallop_status status = scallop_expand_steady(crawler, ORDER, scale->precision, &e, &why);
@@ -297,35 +272,29 @@ static bool steady_is_right(const struct scallop_rational_crawler *crawler, cons
     scallop_certified_steady_clear(&c[t]);
     fmpq_clear(T[t]);
   }
-  scallop_steady_expansion_clear(&e);
-  scallop_rational_clear(&there);
   return right;
 }
 
 TEST(steady_states_of_ordinary_crawlers)
 {
   struct random r = { 20260824 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 16 * GAITS; i++) {
     random_exact_crawler(&c, &r, gaits[i % GAITS]);
     set_small_T(&c, ordinary.eps);
     assert_true(steady_is_right(&c, &ordinary));
   }
-  scallop_rational_clear(&c);
   print_worst("terms of steady states");
 }
 
 TEST(steady_states_of_wild_crawlers)
 {
   struct random r = { 20260825 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < WILD * WITH_SERIES_OF_PHASES; i++) {
     wild_crawler(&c, &r, i / WITH_SERIES_OF_PHASES, gaits[i % WITH_SERIES_OF_PHASES]);
     assert_true(steady_is_right(&c, &wild));
   }
-  scallop_rational_clear(&c);
   print_message("%d without a power series\n", undecided);
   print_worst("terms of wild steady states");
 }
@@ -334,8 +303,7 @@ TEST(steady_states_of_wild_crawlers)
 TEST(steady_states_that_go_nowhere)
 {
   struct random r = { 20260826 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
     random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     if (i % 4 != 3)
@@ -345,6 +313,5 @@ TEST(steady_states_that_go_nowhere)
     set_small_T(&c, ordinary.eps);
     assert_true(steady_is_right(&c, &ordinary));
   }
-  scallop_rational_clear(&c);
   print_worst("terms of steady states that go nowhere");
 }

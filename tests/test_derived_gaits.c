@@ -7,6 +7,8 @@
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"
 
+SCOPED_KIND(scallop_symbols, struct scallop_symbols)
+
 enum { DIGITS = 40 };
 
 /* l' = 6 s (1 - s) in one piece, which has its anchor at one end only */
@@ -57,9 +59,7 @@ static void subject_clear(struct subject *s)
 /* The terms below x^ORDER are what they are of, up to about the next one. */
 static void check_sum(const struct series *series, const fmpq_t x, const arb_t wanted, double size, const char *what)
 {
-  arb_t at, value;
-  arb_init(at);
-  arb_init(value);
+  SCOPED(arb, at, value);
   arb_set_fmpq(at, x, PRECISION);
   series_value(value, series, at, ORDER, PRECISION);
   arb_sub(value, value, wanted, PRECISION);
@@ -67,18 +67,15 @@ static void check_sum(const struct series *series, const fmpq_t x, const arb_t w
     print_error("%s: off by %g\n", what, at_most(value));
     fail();
   }
-  arb_clear(at);
-  arb_clear(value);
 }
 
 /* Crossings are found wherever they are, but those at an end that is not an
  * anchor are refused. */
 TEST(one_piece)
 {
-  struct scallop_certified_steady c;
   struct subject s;
   const char *why = NULL;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   for (int forward = 0; forward < 2; forward++) {
     subject_init(&s, &parabola_gait, forward ? 0.75 : 0.25);
     assert_true(expand_steady(&s.steady, &s.exact, ORDER));
@@ -98,7 +95,6 @@ TEST(one_piece)
     assert_non_null(strstr(why, "anchored elsewhere"));
   }
   subject_clear(&s);
-  scallop_certified_steady_clear(&c);
 }
 
 /* Each phase of a mixed gait is symmetric about its middle, but they are not
@@ -108,13 +104,11 @@ TEST(phases_of_two_kinds)
 {
   const struct scallop_gait mixed[] = { mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal),
                                         mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic) };
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   for (int i = 0; i < 2; i++)
     for (int quarters = 1; quarters <= 3; quarters++) {
       struct subject s;
-      arb_t second;
-      arb_init(second);
+      SCOPED(arb, second);
       subject_init(&s, &mixed[i], 0.25 * quarters);
       assert_true(expand_steady(&s.steady, &s.exact, ORDER));
       assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
@@ -123,10 +117,8 @@ TEST(phases_of_two_kinds)
       check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
       series_coefficient(second, &s.steady.displacement, 2, PRECISION);
       assert_int_equal(arb_is_zero(second), quarters != 2);
-      arb_clear(second);
       subject_clear(&s);
     }
-  scallop_certified_steady_clear(&c);
 }
 
 /* By all three, with a reason, and the outputs as they were */
@@ -151,11 +143,9 @@ static void refuses(const struct scallop_gait *gait, double alpha, const char *f
       fail_msg("%s: %s", gait->name, why[i]);
   }
   const struct series *const kept[] = { &s.phase.dxC, &s.steady.displacement };
-  fmpq_t seven;
-  fmpq_init(seven);
+  SCOPED(fmpq, seven);
   for (int i = 0; i < 2; i++)
     assert_true(series_rational_coefficient(seven, kept[i], 0) && fmpq_equal_si(seven, 7));
-  fmpq_clear(seven);
   assert_int_equal(s.bounds[1].power, 7);
   subject_clear(&s);
 }
@@ -204,11 +194,8 @@ TEST(sines_and_polynomials)
 {
   const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces, *ramp = scallop_gait_quadratic.phase[0].pieces;
   bool turned;
-  fmpq_poly_t series;
-  fmpq_t u, ten;
-  fmpq_poly_init(series);
-  fmpq_init(u);
-  fmpq_init(ten);
+  SCOPED(fmpq_poly, series);
+  SCOPED(fmpq, u, ten);
   fmpq_set_si(ten, 10, 1);
   assert_true(scallop_piece_goes_on(&sine[0], &sine[1], &turned) && turned);
   assert_false(scallop_piece_goes_on(&sine[0], &ramp[1], &turned));
@@ -219,9 +206,6 @@ TEST(sines_and_polynomials)
   fmpq_set_si(u, 1, 4);
   assert_false(scallop_rational_speed_series(series, &sine[0], u, 4, ten));
   assert_true(scallop_rational_speed_series(series, &ramp[0], u, 4, NULL));
-  fmpq_poly_clear(series);
-  fmpq_clear(u);
-  fmpq_clear(ten);
 }
 
 TEST(quantities)
@@ -247,13 +231,10 @@ TEST(symbols)
 {
   const struct ring ring = { 3, PRECISION };
   struct subject s;
-  struct scallop_symbols symbols;
-  struct series value;
   struct scallop_formula formula = { .name = "made up", .setting = SCALLOP_STEADY, .text = "L_kin + 1" };
-  fmpq_t x;
-  fmpq_init(x);
-  series_init(&value);
-  scallop_symbols_init(&symbols);
+  SCOPED(fmpq, x);
+  SCOPED(series, value);
+  SCOPED(scallop_symbols, symbols);
   for (int curved = 0; curved < 2; curved++) {
     subject_init(&s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
     scallop_symbols_set(&symbols, &s.exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
@@ -264,7 +245,4 @@ TEST(symbols)
   }
   formula.text = "L_kinematic + 1";
   assert_false(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
-  scallop_symbols_clear(&symbols);
-  series_clear(&value);
-  fmpq_clear(x);
 }

@@ -159,12 +159,10 @@ TEST(trajectory_through_a_dwell)
 
 static void check_wide(const struct scallop_wide *got, const arb_t wanted, double size)
 {
-  arb_t d;
-  arb_init(d);
+  SCOPED(arb, d);
   arb_set_d(d, got->high);
   arb_sub(d, d, wanted, 200);
   CHECK_NEAR(nearest(d), -got->low, 1e-27 * size);
-  arb_clear(d);
 }
 
 /* In doubles the same is done in test_odd_gaits.c. */
@@ -178,12 +176,9 @@ TEST(binary128_and_certified)
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     double v0 = random_start(&r, &c, kind), tau = scallop_phase_duration(&c, kind);
     struct scallop_wide_phase w;
-    struct scallop_certified_phase exact;
-    struct scallop_rational_crawler rational;
-    fmpq_t start;
-    fmpq_init(start);
-    scallop_rational_init(&rational);
-    scallop_certified_phase_init(&exact);
+    SCOPED(fmpq, start);
+    SCOPED(scallop_rational, rational);
+    SCOPED(scallop_certified_phase, exact);
     scallop_rational_of(&rational, &c);
     scallop_rational_set_double(start, v0);
     assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, &c, kind, v0, &w), SCALLOP_OK);
@@ -193,9 +188,6 @@ TEST(binary128_and_certified)
     check_wide(&w.v_end, exact.v_end, c.L / tau + fabs(v0));
     check_wide(&w.dx1, exact.dx1, c.L + fabs(v0) * tau);
     check_wide(&w.dx2, exact.dx2, c.L + fabs(v0) * tau);
-    scallop_certified_phase_clear(&exact);
-    scallop_rational_clear(&rational);
-    fmpq_clear(start);
   }
 }
 

@@ -93,15 +93,14 @@ static void subject_clear(struct subject *s)
   fmpq_clear(s->v0);
   fmpq_clear(s->pi_squared);
 }
+SCOPED_KIND(subject, struct subject)
 
 /* The first power in which the formula is wrong, NEVER if there is none below T^ORDER */
 static slong first_wrong(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
   const struct series *right = f->setting == SCALLOP_STEADY ? scallop_steady_quantity(&s->steady, f->quantity)
                                                             : scallop_phase_quantity(&s->phase, kind, f->quantity);
-  struct series text, v0;
-  series_init(&text);
-  series_init(&v0);
+  SCOPED(series, text, v0);
   assert_non_null(right);
   assert_true(scallop_formula_expand(&text, f, &s->symbols, kind, &ring));
   series_set_rational(&v0, s->v0);
@@ -109,10 +108,7 @@ static slong first_wrong(struct subject *s, const struct scallop_formula *f, enu
     series_add(&text, &text, &v0, &ring);
   series_sub(&text, &text, right, &ring);
   assert_true(text.known >= ORDER);
-  slong power = next_nonzero(&text, -2, NEVER);
-  series_clear(&text);
-  series_clear(&v0);
-  return power;
+  return next_nonzero(&text, -2, NEVER);
 }
 
 /* pi^2 is some fraction here: then every coefficient is exact. */
@@ -175,13 +171,11 @@ static void check_phase_formula(struct subject *s, int k, enum scallop_phase_kin
 static void check_steady_formula(struct subject *s, int k, bool inside)
 {
   struct scallop_rational_crawler *c = &s->crawler;
-  fmpq_t rest;
-  fmpq_init(rest);
+  SCOPED(fmpq, rest);
   scallop_rational_fraction(rest, c, SCALLOP_CONTRACTION);
   bool positive = (fmpq_cmp(c->F1, c->F2) > 0) == (fmpq_cmp(c->alpha, rest) > 0);
   if (positive != inside)
     fmpq_swap(c->F1, c->F2);
-  fmpq_clear(rest);
   const char *all_turn = inside ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   if (expand_steady(s) && strcmp(s->steady.modes, all_turn) == 0)
     check_wrong(s, &scallop_published[k], SCALLOP_EXTENSION, inside ? wanted[k].inside : wanted[k].outside);
@@ -190,8 +184,7 @@ static void check_steady_formula(struct subject *s, int k, bool inside)
 TEST(published_for_the_quadratic_gait)
 {
   struct random r = { 20260861 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int k = 0; k < WANTED; k++) {
     const struct scallop_formula *f = &scallop_published[k];
     assert_string_equal(f->name, wanted[k].name);
@@ -207,7 +200,6 @@ TEST(published_for_the_quadratic_gait)
     }
   }
   assert_null(scallop_published[WANTED].name);
-  subject_clear(&s);
 }
 
 /* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in T^4: not so
@@ -246,8 +238,7 @@ TEST(corrected_phases)
                                                  SCALLOP_AT_REST_EQUAL_FORCES };
   enum { STARTS = sizeof starts / sizeof *starts };
   struct random r = { 20260862 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < check_cases(20 * GAITS * STARTS); i++) {
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     enum scallop_setting start = starts[i / GAITS % STARTS];
@@ -258,16 +249,14 @@ TEST(corrected_phases)
       if (f->setting == start)
         check_right(&s, f, kind);
   }
-  subject_clear(&s);
 }
 
 /* Where a body does not turn at all in one of the phases: the names say which. Like (26) to (28) they are for the quadratic gait. */
 TEST(corrected_steady_states)
 {
   struct random r = { 20260863 };
-  struct subject s;
   int found[2] = { 0, 0 };
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < 400; i++) { /* one body a hundredth of the other, or so */
     random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
     fmpq *light = i % 2 ? s.crawler.m1 : s.crawler.m2;
@@ -283,5 +272,4 @@ TEST(corrected_steady_states)
     }
   }
   assert_true(found[0] >= 20 && found[1] >= 20);
-  subject_clear(&s);
 }

@@ -46,11 +46,8 @@ static bool evaluate(struct series *value, const char *text) { return !evaluate_
 
 static void check_number(const char *text, slong numerator, ulong denominator)
 {
-  struct series value;
-  fmpq_t wanted, got;
-  series_init(&value);
-  fmpq_init(wanted);
-  fmpq_init(got);
+  SCOPED(series, value);
+  SCOPED(fmpq, wanted, got);
   fmpq_set_si(wanted, numerator, denominator);
   bool read = evaluate(&value, text);
   if (!read || !series_rational_coefficient(got, &value, 0) || !fmpq_equal(got, wanted)
@@ -58,9 +55,6 @@ static void check_number(const char *text, slong numerator, ulong denominator)
     print_error("%s is not %ld/%lu\n", text, (long)numerator, denominator);
     fail();
   }
-  fmpq_clear(wanted);
-  fmpq_clear(got);
-  series_clear(&value);
 }
 
 TEST(precedence)
@@ -136,10 +130,8 @@ TEST(decimals_are_exact)
 TEST(series_in_the_variable)
 {
   static const slong binomial[] = { 1, 3, 3, 1 };
-  struct series value;
-  fmpq_t c;
-  series_init(&value);
-  fmpq_init(c);
+  SCOPED(series, value);
+  SCOPED(fmpq, c);
   assert_true(evaluate(&value, "1/(1 - x)^2"));
   assert_int_equal(value.known, LENGTH);
   for (slong k = 0; k < LENGTH; k++) {
@@ -151,8 +143,6 @@ TEST(series_in_the_variable)
     assert_true(series_rational_coefficient(c, &value, k - 1));
     assert_true(fmpq_equal_si(c, binomial[k]));
   }
-  series_clear(&value);
-  fmpq_clear(c);
 }
 
 TEST(refusals_change_nothing)
@@ -165,8 +155,7 @@ TEST(refusals_change_nothing)
                                      "2^65",   "2^(x/x + x)", "none^-1",     "thre",        "threes", "1 + 1 ?",
                                      "1;",     "#",           "1,2",         "-",           "x^",     "half/(half - 1/2)" };
   struct random r = { 20260812 };
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   random_terms(&w[0], &r, -2, 6);
   series_set(&w[1], &w[0]);
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -177,7 +166,6 @@ TEST(refusals_change_nothing)
     assert_true(w[0].exact && w[0].first == w[1].first && w[0].known == SERIES_ALL);
     check_same(&w[0], &w[1], bad[i]);
   }
-  work_clear(w);
 }
 
 TEST(what_a_series_cannot_do)
@@ -189,32 +177,24 @@ TEST(what_a_series_cannot_do)
     { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
     { "three + none^-2", "character 13: ^ divides by what may be 0" },
   };
-  struct series value;
-  series_init(&value);
+  SCOPED(series, value);
   for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
     const char *wrong = evaluate_or_say(&value, refusals[i][0]);
     assert_non_null(wrong);
     assert_string_equal(wrong, refusals[i][1]);
   }
-  series_clear(&value);
 }
 
 /* pi is enclosed, to the precision of the ring. */
 TEST(pi_is_a_ball)
 {
-  struct series value;
-  arb_t got, pi;
-  series_init(&value);
-  arb_init(got);
-  arb_init(pi);
+  SCOPED(series, value);
+  SCOPED(arb, got, pi);
   assert_true(evaluate(&value, "pi*x/3"));
   series_coefficient(got, &value, 1, PRECISION);
   arb_mul_ui(got, got, 3, PRECISION);
   arb_const_pi(pi, 2 * PRECISION);
   assert_true(!value.exact && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
-  series_clear(&value);
-  arb_clear(got);
-  arb_clear(pi);
 }
 
 /* In balls: every operation encloses the same one in double, and 0.1 is a tenth. */
@@ -228,9 +208,7 @@ TEST(in_balls)
   char message[FORMULA_MESSAGE];
   struct formula formula;
   arb_ptr balls = _arb_vec_init(NAMES);
-  arb_t got, tenth;
-  arb_init(got);
-  arb_init(tenth);
+  SCOPED(arb, got, tenth);
   for (int i = 0; i < NAMES; i++)
     arb_set_d(balls + i, values[i]);
   for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
@@ -251,8 +229,6 @@ TEST(in_balls)
     assert_false(arb_is_finite(got));
   }
   _arb_vec_clear(balls, NAMES);
-  arb_clear(got);
-  arb_clear(tenth);
 }
 
 /* Random formulas, spelled and evaluated side by side */
@@ -269,8 +245,7 @@ static void random_formula(char text[TEXT], fmpq_t value, struct random *r, int 
     return;
   }
   char left[TEXT], right[TEXT];
-  fmpq_t other;
-  fmpq_init(other);
+  SCOPED(fmpq, other);
   random_formula(left, value, r, depth - 1);
   random_formula(right, other, r, random_below(r, depth));
   if (sign == 3 && fmpq_is_zero(other))
@@ -278,18 +253,14 @@ static void random_formula(char text[TEXT], fmpq_t value, struct random *r, int 
   assert_true(strlen(left) + strlen(right) + 8 < TEXT);
   snprintf(text, TEXT, sign < 2 ? "(%s)%c(%s)" : "((%s)%c(%s))", left, signs[sign], right);
   (sign == 0 ? fmpq_add : sign == 1 ? fmpq_sub : sign == 2 ? fmpq_mul : fmpq_div)(value, value, other);
-  fmpq_clear(other);
 }
 
 TEST(random_formulas)
 {
   struct random r = { 20260813 };
   static char text[TEXT];
-  struct series value;
-  fmpq_t wanted, got;
-  series_init(&value);
-  fmpq_init(wanted);
-  fmpq_init(got);
+  SCOPED(series, value);
+  SCOPED(fmpq, wanted, got);
   for (int i = 0; i < 300; i++) {
     random_formula(text, wanted, &r, 1 + random_below(&r, 5));
     assert_true(evaluate(&value, text) && series_rational_coefficient(got, &value, 0));
@@ -298,25 +269,18 @@ TEST(random_formulas)
       fail();
     }
   }
-  fmpq_clear(wanted);
-  fmpq_clear(got);
-  series_clear(&value);
 }
 
 /* text is numerator/denominator, both in decimals, which FLINT reads by itself. */
 static void check_parsed(const char *text, const char *fraction)
 {
-  fmpq_t got, wanted;
-  fmpq_init(got);
-  fmpq_init(wanted);
+  SCOPED(fmpq, got, wanted);
   assert_int_equal(fmpq_set_str(wanted, fraction, 10), 0);
   fmpq_canonicalise(wanted);
   if (!scallop_rational_parse(got, text) || !fmpq_equal(got, wanted)) {
     print_error("%s is not read as %s\n", text, fraction);
     fail();
   }
-  fmpq_clear(got);
-  fmpq_clear(wanted);
 }
 
 TEST(numbers)
@@ -399,8 +363,7 @@ TEST(what_is_no_number)
                                      "1e1e1",
                                      "1e100001",
                                      "1e99999999999999999999" };
-  fmpq_t x;
-  fmpq_init(x);
+  SCOPED(fmpq, x);
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     fmpq_set_si(x, 22, 7);
     if (scallop_rational_parse(x, bad[i])) {
@@ -409,7 +372,6 @@ TEST(what_is_no_number)
     }
     assert_true(fmpz_equal_si(fmpq_numref(x), 22) && fmpz_equal_si(fmpq_denref(x), 7));
   }
-  fmpq_clear(x);
 }
 
 /* In hexadecimal, and in decimals with all of its digits, a double is read as the number it is. */
@@ -417,9 +379,7 @@ TEST(doubles_in_and_out)
 {
   struct random r = { 20260814 };
   static char text[2000];
-  fmpq_t parsed, exact;
-  fmpq_init(parsed);
-  fmpq_init(exact);
+  SCOPED(fmpq, parsed, exact);
   for (int i = 0; i < 500; i++) {
     double value = random_decades(&r, 1e-300, 1e300) * (random_below(&r, 2) ? 1 : -1);
     scallop_rational_set_double(exact, value);
@@ -428,6 +388,4 @@ TEST(doubles_in_and_out)
     snprintf(text, sizeof text, "%.1100e", value);
     assert_true(scallop_rational_parse(parsed, text) && fmpq_equal(parsed, exact));
   }
-  fmpq_clear(parsed);
-  fmpq_clear(exact);
 }

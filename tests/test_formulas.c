@@ -9,6 +9,8 @@
 #include "asymptotics/evaluate.h"
 #include "tests/exact.h"
 
+SCOPED_KIND(scallop_symbols, struct scallop_symbols)
+
 enum { PRECISION = 300, LENGTH = 24 };
 static const struct ring ring = { LENGTH, PRECISION };
 
@@ -50,8 +52,7 @@ static struct sized atom(struct reader *r)
   size_t length = 0;
   while (isalnum((unsigned char)r->at[length]) || r->at[length] == '_')
     length++;
-  arb_t ball;
-  arb_init(ball);
+  SCOPED(arb, ball);
   for (int i = 0; i < SYMBOLS; i++) {
     const char *name = (r->exchanged ? exchanged_names : names)[i];
     if (strlen(name) != length || memcmp(name, r->at, length) != 0)
@@ -61,7 +62,6 @@ static struct sized atom(struct reader *r)
     result.value = turns ? -nearest(ball) : nearest(ball);
     result.size = fabs(result.value);
   }
-  arb_clear(ball);
   r->at += length;
   return result;
 }
@@ -119,11 +119,9 @@ static bool of_extension(const struct scallop_formula *f)
 static void check_value(const struct scallop_formula *f, const struct scallop_symbols *s, enum scallop_phase_kind kind,
                         double function)
 {
-  struct series value;
-  arb_t ball;
   struct reader r = { f->text, s, of_extension(f) && kind == SCALLOP_CONTRACTION };
-  series_init(&value);
-  arb_init(ball);
+  SCOPED(series, value);
+  SCOPED(arb, ball);
   assert_true(scallop_formula_expand(&value, f, s, kind, &ring));
   assert_int_equal(next_nonzero(&value, 1, LENGTH), LENGTH);
   series_coefficient(ball, &value, 0, PRECISION);
@@ -134,27 +132,21 @@ static void check_value(const struct scallop_formula *f, const struct scallop_sy
                 nearest(ball), again.value, again.size);
     fail();
   }
-  arb_clear(ball);
-  series_clear(&value);
 }
 
 static void set_symbol(struct scallop_symbols *s, enum scallop_symbol symbol, double value)
 {
-  fmpq_t exact;
-  fmpq_init(exact);
+  SCOPED(fmpq, exact);
   scallop_rational_set_double(exact, value);
   series_set_rational(&s->value[symbol], exact);
-  fmpq_clear(exact);
 }
 
 static void check_phase_texts(const struct scallop_crawler *c, struct scallop_symbols *s, enum scallop_phase_kind kind,
                               struct random *r)
 {
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
   struct scallop_phase_point p = scallop_phase_point(c, kind, random_between(r, -3, 3));
-  fmpq_init(v0);
-  scallop_rational_init(&exact);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   scallop_rational_set_double(v0, p.v0);
   p.t1 = p.T * random_between(r, 0, 0.5);
@@ -171,36 +163,30 @@ static void check_phase_texts(const struct scallop_crawler *c, struct scallop_sy
     for (const struct scallop_formula *f = lists[i]; f->name; f++)
       if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
         check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
 }
 
 static void check_steady_texts(const struct scallop_crawler *c, struct scallop_symbols *s)
 {
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   scallop_symbols_set(s, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
   set_symbol(s, SYMBOL_T, c->T);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (f->steady)
       check_value(f, s, SCALLOP_EXTENSION, f->steady(c));
-  scallop_rational_clear(&exact);
 }
 
 TEST(texts_are_the_functions)
 {
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
   struct random r = { 20260851 };
-  struct scallop_symbols s;
-  scallop_symbols_init(&s);
+  SCOPED(scallop_symbols, s);
   for (int i = 0; i < 300; i++) {
     struct scallop_crawler c = random_crawler(&r, ORDINARY, gaits[i % 3]);
     check_phase_texts(&c, &s, SCALLOP_EXTENSION, &r);
     check_phase_texts(&c, &s, SCALLOP_CONTRACTION, &r);
     check_steady_texts(&c, &s);
   }
-  scallop_symbols_clear(&s);
 }
 
 static const struct scallop_formula *corrected_named(const char *name)

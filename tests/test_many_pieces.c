@@ -137,13 +137,10 @@ TEST(the_gait_has_it_all)
 static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
   struct scallop_phase_result got;
-  struct scallop_certified_phase exact;
-  struct scallop_rational_crawler rational;
-  fmpq_t start;
   double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
-  fmpq_init(start);
-  scallop_rational_init(&rational);
-  scallop_certified_phase_init(&exact);
+  SCOPED(fmpq, start);
+  SCOPED(scallop_rational, rational);
+  SCOPED(scallop_certified_phase, exact);
   scallop_rational_of(&rational, c);
   scallop_rational_set_double(start, v0);
   assert_int_equal(scallop_phase(c, kind, v0, &got), SCALLOP_OK);
@@ -158,9 +155,6 @@ static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kin
     CHECK_NEAR(got.t1, nearest(exact.t1), 4 * DBL_EPSILON * tau);
     CHECK_NEAR(got.dT, nearest(exact.dT), 4 * DBL_EPSILON * tau);
   }
-  scallop_certified_phase_clear(&exact);
-  scallop_rational_clear(&rational);
-  fmpq_clear(start);
 }
 
 TEST(a_spline_through_many_knots)
@@ -180,11 +174,9 @@ TEST(its_steady_state)
   struct drawn *d = draw_gait();
   struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
   struct scallop_steady_result got;
-  struct scallop_certified_steady exact;
-  struct scallop_rational_crawler rational;
   c.gait = &d->spline.gait;
-  scallop_rational_init(&rational);
-  scallop_certified_steady_init(&exact);
+  SCOPED(scallop_rational, rational);
+  SCOPED(scallop_certified_steady, exact);
   scallop_rational_of(&rational, &c);
   assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
   assert_int_equal(scallop_certified_steady(&rational, 20, &exact, NULL), SCALLOP_OK);
@@ -192,7 +184,5 @@ TEST(its_steady_state)
     assert_true(same_modes(&got.period.modes[kind], &exact.modes[kind]));
   CHECK_NEAR(got.period.v_start, nearest(exact.v_start), 4 * DBL_EPSILON * c.L / c.T);
   CHECK_NEAR(got.period.displacement, nearest(exact.displacement), 4 * DBL_EPSILON * c.L);
-  scallop_certified_steady_clear(&exact);
-  scallop_rational_clear(&rational);
   rub_out(d);
 }

@@ -9,6 +9,9 @@
 #include "asymptotics/derived.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
+#include "tests/scoped.h"
+
+SCOPED_FLINT(acb)
 
 enum { PRECISION = 128 };
 
@@ -64,9 +67,7 @@ static void check_proven(const struct scallop_singularity *s)
 static double strangeness(const struct series *a, double T, double angle, slong j)
 {
   double b[3];
-  arb_t ball, power;
-  arb_init(ball);
-  arb_init(power);
+  SCOPED(arb, ball, power);
   for (int i = 0; i < 3; i++) {
     slong k = j - 1 + i;
     series_coefficient(ball, a, 4 * k, PRECISION);
@@ -75,8 +76,6 @@ static double strangeness(const struct series *a, double T, double angle, slong 
     arb_mul(ball, ball, power, PRECISION);
     b[i] = middle(ball) * pow((double)k, 1.5);
   }
-  arb_clear(ball);
-  arb_clear(power);
   double most = fmax(fabs(b[0]), fmax(fabs(b[1]), fabs(b[2])));
   bool real = fabs(sin(angle)) < 1e-9;
   return fabs(real ? b[2] - cos(angle) * b[1] : b[2] - 2 * cos(angle) * b[1] + b[0]) / most;
@@ -86,8 +85,7 @@ static double strangeness(const struct series *a, double T, double angle, slong 
 static void check_growth(const struct subject *s, double error)
 {
   enum { FEW = 14, MANY = 28, ORDER = 4 * MANY + 8, BITS = 1024 };
-  struct scallop_steady_expansion e;
-  scallop_steady_expansion_init(&e);
+  SCOPED(scallop_steady_expansion, e);
   assert_int_equal(scallop_expand_steady(&s->crawler, ORDER, BITS, &e, NULL), SCALLOP_OK);
   double T = middle(s->singularity.T) * (1 + error);
   double angle = 2 * atan2(middle(acb_imagref(s->singularity.place)), middle(acb_realref(s->singularity.place)));
@@ -95,7 +93,6 @@ static void check_growth(const struct subject *s, double error)
   bool agrees = many < 0.04 && (many < few / 2 || many < 1e-3);
   if (agrees != (error == 0))
     fail_msg("T %.17g (error %g), angle %g: %g, then %g", T, error, angle, few, many);
-  scallop_steady_expansion_clear(&e);
 }
 
 TEST(coefficients_grow_as_the_singularity_says)
@@ -139,7 +136,6 @@ TEST(from_rest)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct subject s;
-  fmpq_t v0;
   double x = 4.5;
   for (int i = 0; i < 10; i++)
     x -= (x * cos(x) - sin(x)) / (-x * sin(x));
@@ -147,7 +143,7 @@ TEST(from_rest)
   double q = c.m2 / (c.m1 + c.m2), beta = (c.F1 - c.F2) / (c.F1 + c.F2), pi = acos(-1);
   double eps = q * pi * pi / 2 * cos(x) / beta, T = sqrt(-eps * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
   begin(&s, &c);
-  fmpq_init(v0);
+  SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
                    SCALLOP_OK);
   check_proven(&s.singularity);
@@ -156,7 +152,6 @@ TEST(from_rest)
   for (int k = AFTER_FIRST_PHASE; k < CONTINUED_VALUES; k++)
     assert_true(s.singularity.shows[k]);
   assert_false(s.singularity.shows[AT_START]);
-  fmpq_clear(v0);
   end(&s);
 }
 
@@ -165,11 +160,10 @@ TEST(first_crossing_alone)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct subject s;
-  fmpq_t v0;
   double T[2];
   c.gait = &scallop_gait_sinusoidal;
   begin(&s, &c);
-  fmpq_init(v0);
+  SCOPED(fmpq, v0);
   fmpq_set_si(v0, 1, 2);
   for (int i = 0; i < 2; i++) {
     assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_CONTRACTION, v0, 1 + i, PRECISION, NULL),
@@ -178,7 +172,6 @@ TEST(first_crossing_alone)
     T[i] = middle(s.singularity.T);
   }
   assert_true(T[0] > 1.5 * T[1]);
-  fmpq_clear(v0);
   end(&s);
 }
 
@@ -219,11 +212,10 @@ TEST(no_expansion_no_singularity)
 {
   const char *why = NULL;
   struct subject s;
-  fmpq_t v0;
   struct scallop_crawler c = scallop_crawler_default();
   c.gait = &minimum_jerk_gait;
   begin(&s, &c);
-  fmpq_init(v0);
+  SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
                    SCALLOP_EDOMAIN);
   assert_ptr_equal(why, branch_without_ends);
@@ -239,7 +231,6 @@ TEST(no_expansion_no_singularity)
   assert_non_null(why);
   assert_int_equal(scallop_steady_singularity(&s.singularity, &s.crawler, PRECISION, NULL), SCALLOP_EDOMAIN);
   assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
-  fmpq_clear(v0);
   end(&s);
 }
 
@@ -247,8 +238,7 @@ TEST(no_expansion_no_singularity)
 static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr b)
 {
   acb_ptr d = _acb_vec_init(JET), fa = _acb_vec_init(JET), fb = _acb_vec_init(JET), wanted = _acb_vec_init(JET);
-  acb_t way;
-  acb_init(way);
+  SCOPED(acb, way);
   acb_sub(way, b, a, PRECISION);
   at->joined = true;
   continued_law(d, at, a, b, PRECISION);
@@ -268,7 +258,6 @@ static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr
     assert_true(acb_overlaps(d + k, wanted + k));
     assert_true(acb_rel_accuracy_bits(d + k) > 60);
   }
-  acb_clear(way);
   _acb_vec_clear(d, JET);
   _acb_vec_clear(fa, JET);
   _acb_vec_clear(fb, JET);
@@ -279,9 +268,7 @@ TEST(joined_crossings)
 {
   struct random r = { 83 };
   struct continued_crossing at = { .sine = true };
-  acb_t a, b;
-  acb_init(a);
-  acb_init(b);
+  SCOPED(acb, a, b);
   arb_init(at.q);
   arb_init(at.base);
   arb_poly_init(at.law);
@@ -305,8 +292,6 @@ TEST(joined_crossings)
   arb_clear(at.q);
   arb_clear(at.base);
   arb_poly_clear(at.law);
-  acb_clear(a);
-  acb_clear(b);
 }
 
 /* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the equations is singular and the
@@ -349,11 +334,10 @@ static struct outcome search_after(enum gathered what, slong shift)
   struct subject subject;
   struct continuation both[2];
   struct limit l;
-  fmpq_t kappa;
   c.gait = &scallop_gait_sinusoidal;
   begin(&subject, &c);
   limit_init(&l, &subject.crawler);
-  fmpq_init(kappa);
+  SCOPED(fmpq, kappa);
   fmpq_one(kappa);
   assert_int_equal(limit_find(&l, &subject.crawler, PRECISION, NULL), SCALLOP_OK);
   for (int join = 0; join < 2; join++)
@@ -366,7 +350,6 @@ static struct outcome search_after(enum gathered what, slong shift)
   search_free(s);
   for (int join = 0; join < 2; join++)
     continuation_clear(&both[join]);
-  fmpq_clear(kappa);
   limit_clear(&l);
   end(&subject);
   return outcome;

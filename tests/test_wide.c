@@ -1,41 +1,34 @@
 /* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
 #include <float.h>
 
-#include "model/ball.h"
-#include "numerics/certified.h"
 #include "numerics/wide.h"
 #include "tests/check.h"
 #include "tests/random_crawler.h"
+#include "tests/scoped.h"
 
 enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
 
 static struct scallop_wide two_doubles(const arb_t x)
 {
-  arb_t rest;
   struct scallop_wide w = { arf_get_d(arb_midref(x), ARF_RND_NEAR), 0 };
   if (arb_contains_zero(x))
     return (struct scallop_wide){ 0, 0 };
-  arb_init(rest);
+  SCOPED(arb, rest);
   arb_set_d(rest, w.high);
   arb_sub(rest, x, rest, 400);
   w.low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
-  arb_clear(rest);
   return w;
 }
 
 static bool certified(const struct scallop_crawler *crawler, struct scallop_wide out[NUMBERS])
 {
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady c;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, c);
   scallop_rational_of(&exact, crawler);
   bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
   const arb_struct *const numbers[NUMBERS] = { c.froude, c.v_start, c.v_mid, c.displacement, c.mean_velocity, c.multiplier };
   for (int i = 0; solved && i < NUMBERS; i++)
     out[i] = two_doubles(numbers[i]);
-  scallop_certified_steady_clear(&c);
-  scallop_rational_clear(&exact);
   return solved;
 }
 

@@ -4,6 +4,7 @@
 
 #include "tests/fuzz/crawler.h"
 #include "tests/fuzz/target.h"
+#include "tests/scoped.h"
 
 enum { DIGITS = 20 };
 static const double COARSE = 1e-9;
@@ -26,14 +27,12 @@ static void judge(const char *what, enum scallop_status status, enum scallop_sta
 static void judge_phase(const struct scallop_rational_crawler *exact, enum scallop_phase_kind kind)
 {
   const struct scallop_crawler *c = &now.crawler;
-  struct scallop_certified_phase certified;
   struct scallop_phase_result r;
   double tau = scallop_phase_duration(c, kind);
   double v = c->L / tau + fabs(now.v0);
-  fmpq_t v0;
-  fmpq_init(v0);
+  SCOPED(fmpq, v0);
   scallop_rational_set_double(v0, now.v0);
-  scallop_certified_phase_init(&certified);
+  SCOPED(scallop_certified_phase, certified);
   enum scallop_status status = scallop_certified_phase(exact, kind, v0, DIGITS, &certified, NULL);
   judge("phase", scallop_phase(c, kind, now.v0, &r), status);
   if (status == SCALLOP_OK) {
@@ -42,8 +41,6 @@ static void judge_phase(const struct scallop_rational_crawler *exact, enum scall
     near("dx2", r.dx2, certified.dx2, v * tau);
     near("dxC", r.dxC, certified.dxC, v * tau);
   }
-  scallop_certified_phase_clear(&certified);
-  fmpq_clear(v0);
 }
 
 /* Of both phases */
@@ -62,10 +59,9 @@ static bool same_modes(const struct scallop_modes *a, const struct scallop_modes
 static void judge_steady(const struct scallop_rational_crawler *exact)
 {
   const struct scallop_crawler *c = &now.crawler;
-  struct scallop_certified_steady certified;
   struct scallop_steady_result r;
   double v = c->L / c->T / fmin(c->alpha, 1 - c->alpha);
-  scallop_certified_steady_init(&certified);
+  SCOPED(scallop_certified_steady, certified);
   enum scallop_status status = scallop_certified_steady(exact, DIGITS, &certified, NULL);
   judge("steady", scallop_steady(c, &r), status);
   if (status == SCALLOP_OK) {
@@ -77,20 +73,17 @@ static void judge_steady(const struct scallop_rational_crawler *exact)
       near("multiplier", r.period.multiplier, certified.multiplier,
            1); /* it jumps where a mode goes; at rest it has two sides */
   }
-  scallop_certified_steady_clear(&certified);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-  struct scallop_rational_crawler exact;
   now = fuzz_case_of(data, size);
   if (now.wildness == RAW || now.crawler.gait == &sawtooth_gait)
     return 0; /* fractions of thousands of digits; and a gait without a certified steady state */
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, &now.crawler);
   judge_steady(&exact);
   judge_phase(&exact, SCALLOP_EXTENSION);
   judge_phase(&exact, SCALLOP_CONTRACTION);
-  scallop_rational_clear(&exact);
   return 0;
 }
