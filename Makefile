@@ -123,7 +123,7 @@ $(patsubst %,$(B)/test_%,$(flint_tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/
 	@echo "  LD $@"
 	@$(link) -lcmocka $(FLINT) $(SUNDIALS) $(LDLIBS)
 
-$(B)/test_cvode: $(B)/tests/test_cvode.o $(B)/tests/check.o $(core) $(call objects,$(cvode)) $(chosen)
+$(B)/test_integrators: $(B)/tests/test_integrators.o $(B)/tests/check.o $(core) $(call objects,$(cvode)) $(chosen)
 	@echo "  LD $@"
 	@$(link) -lcmocka $(SUNDIALS) $(LDLIBS)
 

@@ -2,8 +2,8 @@
 #ifndef CERTIFIED_BALLS_H
 #define CERTIFIED_BALLS_H
 
-#include "tests/check.h"
 #include "tests/scoped.h"
+#include "tests/solved.h"
 
 static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
@@ -23,14 +23,6 @@ static inline void check_overlap(const arb_t x, const arb_t y, const char *what)
     print_error("%s: %.17g and %.17g do not overlap\n", what, nearest(x), nearest(y));
     fail();
   }
-}
-
-static inline bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
-{
-  char one[SCALLOP_MODES_TEXT], other[SCALLOP_MODES_TEXT];
-  scallop_modes_text(a, one);
-  scallop_modes_text(b, other);
-  return strcmp(one, other) == 0;
 }
 
 #endif

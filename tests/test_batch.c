@@ -6,6 +6,7 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { MOST = 4000 };
 

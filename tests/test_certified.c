@@ -109,7 +109,6 @@ static void phase_conditions(double *cond, const struct scallop_crawler *c, enum
 
 static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct worst *worst)
 {
-  struct scallop_phase_result d;
   const char *why = "";
   double cond[PHASE];
   SCOPED(scallop_certified_phase, r);
@@ -117,7 +116,7 @@ static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_ki
   SCOPED(fmpq, start);
   scallop_rational_of(&exact, c);
   scallop_rational_set_double(start, v0);
-  assert_int_equal(scallop_phase(c, kind, v0, &d), SCALLOP_OK);
+  struct scallop_phase_result d = phase_of(c, kind, v0);
   if (scallop_certified_phase(&exact, kind, start, 25, &r, &why) != SCALLOP_OK) {
     print_crawler(c);
     fail_msg("v0=%.17g: %s", v0, why);
@@ -170,13 +169,12 @@ static void steady_conditions(double *cond, struct scallop_certified_steady *bas
 
 static void compare_steady(const struct scallop_crawler *c, struct worst *worst)
 {
-  struct scallop_steady_result d;
   const char *why = "";
   double cond[STEADY];
   SCOPED(scallop_certified_steady, r);
   SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
-  assert_int_equal(scallop_steady(c, &d), SCALLOP_OK);
+  struct scallop_steady_result d = steady_of(c);
   if (scallop_certified_steady(&exact, CONDITION_DIGITS, &r, &why) != SCALLOP_OK) {
     print_crawler(c);
     fail_msg("%s", why);

@@ -21,21 +21,13 @@ static struct scallop_crawler anchored(const struct scallop_gait *gait)
   return c;
 }
 
-static void check_text(const struct scallop_modes *modes, const char *wanted)
-{
-  char text[SCALLOP_MODES_TEXT];
-  scallop_modes_text(modes, text);
-  assert_string_equal(text, wanted);
-}
-
 /* In the dwell at the start v' = -(F1 + F2)/M = -64: from v0 = 3 both rest after 3/64, 9/128 further on; then body 2 goes out and back. */
 TEST(comes_to_rest_in_a_dwell)
 {
   struct scallop_crawler c = anchored(&wait_gait);
-  struct scallop_phase_result r;
   double tau = 0.75, way = 9. / 128;
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 3, &r), SCALLOP_OK);
-  check_text(&r.modes, "++ 00 0+ 00 0- 00");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 3);
+  modes_are(&r.modes, "++ 00 0+ 00 0- 00");
   CHECK_RELATIVE(r.t1, 3. / 64, 2e-16);
   CHECK_RELATIVE(r.dT, tau / 8, 2e-16);
   CHECK_EQUAL(r.v_end, 0);
@@ -43,8 +35,8 @@ TEST(comes_to_rest_in_a_dwell)
   CHECK_RELATIVE(r.dx2, 1 + way, 1e-15);
   CHECK_RELATIVE(r.dxC, 0.5 + way, 1e-15);
   assert_int_equal(r.regime, SCALLOP_STICK_SLIP);
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, -3, &r), SCALLOP_OK);
-  check_text(&r.modes, "-- 00 0+ 00 0- 00");
+  r = phase_of(&c, SCALLOP_EXTENSION, -3);
+  modes_are(&r.modes, "-- 00 0+ 00 0- 00");
   CHECK_RELATIVE(r.dx1, -way, 1e-15);
 }
 
@@ -52,17 +44,15 @@ TEST(comes_to_rest_in_a_dwell)
 TEST(rests)
 {
   struct scallop_crawler c = anchored(&wait_gait);
-  struct scallop_phase_result r;
-  struct scallop_period_result p;
   c.F1 = 1023; /* the contraction is a third as long */
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 0, &r), SCALLOP_OK);
-  check_text(&r.modes, "00 0+ 00 0- 00");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0);
+  modes_are(&r.modes, "00 0+ 00 0- 00");
   CHECK_RELATIVE(r.t1, 0.75 / 8, 2e-16);
   CHECK_EQUAL(r.dx1, 0);
   CHECK_RELATIVE(r.dx2, 1, 1e-15);
   assert_int_equal(r.regime, SCALLOP_AT_REST);
-  assert_int_equal(scallop_period(&c, 0, &p), SCALLOP_OK);
-  check_text(&p.modes[SCALLOP_CONTRACTION], "00 0- 00 0+ 00");
+  struct scallop_period_result p = period_of(&c, 0);
+  modes_are(&p.modes[SCALLOP_CONTRACTION], "00 0- 00 0+ 00");
   CHECK_EQUAL(p.v_end, 0);
   CHECK_EQUAL(p.multiplier, 0);
   CHECK_EQUAL(p.displacement, 0);
@@ -73,15 +63,13 @@ TEST(rests)
 TEST(passes_a_dwell)
 {
   struct scallop_crawler c = anchored(&pause_gait);
-  struct scallop_phase_result r;
-  struct scallop_period_result p;
   double v0 = 1000, tau = 0.75, xC = v0 * tau - 64 * tau * tau / 2;
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, v0, &r), SCALLOP_OK);
-  check_text(&r.modes, "++");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, v0);
+  modes_are(&r.modes, "++");
   CHECK_RELATIVE(r.v_end, v0 - 64 * tau, 2e-16);
   CHECK_RELATIVE(r.dxC, xC, 1e-15);
   assert_int_equal(r.regime, SCALLOP_SLIDING);
-  assert_int_equal(scallop_period(&c, v0, &p), SCALLOP_OK);
+  struct scallop_period_result p = period_of(&c, v0);
   CHECK_EQUAL(p.multiplier, 1);
   CHECK_RELATIVE(p.balance, -1, 1e-15);
 }
@@ -92,24 +80,22 @@ TEST(passes_a_dwell)
 TEST(slides_on)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_steady_result s;
-  struct scallop_period_result again;
   c.gait = &pause_gait;
   c.T = 1. / 64;
-  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
-  check_text(&s.period.modes[0], "++ -+ ++ 00 -+ ++");
+  struct scallop_steady_result s = steady_of(&c);
+  modes_are(&s.period.modes[0], "++ -+ ++ 00 -+ ++");
   c.F1 = 49;
   c.alpha = 0.9;
-  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
-  check_text(&s.period.modes[0], "++ -+ ++ -+ ++");
-  check_text(&s.period.modes[1], "++ +- ++ +- ++");
+  s = steady_of(&c);
+  modes_are(&s.period.modes[0], "++ -+ ++ -+ ++");
+  modes_are(&s.period.modes[1], "++ +- ++ +- ++");
   assert_int_equal(s.period.regime, SCALLOP_SLIDING);
   CHECK_NEAR(s.period.balance, 0, 1e-15);
-  assert_int_equal(scallop_period(&c, s.period.v_start, &again), SCALLOP_OK);
+  struct scallop_period_result again = period_of(&c, s.period.v_start);
   CHECK_RELATIVE(again.v_end, s.period.v_start, 1e-15);
   assert_true(s.period.multiplier > 0 && s.period.multiplier < 1);
   c.alpha = 0.5;
-  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  s = steady_of(&c);
   CHECK_RELATIVE(s.period.v_mid, -s.period.v_start, 1e-13);
   CHECK_EQUAL(s.period.displacement, 0);
 }
@@ -118,12 +104,11 @@ TEST(slides_on)
 TEST(a_dwell_forgets)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_period_result p, q;
   c.gait = &wait_gait;
   c.F1 = 60;
   c.F2 = 50;
-  assert_int_equal(scallop_period(&c, 0.5, &p), SCALLOP_OK);
-  assert_int_equal(scallop_period(&c, -2, &q), SCALLOP_OK);
+  struct scallop_period_result p = period_of(&c, 0.5);
+  struct scallop_period_result q = period_of(&c, -2);
   assert_int_equal(p.regime, SCALLOP_STICK_SLIP);
   CHECK_EQUAL(p.multiplier, 0);
   CHECK_EQUAL(p.v_end, q.v_end);
@@ -198,10 +183,9 @@ TEST(mirror)
   for (int i = 0; i < 50 * DWELLING; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, dwelling[i % DWELLING]), m = c;
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), size = c.L + fabs(v0) * c.T;
-    struct scallop_phase_result one, other;
     m.m1 = c.m2, m.m2 = c.m1, m.F1 = c.F2, m.F2 = c.F1;
-    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, v0, &one), SCALLOP_OK);
-    assert_int_equal(scallop_phase(&m, SCALLOP_EXTENSION, -v0, &other), SCALLOP_OK);
+    struct scallop_phase_result one = phase_of(&c, SCALLOP_EXTENSION, v0);
+    struct scallop_phase_result other = phase_of(&m, SCALLOP_EXTENSION, -v0);
     assert_int_equal(one.modes.count, other.modes.count);
     CHECK_NEAR(one.v_end, -other.v_end, 1e-14 * size / c.T / c.alpha);
     CHECK_NEAR(one.dx1, -other.dx2, 1e-14 * size);

@@ -4,43 +4,29 @@
 #include "tests/check.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { CRAWLERS = 150, SCAN = 24, AROUND = 8 };
-
-static struct scallop_phase_result solve(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
-{
-  struct scallop_phase_result r;
-  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
-  return r;
-}
-
-static bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
-{
-  char text[2][SCALLOP_MODES_TEXT];
-  scallop_modes_text(a, text[0]);
-  scallop_modes_text(b, text[1]);
-  return strcmp(text[0], text[1]) == 0;
-}
 
 static int edges;
 
 static void around_edge(const struct scallop_crawler *c, enum scallop_phase_kind kind, double low, double high)
 {
-  struct scallop_phase_result below = solve(c, kind, low);
+  struct scallop_phase_result below = phase_of(c, kind, low);
   for (double mid; (mid = low + (high - low) / 2) > low && mid < high && fabs(mid) >= 1e-290;) {
-    struct scallop_phase_result r = solve(c, kind, mid);
+    struct scallop_phase_result r = phase_of(c, kind, mid);
     *(same_modes(&r.modes, &below.modes) ? &low : &high) = mid;
   }
   edges++;
   if (fabs(low) < 1e-290 || fabs(high) < 1e-290) /* at rest: beside it are only denormal numbers */
     return;
   double v = low, unit = c->L / scallop_phase_duration(c, kind);
-  double before = solve(c, kind, v).v_end;
+  double before = phase_of(c, kind, v).v_end;
   for (int k = 0; k < AROUND; k++)
     v = nextafter(v, -INFINITY);
   for (int k = 0; k < 2 * AROUND; k++, v = nextafter(v, INFINITY)) {
     /* 2 AROUND ulp of v0, and a few roundings of velocities of the size of l' */
-    CHECK_NEAR(solve(c, kind, v).v_end, before, (2 * AROUND * fabs(v) + 64 * unit) * 0x1p-52);
+    CHECK_NEAR(phase_of(c, kind, v).v_end, before, (2 * AROUND * fabs(v) + 64 * unit) * 0x1p-52);
   }
 }
 
@@ -51,10 +37,10 @@ TEST(every_edge)
     struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, every_gait[n % SMOOTH_GAITS]);
     enum scallop_phase_kind kind = n / SMOOTH_GAITS % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     double most = 2.2 * c.L / scallop_phase_duration(&c, kind), last = -most;
-    struct scallop_phase_result before = solve(&c, kind, last);
+    struct scallop_phase_result before = phase_of(&c, kind, last);
     for (int k = 1; k <= SCAN; k++) {
       double v = -most + 2 * most * k / SCAN;
-      struct scallop_phase_result here = solve(&c, kind, v);
+      struct scallop_phase_result here = phase_of(&c, kind, v);
       if (!same_modes(&here.modes, &before.modes))
         around_edge(&c, kind, last, v);
       before = here;
@@ -70,10 +56,8 @@ TEST(touches_where_it_is_held)
 {
   struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1, 0x1.3305d4310c97ep+8, 0x1.7a4c877234cdap+7,
                                0x1.5ac4f07b010d9p+3, 0x1.0a883a7556ce8p+0, 0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "++ -+ 0+ ++");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
+  modes_are(&r.modes, "++ -+ 0+ ++");
 }
 
 /* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on, and was
@@ -82,10 +66,8 @@ TEST(stops_at_once)
 {
   struct scallop_crawler c = { 1.6810482026957038e-09, 19782534.230478894,  231.11260285226103, 0.13007378432978592, 1,
                                66095444.255873002,     0.66363254363346347, &minimum_jerk_gait };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -3.302e-10);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "-- 0+");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, -3.302e-10);
+  modes_are(&r.modes, "-- 0+");
   CHECK_NEAR(r.dx1, 0, 1e-14);
 }
 
@@ -93,10 +75,8 @@ TEST(stops_at_once)
 TEST(stops_where_the_length_turns)
 {
   struct scallop_crawler c = { 1, 1, 20, 12, 1, 2, 0.5, &there_and_back_gait };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -12);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "-- +- 0-");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, -12);
+  modes_are(&r.modes, "-- +- 0-");
   CHECK_EQUAL(r.t1, 0.75);
   CHECK_EQUAL(r.v_end, 0);
   CHECK_EQUAL(r.dx1, -4.5 - 1.125 / 2); /* and then it is held, while l falls by 1/8 */
@@ -120,10 +100,8 @@ TEST(lets_go_for_a_while)
     "bump", { { out, 5, 5, -BUMP_FALL, 2, 1, false, false }, { back, 5, -5, BUMP_FALL, 2, -1, false, false } }
   };
   struct scallop_crawler c = { 1, 1, 7, 1, 1, 2, 0.5, &bump };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "0+ -+ 0+");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0);
+  modes_are(&r.modes, "0+ -+ 0+");
   CHECK_EQUAL(r.t1, 0.25);
   CHECK_EQUAL(r.dx1, -0x1p-10);
   CHECK_EQUAL(r.v_end, 0);
@@ -146,9 +124,8 @@ TEST(weak_forces)
       -8.66e-80 },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct scallop_phase_result r = solve(&cases[i].crawler, SCALLOP_EXTENSION, cases[i].v0);
-    struct scallop_period_result p;
-    assert_int_equal(scallop_period(&cases[i].crawler, cases[i].v0, &p), SCALLOP_OK);
+    struct scallop_phase_result r = phase_of(&cases[i].crawler, SCALLOP_EXTENSION, cases[i].v0);
+    struct scallop_period_result p = period_of(&cases[i].crawler, cases[i].v0);
     CHECK_NEAR(r.v_end, cases[i].v_mid, 1e-3 * fabs(cases[i].v_mid));
     CHECK_NEAR(r.v_end, p.v_mid, 1e-14 * fabs(p.v_mid));
   }
@@ -159,8 +136,7 @@ TEST(far_from_the_guess)
 {
   struct scallop_crawler c = { 1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
                                1, 0.39310801961328146,     &scallop_gait_sinusoidal };
-  struct scallop_steady_result s;
-  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  struct scallop_steady_result s = steady_of(&c);
   CHECK_NEAR(s.period.v_start, -7.170448668775392e-147, 1e-160);
   CHECK_NEAR(s.period.v_end, s.period.v_start, 1e-160);
 }

@@ -6,16 +6,12 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { BOUND = 8, CRAWLERS = 600 };
 #define ULP DBL_EPSILON
 
-static double end_of_period(const struct scallop_crawler *c, double v0)
-{
-  struct scallop_period_result r;
-  assert_int_equal(scallop_period(c, v0, &r), SCALLOP_OK);
-  return r.v_end;
-}
+static double end_of_period(const struct scallop_crawler *c, double v0) { return period_of(c, v0).v_end; }
 
 static void interval_is(const struct scallop_crawler *c, double low, double high)
 {

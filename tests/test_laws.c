@@ -17,6 +17,7 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { ROUNDINGS = 16, KEPT = 64, NODES = 24, SAMPLES = 7, CRAWLERS = 400 };
 enum { STEEPEST_BEND = 60 }; /* max |l'''| of all gaits here: minimum jerk at its ends */
@@ -338,10 +339,9 @@ static void check_phase(const struct scallop_crawler *crawler, enum scallop_phas
                      .force = force,
                      .mu = { crawler->m1 / M, crawler->m2 / M },
                      .friction = { force * crawler->F1, force * crawler->F2 } };
-  struct scallop_phase_result r;
   current = &p;
   assert_int_equal(scallop_phase_intervals(crawler, kind, v0, keep, &p), SCALLOP_OK);
-  assert_int_equal(scallop_phase(crawler, kind, v0, &r), SCALLOP_OK);
+  struct scallop_phase_result r = phase_of(crawler, kind, v0);
   order_and_continuity(&p);
   for (int k = 0; k < p.count; k++) {
     const struct scallop_interval *i = &p.interval[k];
@@ -388,9 +388,8 @@ TEST(at_rest_means_zero)
   for (int n = 0; n < 10 * CRAWLERS; n++) {
     struct scallop_crawler c = random_crawler(&r, STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
     struct phase p = { .crawler = c, .kind = n / SMOOTH_GAITS % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION };
-    struct scallop_phase_result result;
     current = &p;
-    assert_int_equal(scallop_phase(&c, p.kind, 0, &result), SCALLOP_OK);
+    struct scallop_phase_result result = phase_of(&c, p.kind, 0);
     if (result.regime != SCALLOP_AT_REST)
       continue;
     found++;
@@ -405,8 +404,7 @@ TEST(steady_phases)
   struct random r = { 8 };
   for (int n = 0; n < check_cases(CRAWLERS * FAMILIES); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % SMOOTH_GAITS]);
-    struct scallop_steady_result s;
-    assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+    struct scallop_steady_result s = steady_of(&c);
     check_phase(&c, SCALLOP_EXTENSION, s.period.v_start);
     check_phase(&c, SCALLOP_CONTRACTION, s.period.v_mid);
   }

@@ -51,10 +51,9 @@ TEST(cut_up_it_is_the_same)
     struct scallop_crawler c = random_crawler(&r, i % 4 == 0 ? STICK_SLIP : ORDINARY, &scallop_gait_quadratic);
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     double v0 = random_start(&r, &c, kind), tau = scallop_phase_duration(&c, kind), way = way_size(&c, v0, tau);
-    struct scallop_phase_result whole, parts;
-    assert_int_equal(scallop_phase(&c, kind, v0, &whole), SCALLOP_OK);
+    struct scallop_phase_result whole = phase_of(&c, kind, v0);
     c.gait = &cut.gait;
-    assert_int_equal(scallop_phase(&c, kind, v0, &parts), SCALLOP_OK);
+    struct scallop_phase_result parts = phase_of(&c, kind, v0);
     assert_int_equal(parts.modes.count, whole.modes.count);
     assert_int_equal(parts.regime, whole.regime);
     CHECK_RELATIVE(parts.t1, whole.t1, 4 * DBL_EPSILON);
@@ -136,14 +135,13 @@ TEST(the_gait_has_it_all)
 
 static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
-  struct scallop_phase_result got;
   double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
   SCOPED(fmpq, start);
   SCOPED(scallop_rational, rational);
   SCOPED(scallop_certified_phase, exact);
   scallop_rational_of(&rational, c);
   scallop_rational_set_double(start, v0);
-  assert_int_equal(scallop_phase(c, kind, v0, &got), SCALLOP_OK);
+  struct scallop_phase_result got = phase_of(c, kind, v0);
   assert_int_equal(scallop_certified_phase(&rational, kind, start, 20, &exact, NULL), SCALLOP_OK);
   assert_true(same_modes(&got.modes, &exact.modes));
   assert_int_equal(got.regime, exact.regime);
@@ -173,12 +171,11 @@ TEST(its_steady_state)
 {
   struct drawn *d = draw_gait();
   struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
-  struct scallop_steady_result got;
   c.gait = &d->spline.gait;
   SCOPED(scallop_rational, rational);
   SCOPED(scallop_certified_steady, exact);
   scallop_rational_of(&rational, &c);
-  assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
+  struct scallop_steady_result got = steady_of(&c);
   assert_int_equal(scallop_certified_steady(&rational, 20, &exact, NULL), SCALLOP_OK);
   for (int kind = 0; kind < 2; kind++)
     assert_true(same_modes(&got.period.modes[kind], &exact.modes[kind]));

@@ -2,15 +2,13 @@
  * the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
 #include "tests/check.h"
 
-#include <float.h>
-
 #include <gsl/gsl_errno.h>
 
 #include "numerics/odeiv.h"
-#include "tests/random_crawler.h"
+#include "tests/rivals.h"
 
 enum { CRAWLERS = 40, STEPPERS = 3 };
-static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_odeiv.c */
+static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_integrators.c */
 
 /* A map whose answer is known, in units where L/T = 1 */
 struct map {
@@ -199,33 +197,19 @@ TEST(no_root)
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
 }
 
-static double worst_share;
-
-static void check_share(double got, double wanted, double tolerance)
+static struct scallop_rival *make(int stepper, double tolerance)
 {
-  worst_share = fmax(worst_share, fabs(got - wanted) / tolerance);
-  CHECK_NEAR(got, wanted, tolerance);
+  return scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance);
 }
 
-/* By root and by simulation. The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that
- * differs on the two sides of the steady state. */
-static void compare(const struct scallop_crawler *c, enum scallop_odeiv_stepper stepper, double tolerance, double v0)
+/* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two sides of the steady
+ * state. */
+static void compare(const struct scallop_crawler *c, int stepper, double tolerance, double v0)
 {
-  struct scallop_rival *rival = scallop_odeiv_rival(stepper, tolerance);
-  struct scallop_rival_steady s;
-  struct scallop_steady_result exact;
-  assert_non_null(rival);
-  assert_int_equal(scallop_steady(c, &exact), SCALLOP_OK);
-  double v = exact.period.v_start, size = c->L / (c->T * fmin(c->alpha, 1 - c->alpha)) + fabs(v);
-  double off = (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier);
-  assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), SCALLOP_OK);
-  check_share(s.v_start, v, off);
-  check_share(s.displacement, exact.period.displacement, off * c->T);
-  assert_true(s.periods > 2 && s.periods <= s.root_iterations + 2 && s.root_iterations < 60);
-  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), SCALLOP_OK);
-  check_share(s.v_start, v, off);
-  check_share(s.displacement, exact.period.displacement, off * c->T);
-  scallop_rival_destroy(rival);
+  RIVAL(rival, make(stepper, tolerance));
+  struct scallop_steady_result exact = steady_of(c);
+  double size = fastest_l(c) + fabs(exact.period.v_start);
+  check_steady(rival, c, v0, tolerance, (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier));
 }
 
 static void agrees_for(const struct scallop_gait *gait)
@@ -235,15 +219,14 @@ static void agrees_for(const struct scallop_gait *gait)
   worst_share = 0;
   for (int i = 0; i < CRAWLERS; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : EQUAL_FORCES, gait);
-    struct scallop_steady_result exact;
     set_eps(&c, i % 2 ? random_decades(&r, 1, 300) : random_decades(&r, 0.1, 1));
     c.F1 *= i % 4 ? 1 : 3;
     c.alpha = random_between(&r, 0.2, 0.8);
-    assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+    struct scallop_steady_result exact = steady_of(&c);
     regimes[exact.period.regime]++;
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
     for (int stepper = 0; stepper < STEPPERS; stepper++)
-      compare(&c, (enum scallop_odeiv_stepper)stepper, i % 3 ? 1e-9 : 1e-6, v0);
+      compare(&c, stepper, i % 3 ? 1e-9 : 1e-6, v0);
   }
   print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0], regimes[1],
                 regimes[2], worst_share);
@@ -258,18 +241,16 @@ TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
 TEST(forgets_at_once)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_steady_result exact;
   struct scallop_rival_steady s;
   c.gait = &scallop_gait_sinusoidal;
   c.T = 6;
-  assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+  struct scallop_steady_result exact = steady_of(&c);
   CHECK_EQUAL(exact.period.multiplier, 0);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+    RIVAL(rival, make(stepper, 1e-9));
     assert_int_equal(scallop_rival_simulate(rival, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
     assert_true(s.periods <= 3 && s.events > 0);
-    compare(&c, (enum scallop_odeiv_stepper)stepper, 1e-9, 0.37);
-    scallop_rival_destroy(rival);
+    compare(&c, stepper, 1e-9, 0.37);
   }
 }
 
@@ -281,47 +262,33 @@ TEST(goes_nowhere)
   for (int i = 0; scallop_gait_name(i); i++)
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
       c.gait = scallop_gait_named(scallop_gait_name(i));
-      struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+      RIVAL(rival, make(stepper, 1e-9));
       assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
       assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-      scallop_rival_destroy(rival);
     }
-}
-
-struct counter {
-  long asked, most;
-};
-
-static bool count_down(void *context)
-{
-  struct counter *c = context;
-  return ++c->asked <= c->most;
 }
 
 TEST(patience_in_a_period)
 {
+  const long enough = 1000000;
   struct scallop_crawler c = scallop_crawler_default();
   c.gait = &scallop_gait_sinusoidal;
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-11);
-    struct scallop_rival_period whole, p;
-    struct counter counter = { 0, 1000000 };
-    const struct scallop_patience patience = { count_down, &counter };
+    RIVAL(rival, make(stepper, 1e-11));
+    struct scallop_rival_period whole;
+    long left = enough;
+    PATIENCE(patience, left);
     assert_int_equal(rival->period(rival, &c, 1.3, &patience, &whole), SCALLOP_OK);
-    assert_true(2 * counter.asked > whole.steps); /* those that are rejected are not asked for */
-    for (long most = 0, asked = counter.asked; most < asked; most += asked / 7) {
-      counter = (struct counter){ 0, most };
-      memset(&p, 0x5a, sizeof p);
-      const struct scallop_rival_period before = p;
-      assert_int_equal(rival->period(rival, &c, 1.3, &patience, &p), SCALLOP_ESTOPPED);
-      assert_int_equal(counter.asked, most + 1);
-      assert_memory_equal(&p, &before, sizeof p);
+    long asked = enough - left;
+    assert_true(2 * asked > whole.steps); /* those that are rejected are not asked for */
+    for (long most = 0; most < asked; most += asked / 7) {
+      left = most;
+      check_refused(rival, &c, 1.3, &patience, SCALLOP_ESTOPPED);
+      assert_int_equal(left, -1);
     }
-    assert_int_equal(rival->period(rival, &c, 1.3, NULL, &p), SCALLOP_OK); /* and as good as new */
-    CHECK_EQUAL(p.v_end, whole.v_end);
-    scallop_rival_destroy(rival);
+    CHECK_EQUAL(rival_period(rival, &c, 1.3).v_end, whole.v_end); /* and as good as new */
   }
 }
 
@@ -329,25 +296,25 @@ TEST(patience_in_a_period)
 TEST(patience_in_a_search)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-12);
+  RIVAL(rival, make(SCALLOP_ODEIV_RKF45, 1e-12));
   struct scallop_rival_steady s;
-  struct counter counter = { 0, 0 };
-  const struct scallop_patience patience = { count_down, &counter };
+  long left = 0;
+  PATIENCE(patience, left);
   c.T = 1e-4;
   assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, 0.25);
   CHECK_EQUAL(s.displacement, NAN);
   assert_int_equal(s.periods, 0);
+  left = 0;
   assert_int_equal(scallop_rival_root(rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, NAN);
   CHECK_EQUAL(s.displacement, NAN);
-  counter = (struct counter){ 0, 20000 };
+  left = 20000;
   assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 100 && s.v_start != 0.25 && isfinite(s.displacement));
-  counter = (struct counter){ 0, 60 };
+  left = 60;
   assert_int_equal(scallop_rival_root(rival, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 2 && isfinite(s.v_start) && isfinite(s.displacement));
-  scallop_rival_destroy(rival);
 }
 
 /* It ends a search also of a rival that never asks. */
@@ -356,12 +323,12 @@ TEST(patience_between_periods)
   struct map m = map_of(linear, 1 - 1e-6, 0.2);
   struct scallop_crawler c = unit_crawler();
   struct scallop_rival_steady s;
-  struct counter counter = { 0, 11 };
-  const struct scallop_patience patience = { count_down, &counter };
+  long left = 11;
+  PATIENCE(patience, left);
   assert_int_equal(scallop_rival_simulate(&m.rival, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 11);
   CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
-  counter = (struct counter){ 0, 3 };
+  left = 3;
   assert_int_equal(scallop_rival_root(&m.rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 3);
 }

@@ -4,57 +4,35 @@
  * tolerance. */
 #include "tests/check.h"
 
-#include <float.h>
-
 #include <gsl/gsl_errno.h>
 
-#include "numerics/numerics.h"
 #include "numerics/smoothed.h"
-#include "tests/random_crawler.h"
+#include "tests/rivals.h"
 
 enum { CRAWLERS = 40, DECADES = 5, STEPPERS = 3 };
 
 static enum scallop_smoothed_stepper stepper_of(int i) { return (enum scallop_smoothed_stepper)i; }
 
-static struct scallop_rival_period period_of(const struct scallop_crawler *c, double v0, int stepper, double delta,
-                                             double tolerance)
+static struct scallop_rival *make(int stepper, double delta, double tolerance)
 {
-  struct scallop_rival_period p = { 0 };
-  struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), delta, tolerance);
-  assert_non_null(rival);
-  assert_int_equal(rival->period(rival, c, v0, NULL, &p), SCALLOP_OK);
-  assert_true(p.steps > 0 && p.evaluations > p.steps);
-  assert_int_equal(p.events, 0);
-  scallop_rival_destroy(rival);
-  return p;
+  return scallop_smoothed_rival(stepper_of(stepper), delta, tolerance);
 }
 
-/* The larger difference of v_end and of the displacement, in L/T, in L. */
-static double distance(const struct scallop_crawler *c, const struct scallop_rival_period *p, double v_end,
-                       double displacement)
+static struct scallop_rival_period smoothed(const struct scallop_crawler *c, double v0, int stepper, double delta,
+                                            double tolerance)
 {
-  return fmax(fabs(p->v_end - v_end) * c->T / c->L, fabs(p->displacement - displacement) / c->L);
+  RIVAL(rival, make(stepper, delta, tolerance));
+  struct scallop_rival_period p = rival_period(rival, c, v0);
+  assert_true(p.steps > 0 && p.evaluations > p.steps && p.events == 0);
+  return p;
 }
 
 static struct scallop_period_result steady_period(const struct scallop_crawler *c)
 {
   struct scallop_steady_result steady;
-  struct scallop_period_result exact;
   assert_true(scallop_steady(c, &steady) >= 0);
-  assert_int_equal(scallop_period(c, steady.period.v_start, &exact), SCALLOP_OK);
+  struct scallop_period_result exact = period_of(c, steady.period.v_start);
   return exact;
-}
-
-/* Slope of log error against log delta, by least squares over delta = 1e-2, 1e-3 ... */
-static double observed_order(const double error[DECADES])
-{
-  double sum = 0, weights = 0;
-  for (int i = 0; i < DECADES; i++) {
-    double x = i - 0.5 * (DECADES - 1);
-    sum -= x * log10(error[i]);
-    weights += x * x;
-  }
-  return sum / weights;
 }
 
 /* Of one crawler, delta by delta; the errors over delta are raised to the worst. */
@@ -64,7 +42,7 @@ static void errors_of(const struct scallop_crawler *c, double worst[3][DECADES])
   double before = INFINITY;
   for (int i = 0; i < DECADES; i++) {
     double delta = pow(10, -2 - i);
-    struct scallop_rival_period p = period_of(c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, delta, 1e-6 * delta);
+    struct scallop_rival_period p = smoothed(c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, delta, 1e-6 * delta);
     double error = distance(c, &p, exact.v_end, exact.displacement);
     worst[exact.regime][i] = fmax(worst[exact.regime][i], error);
     CHECK_AT_MOST(error, (exact.regime == SCALLOP_SLIDING ? 4 : 1.5 + 0.25 * log(1 / delta)) * delta);
@@ -87,8 +65,8 @@ static void first_order_in_delta(const struct scallop_gait *gait)
     print_message("%s, %s: worst/delta", gait->name, scallop_regime_text((enum scallop_regime)regime));
     for (int i = 0; i < DECADES; i++)
       print_message(" %.3g", worst[regime][i] * pow(10, 2 + i));
-    print_message(", order %.3f\n", observed_order(worst[regime]));
-    CHECK_NEAR(observed_order(worst[regime]), 1, 0.1);
+    print_message(", order %.3f\n", observed_order(worst[regime], DECADES, 10));
+    CHECK_NEAR(observed_order(worst[regime], DECADES, 10), 1, 0.1);
   }
 }
 
@@ -100,15 +78,12 @@ TEST(first_order_sinusoidal) { first_order_in_delta(&scallop_gait_sinusoidal); }
 TEST(logarithm_of_a_release)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
-  struct scallop_period_result exact;
-  char modes[SCALLOP_MODES_TEXT];
-  assert_int_equal(scallop_period(&c, 1.32, &exact), SCALLOP_OK);
-  scallop_modes_text(&exact.modes[0], modes);
-  assert_string_equal(modes, "++ 0+ ++");
+  struct scallop_period_result exact = period_of(&c, 1.32);
+  modes_are(&exact.modes[0], "++ 0+ ++");
   double before = NAN;
   for (int digits = 3; digits <= 7; digits++) {
     double delta = pow(10, -digits);
-    struct scallop_rival_period p = period_of(&c, 1.32, SCALLOP_SMOOTHED_MSBDF, delta, 1e-7 * delta);
+    struct scallop_rival_period p = smoothed(&c, 1.32, SCALLOP_SMOOTHED_MSBDF, delta, 1e-7 * delta);
     double now = (p.v_mid - exact.v_mid) * c.T / c.L / delta;
     if (digits > 3)
       CHECK_NEAR((now - before) / log(10), 0.25, 3 * sqrt(delta));
@@ -124,10 +99,10 @@ TEST(tolerance_controls_error)
   for (int i = 0; i < 12; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i % ALL_GAITS]);
     struct scallop_period_result exact = steady_period(&c);
-    struct scallop_rival_period best = period_of(&c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, 0.05, 1e-13);
+    struct scallop_rival_period best = smoothed(&c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, 0.05, 1e-13);
     for (int stepper = 0; stepper < STEPPERS; stepper++)
       for (int j = 0; j < 4; j++) {
-        struct scallop_rival_period p = period_of(&c, exact.v_start, stepper, 0.05, tolerances[j]);
+        struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 0.05, tolerances[j]);
         worst[stepper][j] = fmax(worst[stepper][j], distance(&c, &p, best.v_end, best.displacement));
       }
   }
@@ -153,7 +128,7 @@ TEST(blind_steps)
   c.gait = &scallop_gait_sinusoidal;
   struct scallop_period_result exact = steady_period(&c);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival_period p = period_of(&c, exact.v_start, stepper, delta, 1e-12);
+    struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, delta, 1e-12);
     error[stepper] = distance(&c, &p, exact.v_end, exact.displacement);
   }
   CHECK_AT_MOST(error[SCALLOP_SMOOTHED_MSBDF], 0.1 * delta);
@@ -173,32 +148,18 @@ TEST(jacobian_pays)
     struct scallop_period_result exact = steady_period(&c);
     assert_int_equal(exact.regime, SCALLOP_STICK_SLIP);
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
-      struct scallop_rival_period p = period_of(&c, exact.v_start, stepper, 1e-4, 1e-8);
+      struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 1e-4, 1e-8);
       print_message("stepper %d: %ld steps, %ld evaluations\n", stepper, p.steps, p.evaluations);
       assert_true(p.steps <= most[stepper]);
     }
   }
 }
 
-/* Lengths, times and forces in other units: powers of two, so every digit must stay. A handle used before gives what a
- * new one gives. */
 TEST(units_and_handles)
 {
-  const double length = 0x1p200, time = 0x1p-150, mass = 0x1p-300, force = mass * length / time / time;
-  struct scallop_crawler c = scallop_crawler_default(), d;
-  c.gait = &scallop_gait_sinusoidal;
-  d = (struct scallop_crawler){ c.m1 * mass,  c.m2 * mass, c.F1 * force, c.F2 * force,
-                                c.L * length, c.T * time,  c.alpha,      c.gait };
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival_period a = period_of(&c, 0.731, stepper, 1e-3, 1e-7), b;
-    struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), 1e-3, 1e-7);
-    assert_int_equal(rival->period(rival, &c, -3.1, NULL, &b), SCALLOP_OK);
-    assert_int_equal(rival->period(rival, &d, 0.731 * length / time, NULL, &b), SCALLOP_OK);
-    CHECK_EQUAL(b.v_mid, a.v_mid * length / time);
-    CHECK_EQUAL(b.v_end, a.v_end * length / time);
-    CHECK_EQUAL(b.displacement, a.displacement * length);
-    assert_int_equal(b.evaluations, a.evaluations);
-    scallop_rival_destroy(rival);
+    RIVAL(rival, make(stepper, 1e-3, 1e-7));
+    check_units(rival);
   }
 }
 
@@ -206,29 +167,22 @@ TEST(units_and_handles)
 TEST(large_arguments)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_period_result exact;
   const double v0 = 1013.7;
   c.gait = &scallop_gait_sinusoidal;
-  assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
+  struct scallop_period_result exact = period_of(&c, v0);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    CHECK_RELATIVE(period_of(&c, v0, stepper, 1e300, 1e-9).v_end, v0, 1e-9);
-    CHECK_RELATIVE(period_of(&c, v0, stepper, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
-    CHECK_RELATIVE(period_of(&c, v0, stepper, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
-    CHECK_RELATIVE(period_of(&c, 1e150, stepper, 1e-3, 1e-9).v_end, 1e150, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e300, 1e-9).v_end, v0, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, 1e150, stepper, 1e-3, 1e-9).v_end, 1e150, 1e-9);
   }
 }
 
 static void refused(const struct scallop_crawler *c, double v0, double delta, enum scallop_status wanted)
 {
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), delta, 1e-6);
-    struct scallop_rival_period p, before;
-    memset(&p, 0x5a, sizeof p);
-    before = p;
-    assert_non_null(rival);
-    assert_int_equal(rival->period(rival, c, v0, NULL, &p), wanted);
-    assert_memory_equal(&p, &before, sizeof p);
-    scallop_rival_destroy(rival);
+    RIVAL(rival, make(stepper, delta, 1e-6));
+    check_refused(rival, c, v0, NULL, wanted);
   }
 }
 
@@ -236,87 +190,58 @@ TEST(bad_arguments)
 {
   const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY }, bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
-    assert_null(scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
+    assert_null(make(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
   for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
-    assert_null(scallop_smoothed_rival(SCALLOP_SMOOTHED_BSIMP, bad_deltas[i], 1e-6));
-  assert_null(scallop_smoothed_rival(stepper_of(STEPPERS), 1e-3, 1e-6));
-  assert_null(scallop_smoothed_rival(stepper_of(-1), 1e-3, 1e-6));
+    assert_null(make(SCALLOP_SMOOTHED_BSIMP, bad_deltas[i], 1e-6));
+  assert_null(make(STEPPERS, 1e-3, 1e-6));
+  assert_null(make(-1, 1e-3, 1e-6));
 }
 
 TEST(bad_input)
 {
-  struct scallop_crawler good = scallop_crawler_default(), c = good;
-  refused(&good, NAN, 1e-3, SCALLOP_EDOMAIN);
-  refused(&good, -INFINITY, 1e-3, SCALLOP_EDOMAIN);
-  refused(&good, 5e-324, 1e-3, SCALLOP_ERANGE);
-  refused(&good, 1, DBL_MIN, SCALLOP_ERANGE); /* alpha of it is below DBL_MIN */
-  c.alpha = 1;
-  refused(&c, 1, 1e-3, SCALLOP_EDOMAIN);
-  c = good;
-  c.gait = NULL;
-  refused(&c, 1, 1e-3, SCALLOP_EDOMAIN);
-  c = good;
-  c.T = 1e-200; /* eps underflows */
-  refused(&c, 1, 1e-3, SCALLOP_ERANGE);
-  c = good;
-  c.T = 1e10; /* the stiffness overflows */
-  refused(&c, 1, 1e-300, SCALLOP_ERANGE);
-  c = good;
-  c.L = 1e300;
-  c.F1 = 4e298;
-  c.F2 = 1e298;
-  c.T = 10; /* the displacement overflows */
-  refused(&c, 1e308, 1e-3, SCALLOP_ERANGE);
+  const struct scallop_gait *g = &scallop_gait_quadratic;
+  const struct scallop_crawler c = scallop_crawler_default(), stiff = { 1, 1, 4, 1, 10, 1e10, 0.75, g };
+  const struct scallop_crawler far = { 1, 1, 4e298, 1e298, 1e300, 10, 0.75, g };
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    RIVAL(rival, make(stepper, 1e-3, 1e-6));
+    check_refusals(rival);
+  }
+  refused(&c, 1, DBL_MIN, SCALLOP_ERANGE);    /* alpha of it is below DBL_MIN */
+  refused(&stiff, 1, 1e-300, SCALLOP_ERANGE); /* the stiffness overflows */
+  refused(&far, 1e308, 1e-3, SCALLOP_ERANGE); /* the displacement overflows */
 }
 
 /* A gait that breaks its promises: no step into the hole is short enough. */
-static double hole_velocity(const struct scallop_piece *p, double u)
-{
-  (void)p;
-  return u < 1 / 3.0 ? u : NAN;
-}
+static double hole(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? u : NAN; }
 
 TEST(no_convergence)
 {
-  const struct scallop_curve *linear = &scallop_curve_linear;
-  const struct scallop_curve hole = { linear->length, hole_velocity, linear->acceleration, linear->when, NULL };
-  const struct scallop_piece piece = { .begin = 0, .end = 1, .direction = 1, .acceleration = 1, .curve = &hole };
-  const struct scallop_shape shape = { .pieces = &piece, .count = 1, .l0 = 1, .lT = -1, .peak = 1, .net = 1 };
-  const struct scallop_gait gait = { "hole", { shape, shape } };
+  struct odd_piece odd;
   struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &gait;
+  c.gait = odd_gait(&odd, hole, NULL);
+  odd.piece.velocity = 0;
+  odd.piece.acceleration = 1;
   refused(&c, 1, 1e-3, SCALLOP_ECONVERGE);
-}
-
-static bool ends(void *context)
-{
-  int *left = context;
-  return --*left >= 0;
 }
 
 TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rival_period p, before;
-  memset(&p, 0x5a, sizeof p);
-  before = p;
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), 1e-2, 1e-6);
-    for (int questions = 0; questions <= 40; questions += 10) {
-      int left = questions;
-      struct scallop_patience patience = { ends, &left };
-      assert_int_equal(rival->period(rival, &c, 1, &patience, &p), SCALLOP_ESTOPPED);
+    RIVAL(rival, make(stepper, 1e-2, 1e-6));
+    for (long left, questions = 0; questions <= 40; questions += 10) {
+      left = questions;
+      PATIENCE(patience, left);
+      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
       assert_int_equal(left, -1); /* it ended at once */
-      assert_memory_equal(&p, &before, sizeof p);
     }
-    int left = 100000;
-    struct scallop_patience patience = { ends, &left };
-    struct scallop_rival_period patient, alone = period_of(&c, 1, stepper, 1e-2, 1e-6);
+    long left = 100000;
+    PATIENCE(patience, left);
+    struct scallop_rival_period patient, alone = smoothed(&c, 1, stepper, 1e-2, 1e-6);
     assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
     assert_true(100000 - left <= patient.steps);
     CHECK_EQUAL(patient.v_end, alone.v_end);
     CHECK_EQUAL(patient.displacement, alone.displacement);
-    scallop_rival_destroy(rival);
   }
 }
 
@@ -328,9 +253,9 @@ TEST(extremes_end)
   for (int i = 0; i < 600; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), delta = random_decades(&r, 1e-12, 1e3);
-    struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(i % STEPPERS), delta, random_decades(&r, 1e-15, 0.1));
-    int left = 2000;
-    struct scallop_patience patience = { ends, &left };
+    RIVAL(rival, make(i % STEPPERS, delta, random_decades(&r, 1e-15, 0.1)));
+    long left = 2000;
+    PATIENCE(patience, left);
     struct scallop_rival_period p = { NAN, NAN, NAN, 0, 0, 0 };
     enum scallop_status status = rival->period(rival, &c, v0, &patience, &p);
     if (status == SCALLOP_OK)
@@ -339,7 +264,6 @@ TEST(extremes_end)
       impatient++;
     else
       failed += status == SCALLOP_ECONVERGE;
-    scallop_rival_destroy(rival);
   }
   print_message("%d answered, %d failed, %d took over 2000 steps\n", answered, failed, impatient);
   assert_int_equal(answered + failed + impatient, 600);

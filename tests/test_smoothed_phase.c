@@ -1,13 +1,10 @@
 /* Smoothed friction looked at inside a phase: against the period of the same solver, and against the exact motion. */
 #include "tests/check.h"
 
-#include <float.h>
-
 #include <gsl/gsl_errno.h>
 
-#include "numerics/numerics.h"
 #include "numerics/smoothed.h"
-#include "tests/random_crawler.h"
+#include "tests/rivals.h"
 
 enum { STEPPERS = 3 };
 
@@ -29,13 +26,10 @@ static bool note(void *context, const struct scallop_sample *sample)
 static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, int stepper,
                                    double delta, const double *times, int count, struct look *look)
 {
-  struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), delta, 1e-8 * delta);
+  RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), delta, 1e-8 * delta));
   look->count = 0;
   look->wanted = look->wanted > 0 ? look->wanted : count + 1;
-  assert_non_null(rival);
-  enum scallop_status status = scallop_smoothed_phase(rival, c, kind, v0, NULL, times, count, note, look);
-  scallop_rival_destroy(rival);
-  return status;
+  return scallop_smoothed_phase(rival, c, kind, v0, NULL, times, count, note, look);
 }
 
 /* Looked at only at its ends, an extension is the very one of the period; a contraction begins with another step. */
@@ -45,10 +39,8 @@ TEST(phase_is_that_of_the_period)
   for (int i = 0; i < ALL_GAITS; i++)
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
       c.gait = every_gait[i];
-      struct scallop_rival_period p;
-      struct scallop_rival *rival = scallop_smoothed_rival(stepper_of(stepper), 0x1p-4, 1e-8 * 0x1p-4);
-      assert_int_equal(rival->period(rival, &c, 3.1, NULL, &p), SCALLOP_OK);
-      scallop_rival_destroy(rival);
+      RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), 0x1p-4, 1e-8 * 0x1p-4));
+      struct scallop_rival_period p = rival_period(rival, &c, 3.1);
       struct look first = { .count = 0 }, second = first;
       const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
                                   { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
@@ -115,12 +107,6 @@ TEST(samples_follow_the_exact_motion)
     }
 }
 
-static bool never(void *context)
-{
-  (void)context;
-  return false;
-}
-
 TEST(looks_that_end)
 {
   const double good[] = { 0, 0.2, 0.4 };
@@ -138,12 +124,12 @@ TEST(looks_that_end)
     assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, 3, &look), SCALLOP_STOPPED);
     assert_int_equal(look.count, wanted);
   }
-  struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_BSIMP, 1e-3, 1e-9);
-  const struct scallop_patience none = { never, NULL };
+  RIVAL(rival, scallop_smoothed_rival(SCALLOP_SMOOTHED_BSIMP, 1e-3, 1e-9));
+  long left = 0;
+  PATIENCE(none, left);
   look = (struct look){ .wanted = 9 };
   assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, 1, &none, good, 3, note, &look), SCALLOP_ESTOPPED);
   assert_int_equal(look.count, 1); /* of the start */
-  scallop_rival_destroy(rival);
 }
 
 int main(void)

@@ -9,6 +9,7 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { COARSEST = 512, LEVELS = 4, CRAWLERS = 48 };
 
@@ -75,18 +76,15 @@ static double centre_of_mass(const struct scallop_crawler *c, const struct scall
 
 static void exact_values(const struct scallop_crawler *c, double v0, double *value)
 {
-  struct scallop_period_result p;
-  struct scallop_steady_result s;
   for (int kind = 0; kind < 2; kind++) {
-    struct scallop_phase_result r;
-    assert_int_equal(scallop_phase(c, (enum scallop_phase_kind)kind, v0, &r), SCALLOP_OK);
+    struct scallop_phase_result r = phase_of(c, kind, v0);
     value[V_EXTENSION + 2 * kind] = r.v_end;
     value[X_EXTENSION + 2 * kind] = centre_of_mass(c, &r);
   }
-  assert_int_equal(scallop_period(c, v0, &p), SCALLOP_OK);
+  struct scallop_period_result p = period_of(c, v0);
   value[V_PERIOD] = p.v_end;
   value[X_PERIOD] = p.displacement;
-  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
+  struct scallop_steady_result s = steady_of(c);
   value[V_STEADY] = s.period.v_start;
   value[X_STEADY] = s.period.displacement;
 }
@@ -125,10 +123,9 @@ struct tally {
 
 static void refine(const struct scallop_crawler *c, double v0, struct tally *tally)
 {
-  struct scallop_steady_result s;
   double exact[QUANTITIES], sums[LEVELS] = { 0 }, mean = 0;
   exact_values(c, v0, exact);
-  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
+  struct scallop_steady_result s = steady_of(c);
   for (int level = 0; level < LEVELS; level++) {
     double stepped[QUANTITIES];
     int steps = COARSEST << level;

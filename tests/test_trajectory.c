@@ -7,6 +7,7 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { BOUND = 16, CRAWLERS = 25, MANY = 100000 };
 #define ULP DBL_EPSILON
@@ -49,13 +50,6 @@ static struct scallop_sample last_of(const struct scallop_crawler *c, double v0,
   return last;
 }
 
-static struct scallop_steady_result steady_of(const struct scallop_crawler *c)
-{
-  struct scallop_steady_result s;
-  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
-  return s;
-}
-
 static double fastest(const struct scallop_crawler *c, double v0)
 {
   return fabs(v0) + 3 * c->L / (c->T * fmin(c->alpha, 1 - c->alpha));
@@ -74,8 +68,7 @@ static void ends_of_phases(const struct scallop_crawler *given, double v0, int k
     double loose = BOUND * ULP * (n + 1);
     for (int kind = 0; kind < 2; kind++) {
       const struct scallop_sample *s = &t.sample[8 * n + (kind == 0 ? k : 8)];
-      struct scallop_phase_result r;
-      assert_int_equal(scallop_phase(&c, (enum scallop_phase_kind)kind, v, &r), SCALLOP_OK);
+      struct scallop_phase_result r = phase_of(&c, kind, v);
       v = r.v_end;
       x1 += r.dx1;
       x2 += r.dx2;
@@ -112,13 +105,12 @@ TEST(against_periods)
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), v = v0, x = 0, size = fastest(&c, v0);
     struct track t = run(&c, v0, 20, 1);
     for (int k = 0; k < 20; k++) {
-      struct scallop_period_result p;
       double loose = BOUND * ULP * (k + 1) * size;
       CHECK_NEAR(t.sample[k].xC, x, loose * c.T);
       CHECK_EQUAL(t.sample[k].t, k * c.T);
       if (n % ALL_GAITS < SMOOTH_GAITS) /* v1 = v2 only where l' = 0 */
         CHECK_NEAR(t.sample[k].v1, v, loose);
-      assert_int_equal(scallop_period(&c, v, &p), SCALLOP_OK);
+      struct scallop_period_result p = period_of(&c, v);
       v = p.v_end;
       x += p.displacement;
     }
@@ -214,12 +206,11 @@ TEST(steady_does_not_drift)
 static void geometric(double T, double F, long n)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_period_result first;
   c.T = T;
   c.F1 = 4 * F;
   c.F2 = F;
   struct scallop_steady_result s = steady_of(&c);
-  assert_int_equal(scallop_period(&c, 0, &first), SCALLOP_OK);
+  struct scallop_period_result first = period_of(&c, 0);
   double target = s.period.v_start, loss = first.v_end / target;
   CHECK_NEAR(1 - s.period.multiplier, loss, 4 * ULP);
   CHECK_RELATIVE(last_of(&c, 0, n).v1, -target * expm1((double)n * log1p(-loss)), BOUND * ULP);

@@ -5,6 +5,7 @@
 #include "tests/check.h"
 #include "tests/random_crawler.h"
 #include "tests/scoped.h"
+#include "tests/solved.h"
 
 enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
 
@@ -93,11 +94,10 @@ TEST(estimates_of_steady_states)
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
                                               n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
     struct scallop_wide exact[NUMBERS];
-    struct scallop_steady_result s;
     struct scallop_steady_error e;
     if (!certified(&c, exact))
       continue;
-    assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+    struct scallop_steady_result s = steady_of(&c);
     assert_int_equal(scallop_steady_error(&c, &s, &e), SCALLOP_OK);
     const double got[NUMBERS] = { s.froude,        s.period.v_start,   s.period.v_mid, s.period.displacement,
                                   s.mean_velocity, s.period.multiplier };
@@ -113,9 +113,8 @@ TEST(estimates_of_steady_states)
 TEST(estimate_of_a_wrong_number)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_phase_result p;
   struct scallop_phase_error e;
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 2.5, &p), SCALLOP_OK);
+  struct scallop_phase_result p = phase_of(&c, SCALLOP_EXTENSION, 2.5);
   p.v_end += 1e-9;
   p.dx1 -= 1e-3;
   p.t1 = NAN;
@@ -134,7 +133,6 @@ TEST(period_and_steady_state_agree)
       struct scallop_crawler c = scallop_crawler_default();
       struct scallop_wide_steady s;
       struct scallop_wide_period p;
-      struct scallop_period_result d;
       struct scallop_period_error e;
       c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
       assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &s), SCALLOP_OK);
@@ -144,7 +142,7 @@ TEST(period_and_steady_state_agree)
       CHECK_NEAR(change, s.period.multiplier.high * rounded,
                  ldexp(100, width == SCALLOP_LONG_DOUBLE ? 1 - LDBL_MANT_DIG : -104));
       CHECK_EQUAL(p.multiplier.high, s.period.multiplier.high);
-      assert_int_equal(scallop_period(&c, 1, &d), SCALLOP_OK);
+      struct scallop_period_result d = period_of(&c, 1);
       assert_int_equal(scallop_period_error(&c, 1, &d, &e), SCALLOP_OK);
       CHECK_AT_MOST(e.v_mid, 1e-14);
       CHECK_AT_MOST(e.v_end, 1e-14);
@@ -161,12 +159,11 @@ TEST(modes)
     for (int i = 0; i < 4; i++) {
       struct scallop_crawler c = scallop_crawler_default();
       struct scallop_wide_steady w;
-      struct scallop_steady_result s;
       char wide[SCALLOP_MODES_TEXT], plain[SCALLOP_MODES_TEXT];
       c.T = T[i];
       c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
       assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &w), SCALLOP_OK);
-      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(w.period.regime, s.period.regime);
       for (int kind = 0; kind < 2; kind++) {
         scallop_modes_text(&w.period.modes[kind], wide);
@@ -183,11 +180,10 @@ TEST(polynomial_gaits)
   for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
     for (double T = 0.1; T < 40; T *= 3) {
       struct scallop_crawler c = scallop_crawler_default();
-      struct scallop_steady_result s;
       struct scallop_wide_steady w;
       c.gait = gaits[i];
       c.T = T;
-      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
       CHECK_NEAR(s.period.v_start, w.period.v_start.high, 64 * DBL_EPSILON * c.L / c.T);
       CHECK_NEAR(s.period.displacement, w.period.displacement.high, 64 * DBL_EPSILON * c.L);
@@ -254,9 +250,9 @@ TEST(long_double_rounded_to_double)
   assert_int_equal(status, SCALLOP_EDOMAIN);
   assert_int_equal(scallop_width_bits(SCALLOP_LONG_DOUBLE), LDBL_MANT_DIG);
   for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_steady_result usual, rounded;
+    struct scallop_steady_result rounded;
     c = random_crawler(&r, NEARLY_EQUAL_FORCES, n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
-    assert_int_equal(scallop_steady(&c, &usual), SCALLOP_OK);
+    struct scallop_steady_result usual = steady_of(&c);
     set_control_word(ROUNDED);
     status = scallop_steady(&c, &rounded);
     set_control_word(USUAL);
