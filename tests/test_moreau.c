@@ -1,7 +1,7 @@
 /* Moreau and Jean's time stepping: each step against bisection on its own inclusion, and the whole against the exact
  * period, which it must approach in first order: error <= BOUND eps/steps for every crawler and start, and the worst of
  * them proportional to 1/steps. (The error of one crawler does not fall smoothly: it hangs on where in a step it
- * turns.) */
+ * turns.) That pins the exact solver without sharing a line with it. */
 #include "tests/check.h"
 
 #include <limits.h>
@@ -88,7 +88,8 @@ static void first_order(const struct scallop_gait *gait)
     for (int level = 0; level < LEVELS; level++) {
       long steps = COARSEST << 2 * level;
       struct scallop_rival_period p = stepped(&c, v0, steps);
-      double share = distance(&c, &p, exact.v_end, exact.displacement) / crawler_eps(&c);
+      double error = fmax(distance(&c, &p, exact.v_end, exact.displacement), fabs(p.v_mid - exact.v_mid) * c.T / c.L);
+      double share = error / crawler_eps(&c);
       worst[level] = fmax(worst[level], share);
       largest = fmax(largest, share * (double)steps);
       CHECK_AT_MOST(share, bound / (double)steps);
@@ -105,6 +106,27 @@ static void first_order(const struct scallop_gait *gait)
 
 TEST(first_order_quadratic) { first_order(&scallop_gait_quadratic); }
 TEST(first_order_sinusoidal) { first_order(&scallop_gait_sinusoidal); }
+TEST(first_order_trapezoid) { first_order(&trapezoid_gait); }
+TEST(first_order_minimum_jerk) { first_order(&minimum_jerk_gait); }
+
+/* The steady state is a fixed point of the stepped map, to what the error of a period becomes: 1/(1 - multiplier) times as much. */
+TEST(steady_states)
+{
+  const long steps = 4096;
+  struct random r = { 31 };
+  for (int i = 0; i < 96; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i / 2 % SMOOTH_GAITS]);
+    c.alpha = random_between(&r, 0.2, 0.8);
+    set_eps(&c, i % 2 ? random_decades(&r, 2, 60) : random_decades(&r, 0.3, 5));
+    RIVAL(rival, scallop_moreau_rival(steps));
+    struct scallop_rival_steady s;
+    struct scallop_steady_result exact = steady_of(&c);
+    double bound = 2 * 2 * crawler_eps(&c) / (double)steps / (1 - exact.period.multiplier);
+    assert_int_equal(scallop_rival_root(rival, &c, 1e-3 * bound, NULL, &s), SCALLOP_OK);
+    CHECK_NEAR(s.v_start, exact.period.v_start, bound * c.L / c.T);
+    CHECK_NEAR(s.displacement, exact.period.displacement, bound * c.L);
+  }
+}
 
 /* No body turns: nothing is left of the error but rounding, and for the sinusoidal gait too. */
 TEST(exact_without_crossings)
