@@ -83,12 +83,8 @@ TEST(phases_obey_laws)
 TEST(turning_places)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  SCOPED(fmpq, v0);
-  SCOPED(scallop_rational, exact);
   SCOPED(scallop_certified_phase, p);
-  scallop_rational_of(&exact, &c);
-  fmpq_set_si(v0, 3, 1);
-  assert_int_equal(scallop_certified_phase(&exact, SCALLOP_EXTENSION, v0, 20, &p, NULL), SCALLOP_OK);
+  certify_phase(&p, &c, SCALLOP_EXTENSION, 3, 20);
   modes_are(&p.modes, "++ -+ ++");
   double t1 = nearest(p.t1), dT = nearest(p.dT), tau = 0.75, v_end = nearest(p.v_end), slowing = 2.5;
   double first = 3 * t1 - slowing / 2 * t1 * t1 - 0.5 * 2 * c.L * t1 * t1 / (tau * tau);

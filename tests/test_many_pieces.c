@@ -135,14 +135,10 @@ TEST(the_gait_has_it_all)
 
 static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
-  double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
-  SCOPED(fmpq, start);
-  SCOPED(scallop_rational, rational);
   SCOPED(scallop_certified_phase, exact);
-  scallop_rational_of(&rational, c);
-  scallop_rational_set_double(start, v0);
+  double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
   struct scallop_phase_result got = phase_of(c, kind, v0);
-  assert_int_equal(scallop_certified_phase(&rational, kind, start, 20, &exact, NULL), SCALLOP_OK);
+  certify_phase(&exact, c, kind, v0, 20);
   assert_true(same_modes(&got.modes, &exact.modes));
   assert_int_equal(got.regime, exact.regime);
   CHECK_NEAR(got.v_end, nearest(exact.v_end), 2 * DBL_EPSILON * way / tau);
@@ -170,13 +166,10 @@ TEST(a_spline_through_many_knots)
 TEST(its_steady_state)
 {
   struct drawn *d = draw_gait();
-  struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
-  c.gait = &d->spline.gait;
-  SCOPED(scallop_rational, rational);
-  SCOPED(scallop_certified_steady, exact);
-  scallop_rational_of(&rational, &c);
+  const struct scallop_crawler c = { 2, 1, 9, 1, 3, 0.5, 0.8, &d->spline.gait };
   struct scallop_steady_result got = steady_of(&c);
-  assert_int_equal(scallop_certified_steady(&rational, 20, &exact, NULL), SCALLOP_OK);
+  SCOPED(scallop_certified_steady, exact);
+  certify_steady(&exact, &c, 20);
   for (int kind = 0; kind < 2; kind++)
     assert_true(same_modes(&got.period.modes[kind], &exact.modes[kind]));
   CHECK_NEAR(got.period.v_start, nearest(exact.v_start), 4 * DBL_EPSILON * c.L / c.T);
