@@ -37,10 +37,8 @@ static inline void certify_steady(struct scallop_certified_steady *s, const stru
 
 static inline void check_overlap(const arb_t x, const arb_t y, const char *what)
 {
-  if (!arb_overlaps(x, y)) {
-    print_error("%s: %.17g and %.17g do not overlap\n", what, nearest(x), nearest(y));
-    fail();
-  }
+  if (!arb_overlaps(x, y))
+    fail_msg("%s: %.17g and %.17g do not overlap", what, nearest(x), nearest(y));
 }
 
 #endif

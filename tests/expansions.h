@@ -49,10 +49,8 @@ static inline void check_scaled(const struct series *a, const struct series *b, 
     fmpq_pow_si(f, unit, k);
     fmpq_mul(f, f, factor);
     series_scale(&scaled, a, f, &ring);
-    if (!same_coefficient(&scaled, b, k, PRECISION) || a->exact != b->exact) {
-      print_error("%s: T^%ld\n", what, (long)k);
-      fail();
-    }
+    if (!same_coefficient(&scaled, b, k, PRECISION) || a->exact != b->exact)
+      fail_msg("%s: T^%ld", what, (long)k);
   }
 }
 

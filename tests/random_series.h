@@ -49,19 +49,15 @@ static inline void check_same(const struct series *a, const struct series *b, co
 {
   slong known = least(least(a->known, b->known), FAR);
   for (slong k = -FAR; k < known; k++)
-    if (!same_coefficient(a, b, k, PRECISION)) {
-      print_error("%s: the coefficients of x^%ld differ\n", what, (long)k);
-      fail();
-    }
+    if (!same_coefficient(a, b, k, PRECISION))
+      fail_msg("%s: the coefficients of x^%ld differ", what, (long)k);
 }
 
 /* ... and s knows at least so many */
 static inline void check_known(const struct series *s, slong known, const char *what)
 {
-  if (s->known < known) {
-    print_error("%s: known below x^%ld, not x^%ld\n", what, (long)s->known, (long)known);
-    fail();
-  }
+  if (s->known < known)
+    fail_msg("%s: known below x^%ld, not x^%ld", what, (long)s->known, (long)known);
 }
 
 /* Series to work with: SCOPED(work, w) */

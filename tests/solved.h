@@ -5,6 +5,14 @@
 #include "numerics/numerics.h"
 #include "tests/check.h"
 
+/* The default crawler with this gait */
+static inline struct scallop_crawler with_gait(const struct scallop_gait *gait)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = gait;
+  return c;
+}
+
 static inline struct scallop_phase_result phase_of(const struct scallop_crawler *c, int kind, double v0)
 {
   struct scallop_phase_result r;

@@ -80,8 +80,7 @@ static void check_at(struct subject *s, double part, struct ratios *small)
     double times = ratio(s, q == 0 ? c.v_start : c.displacement, q);
     if (times < 0) {
       print_exact_crawler(&s->crawler);
-      print_error("order %ld, quantity %d: the bound is %.17g of the error at %g T0\n", (long)s->order, q, -times, part);
-      fail();
+      fail_msg("order %ld, quantity %d: the bound is %.17g of the error at %g T0", (long)s->order, q, -times, part);
     }
     if (part < 1e-3 && isfinite(times)) /* some series end, and nothing is left to bound */
       small[q].all[small[q].count++] = times;

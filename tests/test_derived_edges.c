@@ -2,6 +2,7 @@
 #include "tests/check.h"
 
 #include "tests/expansions.h"
+#include "tests/solved.h"
 
 /* A fraction so close to pi^2 that only the last bits notice */
 static void nearly_pi_squared(fmpq_t q)
@@ -105,12 +106,11 @@ TEST(refusals)
  * the limit is either refused or the one with the right modes: an extrapolation from the other side would be smooth and wrong. */
 TEST(limit_near_a_touch)
 {
-  struct scallop_crawler defaults = scallop_crawler_default();
+  struct scallop_crawler defaults = with_gait(&scallop_gait_sinusoidal);
   static const char *const masses[] = { "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862" };
   int refused = 0;
   SCOPED(scallop_steady_expansion, e);
   SCOPED(scallop_rational, c);
-  defaults.gait = &scallop_gait_sinusoidal;
   scallop_rational_of(&c, &defaults);
   for (size_t i = 0; i < sizeof masses / sizeof *masses; i++) {
     assert_true(scallop_rational_parse(c.m1, masses[i]));

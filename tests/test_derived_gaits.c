@@ -63,10 +63,8 @@ static void check_sum(const struct series *series, const fmpq_t x, const arb_t w
   arb_set_fmpq(at, x, PRECISION);
   series_value(value, series, at, ORDER, PRECISION);
   arb_sub(value, value, wanted, PRECISION);
-  if (!(at_most(value) <= 1e-34 * size)) {
-    print_error("%s: off by %g\n", what, at_most(value));
-    fail();
-  }
+  if (!(at_most(value) <= 1e-34 * size))
+    fail_msg("%s: off by %g", what, at_most(value));
 }
 
 /* Crossings are found wherever they are, but those at an end that is not an

@@ -79,8 +79,7 @@ TEST(passes_a_dwell)
  * extension does, half a period late. */
 TEST(slides_on)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &pause_gait;
+  struct scallop_crawler c = with_gait(&pause_gait);
   c.T = 1. / 64;
   struct scallop_steady_result s = steady_of(&c);
   modes_are(&s.period.modes[0], "++ -+ ++ 00 -+ ++");
@@ -103,8 +102,7 @@ TEST(slides_on)
 /* Held by a dwell for any length of time, and moving otherwise: stick-slip, and the start is forgotten. */
 TEST(a_dwell_forgets)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &wait_gait;
+  struct scallop_crawler c = with_gait(&wait_gait);
   c.F1 = 60;
   c.F2 = 50;
   struct scallop_period_result p = period_of(&c, 0.5);

@@ -147,9 +147,8 @@ static void check_wrong(struct subject *s, const struct scallop_formula *f, enum
   slong found = first_wrong(s, f, kind);
   if (found != power) {
     print_exact_crawler(&s->crawler);
-    print_error("%s in phase %d, v0=%g: first wrong in T^%ld, not T^%ld\n", f->name, kind, fraction_d(s->v0), (long)found,
-                (long)power);
-    fail();
+    fail_msg("%s in phase %d, v0=%g: first wrong in T^%ld, not T^%ld", f->name, kind, fraction_d(s->v0), (long)found,
+             (long)power);
   }
 }
 
@@ -211,8 +210,7 @@ static void check_right(struct subject *s, const struct scallop_formula *f, enum
   slong order = f->remainder == SCALLOP_EQUALITY ? NEVER : f->remainder - (gains && s->crawler.gait == &trapezoid_gait);
   if (found < order) {
     print_exact_crawler(&s->crawler);
-    print_error("%s in phase %d: wrong in T^%ld\n", f->name, kind, (long)found);
-    fail();
+    fail_msg("%s in phase %d: wrong in T^%ld", f->name, kind, (long)found);
   }
 }
 

@@ -218,10 +218,8 @@ TEST(random_formulas)
   for (int i = 0; i < 300; i++) {
     random_formula(text, wanted, &r, 1 + random_below(&r, 5));
     assert_true(evaluate(&value, text) && series_rational_coefficient(got, &value, 0));
-    if (!fmpq_equal(got, wanted)) {
-      print_error("%s\n", text);
-      fail();
-    }
+    if (!fmpq_equal(got, wanted))
+      fail_msg("%s", text);
   }
 }
 

@@ -128,9 +128,8 @@ static void check_value(const struct scallop_formula *f, const struct scallop_sy
   struct sized again = sum(&r);
   if (*r.at != '\0' || !check_near(function, nearest(ball), ROUNDING * again.size)
       || !check_near(again.value, nearest(ball), ROUNDING * again.size)) {
-    print_error("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g\n", f->name, function,
-                nearest(ball), again.value, again.size);
-    fail();
+    fail_msg("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g", f->name, function, nearest(ball),
+             again.value, again.size);
   }
 }
 

@@ -155,8 +155,7 @@ TEST(parted_from_rest)
 /* No tolerance bounds the error from below: tightening it must pay. */
 TEST(tolerance_controls_error)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_period_result exact = period_of(&c, 1.317);
   for (int method = 0; method < methods(); method++) {
     double last = INFINITY;
@@ -218,8 +217,8 @@ TEST(any_units)
 /* A workspace used before, with another tolerance, gives what a new one gives. */
 TEST(workspace_forgets)
 {
-  struct scallop_crawler c = scallop_crawler_default(), other;
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  struct scallop_crawler other;
   other = c;
   other.T = 37;
   for (int k = 0; k < CVODE; k++) {
@@ -237,8 +236,7 @@ TEST(workspace_forgets)
 
 TEST(steady_state)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   for (int method = 0; method < methods(); method++) {
     RIVAL(rival, make(method, 1e-10));
     check_steady(rival, &c, 0, 1e-10, 512 * 1e-10 * c.L / c.T / (1 - steady_of(&c).period.multiplier));
@@ -293,9 +291,8 @@ static double restless(const struct scallop_piece *p, double u) { return (void)p
 static void no_convergence(int method, double (*acceleration)(const struct scallop_piece *, double), double velocity)
 {
   struct odd_piece odd;
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(odd_gait(&odd, NULL, acceleration));
   RIVAL(rival, make(method, 1e-9));
-  c.gait = odd_gait(&odd, NULL, acceleration);
   odd.piece.velocity = velocity;
   check_refused(rival, &c, 100, NULL, SCALLOP_ECONVERGE);
 }

@@ -131,8 +131,7 @@ TEST(steady_states)
 /* No body turns: nothing is left of the error but rounding, and for the sinusoidal gait too. */
 TEST(exact_without_crossings)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   for (int direction = -1; direction <= 1; direction += 2) {
     double v0 = direction * 1013.7;
     struct scallop_period_result exact = period_of(&c, v0);

@@ -14,9 +14,8 @@ static void judge(const struct stress_case *stressed)
     if (stress_broken(&j, q)) {
       const struct stress_number *n = &j.number[q];
       stress_arguments(stressed, text);
-      print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n",
-                  stress_quantity_name(stressed->kind, q), n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
-      fail();
+      fail_msg("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s", stress_quantity_name(stressed->kind, q),
+               n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
     }
 }
 

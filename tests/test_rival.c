@@ -240,9 +240,8 @@ TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
 /* A body that has been stuck forgets how it began: the third period shows that nothing changes. */
 TEST(forgets_at_once)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_rival_steady s;
-  c.gait = &scallop_gait_sinusoidal;
   c.T = 6;
   struct scallop_steady_result exact = steady_of(&c);
   CHECK_EQUAL(exact.period.multiplier, 0);
@@ -273,8 +272,7 @@ TEST(goes_nowhere)
 TEST(patience_in_a_period)
 {
   const long enough = 1000000;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
     RIVAL(rival, make(stepper, 1e-11));
     struct scallop_rival_period whole;

@@ -19,10 +19,8 @@ static void check_coefficient(const struct series *s, slong power, const fmpq_t 
 {
   SCOPED(fmpq, got);
   assert_true(series_rational_coefficient(got, s, power));
-  if (!fmpq_equal(got, wanted)) {
-    print_error("%s: x^%ld\n", what, (long)power);
-    fail();
-  }
+  if (!fmpq_equal(got, wanted))
+    fail_msg("%s: x^%ld", what, (long)power);
 }
 
 /* What is known to all orders stays so. */

@@ -10,6 +10,7 @@
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
 #include "tests/scoped.h"
+#include "tests/solved.h"
 
 SCOPED_FLINT(acb)
 
@@ -119,8 +120,7 @@ TEST(coefficients_grow_as_the_singularity_says)
 TEST(branch_points_of_other_sheets)
 {
   struct subject s;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   find_steady(&s, &c);
   check_proven(&s.singularity);
   assert_false(arb_contains_zero(acb_imagref(s.singularity.place)));
@@ -134,12 +134,11 @@ TEST(branch_points_of_other_sheets)
  * one that it meets at x = 4.4934, where eps < 0. */
 TEST(from_rest)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct subject s;
   double x = 4.5;
   for (int i = 0; i < 10; i++)
     x -= (x * cos(x) - sin(x)) / (-x * sin(x));
-  c.gait = &scallop_gait_sinusoidal;
   double q = c.m2 / (c.m1 + c.m2), beta = (c.F1 - c.F2) / (c.F1 + c.F2), pi = acos(-1);
   double eps = q * pi * pi / 2 * cos(x) / beta, T = sqrt(-eps * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
   begin(&s, &c);
@@ -158,10 +157,9 @@ TEST(from_rest)
 /* The first crossing knows nothing of the second: its series goes on converging where that of the second does not. */
 TEST(first_crossing_alone)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct subject s;
   double T[2];
-  c.gait = &scallop_gait_sinusoidal;
   begin(&s, &c);
   SCOPED(fmpq, v0);
   fmpq_set_si(v0, 1, 2);
@@ -178,9 +176,8 @@ TEST(first_crossing_alone)
 /* T goes as the square root of L; w = 0 in the limit at alpha = 1/2; nothing is singular of a crawler that rests. */
 TEST(special_crawlers)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct subject s, longer;
-  c.gait = &scallop_gait_sinusoidal;
   c.alpha = 0.5;
   find_steady(&s, &c);
   check_proven(&s.singularity);
@@ -200,8 +197,7 @@ TEST(special_crawlers)
 TEST(minimum_jerk)
 {
   struct subject s;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &minimum_jerk_gait;
+  struct scallop_crawler c = with_gait(&minimum_jerk_gait);
   find_steady(&s, &c);
   check_proven(&s.singularity);
   check_growth(&s, 0);
@@ -212,8 +208,7 @@ TEST(no_expansion_no_singularity)
 {
   const char *why = NULL;
   struct subject s;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &minimum_jerk_gait;
+  struct scallop_crawler c = with_gait(&minimum_jerk_gait);
   begin(&s, &c);
   SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
@@ -330,11 +325,10 @@ struct outcome {
 /* Of the steady state of the default crawler, sinusoidal. shift: of the velocity at z = 0 from where the branch begins */
 static struct outcome search_after(enum gathered what, slong shift)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct subject subject;
   struct continuation both[2];
   struct limit l;
-  c.gait = &scallop_gait_sinusoidal;
   begin(&subject, &c);
   limit_init(&l, &subject.crawler);
   SCOPED(fmpq, kappa);

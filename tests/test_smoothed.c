@@ -123,9 +123,8 @@ TEST(tolerance_controls_error)
 TEST(blind_steps)
 {
   const double delta = 1e-6;
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   double error[STEPPERS];
-  c.gait = &scallop_gait_sinusoidal;
   struct scallop_period_result exact = steady_period(&c);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
     struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, delta, 1e-12);
@@ -139,8 +138,7 @@ TEST(blind_steps)
 TEST(jacobian_pays)
 {
   const long most[STEPPERS] = { 750, 160, 5500 };
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   c.T = 5;
   for (int stuck = 1; stuck <= 2; stuck++) {
     c.F1 = stuck == 1 ? 4 : 1;
@@ -166,9 +164,8 @@ TEST(units_and_handles)
 /* Smoothed beyond recognition, friction does nothing; far above its layer, it is what it is without one. */
 TEST(large_arguments)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   const double v0 = 1013.7;
-  c.gait = &scallop_gait_sinusoidal;
   struct scallop_period_result exact = period_of(&c, v0);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
     CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e300, 1e-9).v_end, v0, 1e-9);
@@ -217,8 +214,7 @@ static double hole(const struct scallop_piece *p, double u) { return (void)p, u 
 TEST(no_convergence)
 {
   struct odd_piece odd;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = odd_gait(&odd, hole, NULL);
+  struct scallop_crawler c = with_gait(odd_gait(&odd, hole, NULL));
   odd.piece.velocity = 0;
   odd.piece.acceleration = 1;
   refused(&c, 1, 1e-3, SCALLOP_ECONVERGE);

@@ -130,11 +130,10 @@ TEST(period_and_steady_state_agree)
 {
   for (int g = 0; g < 2; g++)
     for (int width = 0; width < 2; width++) {
-      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_crawler c = with_gait(g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
       struct scallop_wide_steady s;
       struct scallop_wide_period p;
       struct scallop_period_error e;
-      c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
       assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &s), SCALLOP_OK);
       assert_int_equal(scallop_wide_period((enum scallop_width)width, &c, s.period.v_start.high, &p), SCALLOP_OK);
       double rounded = -s.period.v_start.low; /* v_end - v_start = multiplier times the distance */
@@ -179,9 +178,8 @@ TEST(polynomial_gaits)
   const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
   for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
     for (double T = 0.1; T < 40; T *= 3) {
-      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_crawler c = with_gait(gaits[i]);
       struct scallop_wide_steady w;
-      c.gait = gaits[i];
       c.T = T;
       struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
