@@ -5,6 +5,16 @@
 #include "numerics/numerics.h"
 #include "tests/check.h"
 
+/* The call, which gives its answer to &out, is refused with this status, and touches nothing. */
+#define REFUSES(answer, call, wanted) \
+  do { \
+    struct answer out, before; \
+    memset(&before, 0xa5, sizeof before); \
+    memcpy(&out, &before, sizeof out); \
+    assert_int_equal(call, wanted); \
+    assert_memory_equal(&out, &before, sizeof out); \
+  } while (0)
+
 /* The default crawler with this gait */
 static inline struct scallop_crawler with_gait(const struct scallop_gait *gait)
 {

@@ -1,12 +1,10 @@
 /* The proven error bounds of the steady state's series, held against certified values; and that the modes change where it is said. */
 #include "tests/check.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
-#include "asymptotics/derived.h"
-#include "numerics/certified.h"
 #include "tests/exact.h"
+#include "tests/solved.h"
 
 enum { PRECISION = 128, MOST_ORDER = 9, DIGITS = 60, CRAWLERS = 72, QUANTITIES = 2 };
 
@@ -87,17 +85,14 @@ static void check_at(struct subject *s, double part, struct ratios *small)
   }
 }
 
-static void modes_at(const struct subject *s, double part, char *text, size_t size)
+static void modes_at(const struct subject *s, double part, char modes[BOTH_MODES_TEXT])
 {
-  char modes[2][SCALLOP_MODES_TEXT];
   SCOPED(scallop_rational, c);
   SCOPED(scallop_certified_steady, there);
   scallop_rational_copy(&c, &s->crawler);
   set_T(&c, s->bounds[0].T_end, part);
   assert_int_equal(scallop_certified_steady(&c, 20, &there, NULL), SCALLOP_OK);
-  scallop_modes_text(&there.modes[0], modes[0]);
-  scallop_modes_text(&there.modes[1], modes[1]);
-  snprintf(text, size, "%s | %s", modes[0], modes[1]);
+  both_modes(there.modes, modes);
 }
 
 /* False: they are refused. */
@@ -180,10 +175,10 @@ TEST(bounds_hold)
 TEST(modes_of_the_limit_up_to_the_end)
 {
   static const double before[] = { 1e-3, 0.7, 0.999 };
-  char modes[2 * SCALLOP_MODES_TEXT + 4];
+  char modes[BOTH_MODES_TEXT];
   for (int i = 0; i < CRAWLERS; i++)
     for (size_t k = 0; k < sizeof before / sizeof *before; k++) {
-      modes_at(&subjects[i], before[k], modes, sizeof modes);
+      modes_at(&subjects[i], before[k], modes);
       assert_string_equal(modes, subjects[i].expansion.modes);
     }
 }
@@ -191,8 +186,8 @@ TEST(modes_of_the_limit_up_to_the_end)
 /* And others beyond, or else a switching time passes a corner of l'. */
 static bool ends_at(const struct subject *s, double part)
 {
-  char modes[2 * SCALLOP_MODES_TEXT + 4];
-  modes_at(s, part, modes, sizeof modes);
+  char modes[BOTH_MODES_TEXT];
+  modes_at(s, part, modes);
   return strcmp(modes, s->expansion.modes) != 0 || strstr(s->bounds[0].ends, "corner");
 }
 

@@ -45,6 +45,18 @@ static void subject_clear(struct subject *s)
   arb_clear(s->one);
 }
 
+#define SUBJECT(s, gait) \
+  struct subject s __attribute__((cleanup(subject_clear))); \
+  subject_init(&(s), gait)
+
+/* What the limit is, of a crawler in doubles */
+#define LIMIT(l, exact, crawler) \
+  SCOPED(scallop_rational, exact); \
+  scallop_rational_of(&(exact), crawler); \
+  struct limit l __attribute__((cleanup(limit_clear))); \
+  limit_init(&(l), &(exact)); \
+  assert_int_equal(limit_find(&(l), &(exact), PRECISION, NULL), SCALLOP_OK)
+
 /* |l'| of trapezoid: 0 to 16/13, and curve 0 is half of that. */
 TEST(levels)
 {
@@ -52,8 +64,7 @@ TEST(levels)
     double c;
     int crossings; /* -1: cannot be told */
   } cases[] = { { 0, -1 }, { 0.3, 2 }, { -0.3, 2 }, { 0.7, 0 }, { -0.7, 0 } };
-  struct subject s;
-  subject_init(&s, &trapezoid_gait);
+  SUBJECT(s, &trapezoid_gait);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     arb_set_d(s.c, cases[i].c);
     assert_int_equal(branch_of_level(&s.branch, &s.phase, s.c, PRECISION), cases[i].crossings >= 0);
@@ -66,7 +77,6 @@ TEST(levels)
   arb_set_fmpq(s.c, along, PRECISION);
   assert_false(branch_of_level(&s.branch, &s.phase, s.c, PRECISION));
   fmpq_clear(along);
-  subject_clear(&s);
 }
 
 /* A branch has room for MOST_CROSSINGS, and 16 teeth are crossed twice as
@@ -74,9 +84,8 @@ TEST(levels)
 TEST(more_crossings_than_there_is_room_for)
 {
   struct teeth teeth;
-  struct subject s;
   grow_teeth(&teeth);
-  subject_init(&s, &teeth.gait);
+  SUBJECT(s, &teeth.gait);
   arb_set_d(s.c, 0.5);
   assert_false(branch_of_level(&s.branch, &s.phase, s.c, PRECISION));
   assert_int_equal(s.branch.count, MOST_CROSSINGS);
@@ -89,7 +98,6 @@ TEST(more_crossings_than_there_is_room_for)
     int tooth = i / 2;
     CHECK_NEAR(nearest(u), (tooth + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
   }
-  subject_clear(&s);
 }
 
 static void set_offset(struct subject *s, double u)
@@ -104,12 +112,11 @@ static void set_offset(struct subject *s, double u)
 TEST(crossings_along_the_curve)
 {
   const struct ring ring = { 4, PRECISION };
-  struct subject s;
   SCOPED(arb, before);
   SCOPED(series, c, eps, one);
   SCOPED(lift, lift);
   SCOPED(base, base);
-  subject_init(&s, &trapezoid_gait);
+  SUBJECT(s, &trapezoid_gait);
   series_set_si(&one, 1);
   series_set_si(&eps, 0);
   for (int along = 0; along < 2; along++) { /* first where c does cross */
@@ -128,7 +135,6 @@ TEST(crossings_along_the_curve)
     series_coefficient(before, &s.branch.crossing[0].offset, 0, PRECISION);
     CHECK_NEAR(nearest(before), u, 1e-30);
   }
-  subject_clear(&s);
 }
 
 /* m1 = m2, F1 = 7 F2, alpha = 3/4: w = 3/8, crossings and all are fractions
@@ -137,21 +143,15 @@ TEST(crossings_along_the_curve)
 TEST(a_limit_that_balls_hold_exactly)
 {
   const struct scallop_crawler c = { 1, 1, 7, 1, 1, 1, 0.75, &scallop_gait_quadratic };
-  struct limit l;
-  const char *why;
   SCOPED(fmpq, value);
   SCOPED(arb, w, eps);
-  SCOPED(scallop_rational, exact);
-  scallop_rational_of(&exact, &c);
-  limit_init(&l, &exact);
-  assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
+  LIMIT(l, exact, &c);
   assert_true(series_rational_coefficient(value, &l.w, 0));
   CHECK_EQUAL(fmpq_get_d(value), 0.375);
   arb_set_d(w, 0.375);
   assert_true(limit_follow(&l, w, eps, PRECISION));
   assert_true(arb_contains_fmpq(w, value));
   assert_true(mag_cmp_2exp_si(arb_radref(w), -PRECISION / 2) < 0);
-  limit_clear(&l);
 }
 
 /* The velocity with which the contraction begins, in units of L and the period */
@@ -173,14 +173,9 @@ static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t 
 TEST(a_crossing_moves_to_another_piece)
 {
   struct scallop_crawler c = { 1, 1, 22, 1, 1, 1, 0.9, &minimum_jerk_gait };
-  struct limit l;
-  const char *why;
   int before = 0, after = 0;
   SCOPED(arb, w, w_mid, eps, u);
-  SCOPED(scallop_rational, exact);
-  scallop_rational_of(&exact, &c);
-  limit_init(&l, &exact);
-  assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
+  LIMIT(l, exact, &c);
   series_coefficient(w, &l.w, 0, PRECISION);
   assert_ptr_equal(l.branch[0].crossing[0].piece, &minimum_jerk_gait.phase[0].pieces[1]);
   for (int i = 1; i <= 16; i++) {
@@ -196,7 +191,6 @@ TEST(a_crossing_moves_to_another_piece)
     CHECK_RELATIVE(nearest(w_mid), steady.period.v_mid * c.T / c.L, 1e-12);
   }
   assert_true(before > 0 && after > 0);
-  limit_clear(&l);
 }
 
 /* Where pieces are one function a crossing may as well be measured in any of them, from either end. */
@@ -205,13 +199,8 @@ TEST(a_crossing_measured_elsewhere)
   const struct scallop_gait *const gaits[] = { &scallop_gait_sinusoidal, &minimum_jerk_gait, &trapezoid_gait };
   for (int g = 0; g < 3; g++) {
     const struct scallop_crawler c = { 1, 1, 4, 1, 1, 1, 0.75, gaits[g] };
-    struct limit l;
-    const char *why;
     SCOPED(arb, w, zero, u);
-    SCOPED(scallop_rational, exact);
-    scallop_rational_of(&exact, &c);
-    limit_init(&l, &exact);
-    assert_int_equal(limit_find(&l, &exact, PRECISION, &why), SCALLOP_OK);
+    LIMIT(l, exact, &c);
     series_coefficient(w, &l.w, 0, PRECISION);
     assert_null(limit_holds(&l, w, w, zero, PRECISION));
     struct crossing *last = &l.branch[0].crossing[1];
@@ -221,6 +210,5 @@ TEST(a_crossing_measured_elsewhere)
     series_set_ball(&last->offset, u);
     last->piece = &gaits[g]->phase[0].pieces[0];
     assert_int_equal(limit_holds(&l, w, w, zero, PRECISION) != NULL, gaits[g] == &trapezoid_gait);
-    limit_clear(&l);
   }
 }

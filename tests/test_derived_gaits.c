@@ -56,6 +56,10 @@ static void subject_clear(struct subject *s)
   fmpq_clear(s->v0);
 }
 
+#define SUBJECT(s, gait, alpha) \
+  struct subject s __attribute__((cleanup(subject_clear))); \
+  subject_init(&(s), gait, alpha)
+
 /* The terms below x^ORDER are what they are of, up to about the next one. */
 static void check_sum(const struct series *series, const fmpq_t x, const arb_t wanted, double size, const char *what)
 {
@@ -71,18 +75,16 @@ static void check_sum(const struct series *series, const fmpq_t x, const arb_t w
  * anchor are refused. */
 TEST(one_piece)
 {
-  struct subject s;
   const char *why = NULL;
   SCOPED(scallop_certified_steady, c);
   for (int forward = 0; forward < 2; forward++) {
-    subject_init(&s, &parabola_gait, forward ? 0.75 : 0.25);
+    SUBJECT(s, &parabola_gait, forward ? 0.75 : 0.25);
     assert_true(expand_steady(&s.steady, &s.exact, ORDER));
     assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
     check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
     check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
-    subject_clear(&s);
   }
-  subject_init(&s, &parabola_gait, 0.5);
+  SUBJECT(s, &parabola_gait, 0.5);
   assert_int_equal(scallop_expand_steady(&s.exact, 4, PRECISION, &s.steady, &why), SCALLOP_EDOMAIN);
   assert_non_null(strstr(why, "anchored elsewhere"));
   fmpq_set_si(s.v0, 1, 1);
@@ -92,7 +94,6 @@ TEST(one_piece)
                      SCALLOP_EDOMAIN);
     assert_non_null(strstr(why, "anchored elsewhere"));
   }
-  subject_clear(&s);
 }
 
 /* Each phase of a mixed gait is symmetric about its middle, but they are not
@@ -105,9 +106,8 @@ TEST(phases_of_two_kinds)
   SCOPED(scallop_certified_steady, c);
   for (int i = 0; i < 2; i++)
     for (int quarters = 1; quarters <= 3; quarters++) {
-      struct subject s;
       SCOPED(arb, second);
-      subject_init(&s, &mixed[i], 0.25 * quarters);
+      SUBJECT(s, &mixed[i], 0.25 * quarters);
       assert_true(expand_steady(&s.steady, &s.exact, ORDER));
       assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
       check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
@@ -115,16 +115,14 @@ TEST(phases_of_two_kinds)
       check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
       series_coefficient(second, &s.steady.displacement, 2, PRECISION);
       assert_int_equal(arb_is_zero(second), quarters != 2);
-      subject_clear(&s);
     }
 }
 
 /* By all three, with a reason, and the outputs as they were */
 static void refuses(const struct scallop_gait *gait, double alpha, const char *fragment)
 {
-  struct subject s;
   const char *why[3] = { NULL, NULL, NULL };
-  subject_init(&s, gait, alpha);
+  SUBJECT(s, gait, alpha);
   series_set_si(&s.phase.dxC, 7);
   series_set_si(&s.steady.displacement, 7);
   s.bounds[1].power = 7;
@@ -145,7 +143,6 @@ static void refuses(const struct scallop_gait *gait, double alpha, const char *f
   for (int i = 0; i < 2; i++)
     assert_true(series_rational_coefficient(seven, kept[i], 0) && fmpq_equal_si(seven, 7));
   assert_int_equal(s.bounds[1].power, 7);
-  subject_clear(&s);
 }
 
 TEST(gaits_without_a_branch)
@@ -208,8 +205,7 @@ TEST(sines_and_polynomials)
 
 TEST(quantities)
 {
-  struct subject s;
-  subject_init(&s, &scallop_gait_quadratic, 0.75);
+  SUBJECT(s, &scallop_gait_quadratic, 0.75);
   for (int kind = 0; kind < 2; kind++) {
     enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
     assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_REAR_AT_END), kind == 0 ? &s.phase.dx1 : &s.phase.dx2);
@@ -220,7 +216,6 @@ TEST(quantities)
   assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_VELOCITY), &s.steady.v_start);
   assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_DISPLACEMENT), &s.steady.displacement);
   assert_null(scallop_steady_quantity(&s.steady, SCALLOP_LAG));
-  subject_clear(&s);
 }
 
 /* Where l'' = 0 at both ends of a phase the kinematic length is 0/0: 0 stands
@@ -228,18 +223,16 @@ TEST(quantities)
 TEST(symbols)
 {
   const struct ring ring = { 3, PRECISION };
-  struct subject s;
   struct scallop_formula formula = { .name = "made up", .setting = SCALLOP_STEADY, .text = "L_kin + 1" };
   SCOPED(fmpq, x);
   SCOPED(series, value);
   SCOPED(scallop_symbols, symbols);
   for (int curved = 0; curved < 2; curved++) {
-    subject_init(&s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
+    SUBJECT(s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
     scallop_symbols_set(&symbols, &s.exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
     assert_true(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
     assert_true(series_rational_coefficient(x, &value, 0));
     CHECK_EQUAL(fmpq_get_d(x), curved ? 1 : s.doubles.L + 1);
-    subject_clear(&s);
   }
   formula.text = "L_kinematic + 1";
   assert_false(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));

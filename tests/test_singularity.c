@@ -48,11 +48,13 @@ static void end(struct subject *s)
   scallop_singularity_clear(&s->singularity);
 }
 
-static void find_steady(struct subject *s, const struct scallop_crawler *crawler)
-{
-  begin(s, crawler);
-  assert_int_equal(scallop_steady_singularity(&s->singularity, &s->crawler, PRECISION, NULL), SCALLOP_OK);
-}
+#define SUBJECT(s, of) \
+  struct subject s __attribute__((cleanup(end))); \
+  begin(&(s), of)
+/* With the singularity of its steady state */
+#define STEADY_SUBJECT(s, of) \
+  SUBJECT(s, of); \
+  assert_int_equal(scallop_steady_singularity(&(s).singularity, &(s).crawler, PRECISION, NULL), SCALLOP_OK)
 
 /* Found, and nothing is nearer */
 static void check_proven(const struct scallop_singularity *s)
@@ -101,9 +103,8 @@ TEST(coefficients_grow_as_the_singularity_says)
   enum { CRAWLERS = 20 };
   struct random r = { 82 };
   for (int i = 0; i < CRAWLERS; i++) {
-    struct subject s;
     const struct scallop_crawler c = draw(&r, &scallop_gait_sinusoidal);
-    find_steady(&s, &c);
+    STEADY_SUBJECT(s, &c);
     check_proven(&s.singularity);
     assert_true(s.singularity.even && s.singularity.shows[TRAVEL] && s.singularity.shows[AT_START]);
     check_growth(&s, 0);
@@ -111,7 +112,6 @@ TEST(coefficients_grow_as_the_singularity_says)
       check_growth(&s, 0.01);
       check_growth(&s, -0.01);
     }
-    end(&s);
   }
 }
 
@@ -119,15 +119,13 @@ TEST(coefficients_grow_as_the_singularity_says)
  * thousandth farther, between the two that are the nearest. */
 TEST(branch_points_of_other_sheets)
 {
-  struct subject s;
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_false(arb_contains_zero(acb_imagref(s.singularity.place)));
   check_growth(&s, 0);
   check_growth(&s, 0.02);
   check_growth(&s, -0.02);
-  end(&s);
 }
 
 /* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
@@ -135,13 +133,12 @@ TEST(branch_points_of_other_sheets)
 TEST(from_rest)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct subject s;
   double x = 4.5;
   for (int i = 0; i < 10; i++)
     x -= (x * cos(x) - sin(x)) / (-x * sin(x));
   double q = c.m2 / (c.m1 + c.m2), beta = (c.F1 - c.F2) / (c.F1 + c.F2), pi = acos(-1);
   double eps = q * pi * pi / 2 * cos(x) / beta, T = sqrt(-eps * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
-  begin(&s, &c);
+  SUBJECT(s, &c);
   SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
                    SCALLOP_OK);
@@ -151,16 +148,14 @@ TEST(from_rest)
   for (int k = AFTER_FIRST_PHASE; k < CONTINUED_VALUES; k++)
     assert_true(s.singularity.shows[k]);
   assert_false(s.singularity.shows[AT_START]);
-  end(&s);
 }
 
 /* The first crossing knows nothing of the second: its series goes on converging where that of the second does not. */
 TEST(first_crossing_alone)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct subject s;
   double T[2];
-  begin(&s, &c);
+  SUBJECT(s, &c);
   SCOPED(fmpq, v0);
   fmpq_set_si(v0, 1, 2);
   for (int i = 0; i < 2; i++) {
@@ -170,46 +165,38 @@ TEST(first_crossing_alone)
     T[i] = middle(s.singularity.T);
   }
   assert_true(T[0] > 1.5 * T[1]);
-  end(&s);
 }
 
 /* T goes as the square root of L; w = 0 in the limit at alpha = 1/2; nothing is singular of a crawler that rests. */
 TEST(special_crawlers)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct subject s, longer;
   c.alpha = 0.5;
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_true(s.singularity.shows[AT_START] && !s.singularity.shows[TRAVEL]);
   c.L *= 4;
-  find_steady(&longer, &c);
+  STEADY_SUBJECT(longer, &c);
   CHECK_RELATIVE(middle(longer.singularity.T), 2 * middle(s.singularity.T), 4 * 0x1p-53);
-  end(&longer);
-  end(&s);
   c.F1 = c.F2;
-  find_steady(&s, &c);
-  assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
-  end(&s);
+  STEADY_SUBJECT(resting, &c);
+  assert_true(!resting.singularity.found && arf_is_pos_inf(arb_midref(resting.singularity.low)));
 }
 
 /* Of a polynomial gait, whose crossings are joined as those of the sine are */
 TEST(minimum_jerk)
 {
-  struct subject s;
   struct scallop_crawler c = with_gait(&minimum_jerk_gait);
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   check_growth(&s, 0);
-  end(&s);
 }
 
 TEST(no_expansion_no_singularity)
 {
   const char *why = NULL;
-  struct subject s;
   struct scallop_crawler c = with_gait(&minimum_jerk_gait);
-  begin(&s, &c);
+  SUBJECT(s, &c);
   SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
                    SCALLOP_EDOMAIN);
@@ -226,7 +213,6 @@ TEST(no_expansion_no_singularity)
   assert_non_null(why);
   assert_int_equal(scallop_steady_singularity(&s.singularity, &s.crawler, PRECISION, NULL), SCALLOP_EDOMAIN);
   assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
-  end(&s);
 }
 
 /* D = (f(b) - f(a))/(b - a) of the law f: D_a = (D - f'(a))/(b - a), D_b = (f'(b) - D)/(b - a) and so on, in balls */
@@ -293,13 +279,11 @@ TEST(joined_crossings)
  * branch is not: for every other crawler or so on the imaginary axis of T^2. */
 TEST(a_crossing_does_not_meet_itself)
 {
-  struct subject s;
   const struct scallop_crawler c = { 2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal };
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_true(arb_contains_zero(acb_realref(s.singularity.place)));
   check_growth(&s, 0);
-  end(&s);
 }
 
 enum gathered { NOTHING, MANY_PLACES, MANY_FOLDS, MANY_SECTORS, MORE_SECTORS };
@@ -326,10 +310,9 @@ struct outcome {
 static struct outcome search_after(enum gathered what, slong shift)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct subject subject;
   struct continuation both[2];
   struct limit l;
-  begin(&subject, &c);
+  SUBJECT(subject, &c);
   limit_init(&l, &subject.crawler);
   SCOPED(fmpq, kappa);
   fmpq_one(kappa);
@@ -345,7 +328,6 @@ static struct outcome search_after(enum gathered what, slong shift)
   for (int join = 0; join < 2; join++)
     continuation_clear(&both[join]);
   limit_clear(&l);
-  end(&subject);
   return outcome;
 }
 

@@ -29,17 +29,6 @@ static struct fuzz_case now;
 
 /* ---- statuses ---- */
 
-enum { UNTOUCHED = 0xa5 };
-
-static bool untouched(const void *result, size_t size)
-{
-  const unsigned char *bytes = result;
-  for (size_t i = 0; i < size; i++)
-    if (bytes[i] != UNTOUCHED)
-      return false;
-  return true;
-}
-
 static void judge_modes(const struct scallop_modes *modes)
 {
   char text[SCALLOP_MODES_TEXT];
