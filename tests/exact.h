@@ -6,8 +6,6 @@
 #include "tests/random_crawler.h"
 #include "tests/scoped.h"
 
-/* ---- fractions ---- */
-
 /* A fraction of small numbers, in (0, 10) or with either sign */
 static inline void random_positive(fmpq_t x, struct random *r)
 {
@@ -70,8 +68,6 @@ static inline void print_exact_crawler(const struct scallop_rational_crawler *c)
     flint_free(text[i]);
 }
 
-/* ---- balls ---- */
-
 static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 /* The largest and the smallest that |x| can be */
@@ -88,8 +84,6 @@ static inline double at_least(const arb_t x)
   arb_get_abs_lbound_arf(bound, x, 53);
   return arf_get_d(bound, ARF_RND_DOWN);
 }
-
-/* ---- series ---- */
 
 /* The first power from `from` on, below `to`, whose coefficient is not 0 for certain; `to` if there is none */
 static inline slong next_nonzero(const struct series *s, slong from, slong to)

@@ -62,8 +62,6 @@ static inline void check_equal(const struct series *a, const struct series *b, i
   check_scaled(a, b, factor, unit, order, what);
 }
 
-/* ---- two expansions of each kind to compare, of two crawlers ---- */
-
 struct pair {
   struct scallop_rational_crawler crawler[2];
   struct scallop_phase_expansion phase[2];

@@ -16,6 +16,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "numerics/numerics.h"
+#include "tests/interval.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 
@@ -72,11 +73,6 @@ static void require(bool holds, const char *what, int line)
 }
 #define REQUIRE(condition) require(condition, #condition, __LINE__)
 
-static double sense(const struct scallop_interval *i) { return i->piece->anchor == SCALLOP_FROM_START ? 1 : -1; }
-static double duration(const struct scallop_interval *i) { return sense(i) * (i->u_end - i->u_begin); }
-static double rate(const struct scallop_interval *i, double u) { return i->piece->curve->velocity(i->piece, u); }
-static double bend(const struct scallop_interval *i, double u) { return i->piece->curve->acceleration(i->piece, u); }
-static bool glued(const struct scallop_interval *i) { return i->mode.s1 == 0 || i->mode.s2 == 0; }
 static int sign_of(const struct scallop_interval *i, int body) { return body == 0 ? i->mode.s1 : i->mode.s2; }
 
 static double centre(const struct scallop_interval *i, double u)
@@ -176,20 +172,11 @@ static void sliding_sign(const struct phase *p, const struct scallop_interval *i
 
 static void order_and_continuity(const struct phase *p)
 {
-  const struct scallop_shape *shape = &p->crawler.gait->phase[p->kind];
-  REQUIRE(p->count > 0);
-  const struct scallop_interval *first = p->interval, *last = &p->interval[p->count - 1];
-  REQUIRE(first->piece == shape->pieces && first->u_begin == first->piece->begin && first->x_begin == 0);
-  REQUIRE(last->piece == shape->pieces + shape->count - 1 && last->u_end == last->piece->end);
-  for (const struct scallop_interval *i = first; i <= last; i++)
-    REQUIRE(duration(i) > 0);
-  for (const struct scallop_interval *a = first, *b = first + 1; b <= last; a++, b++) {
-    if (b->piece == a->piece)
-      REQUIRE(a->u_end == b->u_begin);
-    else
-      REQUIRE(b->piece == a->piece + 1 && a->u_end == a->piece->end && b->u_begin == b->piece->begin);
-    REQUIRE(a->c_end == b->c_begin);
-  }
+  const char *wrong = disorder(p->interval, p->count, &p->crawler.gait->phase[p->kind]);
+  require(!wrong, wrong, __LINE__);
+  const struct scallop_interval *first = p->interval;
+  for (const struct scallop_interval *b = first + 1; b < first + p->count; b++)
+    REQUIRE(b[-1].c_end == b->c_begin);
   NEAR(first->c_begin, p->v0 / p->unit, ROUNDOFF * fabs(p->v0 / p->unit));
 }
 
@@ -240,22 +227,12 @@ static void energy_balance(const struct phase *p, const struct scallop_interval 
   NEAR(after - before, work.value - lost.value, ROUNDOFF * (before + after + work.terms + lost.terms + at_end));
 }
 
-/* The impulse of friction in one interval; a stuck body's holding force is what its own velocity 0 and
- * the other's Newton's law leave: -(mu_other) l'' - friction of the other. */
-static double friction_impulse(const struct phase *p, const struct scallop_interval *i)
-{
-  if (!glued(i))
-    return total_friction(p, i) * duration(i);
-  double other = i->mode.s1 == 0 ? p->mu[1] : -p->mu[0];
-  return other * (rate(i, i->u_end) - rate(i, i->u_begin));
-}
-
 static void momentum_balance(const struct phase *p)
 {
   double impulse = 0, terms = 0, jumps = 0;
   for (int k = 0; k < p->count; k++) {
     const struct scallop_interval *i = &p->interval[k];
-    double one = friction_impulse(p, i);
+    double one = friction_impulse(i, p->mu, total_friction(p, i));
     NEAR(i->c_end - i->c_begin, one, ROUNDOFF * fmax(size(p, i, 0), size(p, i, 1)));
     impulse += one;
     terms += fabs(one);
