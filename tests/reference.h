@@ -1,4 +1,4 @@
-/* The rows of tests/reference.tsv: 50-digit values of a third program, scripts/reference.py. Header-only. */
+/* The rows of tests/reference.tsv: 50-digit values of a third program, scripts/python/reference.py. Header-only. */
 #ifndef REFERENCE_H
 #define REFERENCE_H
 

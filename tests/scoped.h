@@ -4,7 +4,7 @@
 #ifndef SCOPED_H
 #define SCOPED_H
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "model/ball.h"
 #include "numerics/certified.h"
 
