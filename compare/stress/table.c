@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+
 #include "compare/answers/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/text/progress.h"
@@ -78,20 +81,6 @@ struct row {
   const char *what; /* is broken, first of all; NULL: nothing */
 };
 
-static int by_size(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static double median_of(double *x, int count)
-{
-  if (count == 0)
-    return NAN;
-  qsort(x, (size_t)count, sizeof *x, by_size);
-  return count % 2 ? x[count / 2] : (x[count / 2 - 1] + x[count / 2]) / 2;
-}
-
 /* Estimates over errors; an error below the 128th part of an ulp counts as that. */
 static void add_estimate(struct row *r, const struct stress_number *n)
 {
@@ -142,7 +131,8 @@ static void sum_up(struct row *r, const struct stress_judgement *judgements, dou
         errors[count++] = over(j->number[q].error, j->number[q].ulp);
     }
   }
-  r->median = median_of(errors, count);
+  gsl_sort(errors, 1, (size_t)count);
+  r->median = count > 0 ? gsl_stats_median_from_sorted_data(errors, 1, (size_t)count) : NAN;
 }
 
 /* units, ulp, condition and digits; NULL: there is no number */
