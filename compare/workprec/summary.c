@@ -1,9 +1,7 @@
-#include "compare/workprec/summary.h"
-
 #include <math.h>
 #include <string.h>
 
-#include "compare/workprec/measure.h"
+#include "compare/workprec/setting.h"
 
 const char *const summary_columns[] = { "gait",
                                         "T",
@@ -26,7 +24,7 @@ const char *const summary_columns[] = { "gait",
                                         "simulation_over_exact",
                                         NULL };
 
-static bool is_any(enum method_kind kind) { return kind != METHOD_OTHER && kind != METHOD_LEFT_OUT; }
+static bool is_any(enum method_kind kind) { return kind != METHOD_OTHER; }
 static bool is_exact(enum method_kind kind) { return kind == METHOD_EXACT; }
 static bool is_rival(enum method_kind kind) { return kind == METHOD_ROOT || kind == METHOD_SIMULATION; }
 static bool is_simulation(enum method_kind kind) { return kind == METHOD_SIMULATION; }

@@ -6,10 +6,7 @@
 
 #include "compare/answers/defaults.h"
 #include "compare/answers/points.h"
-#include "compare/workprec/measure.h"
-#include "compare/workprec/methods.h"
-#include "compare/workprec/rivals.h"
-#include "compare/workprec/summary.h"
+#include "compare/workprec/setting.h"
 
 enum { MOST_REFERENCES = 40 };
 
