@@ -60,39 +60,35 @@ static enum scallop_status solve_corrected(struct setting *s, struct setting_ans
   return done ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
 
-/* How the names of the formulas end that hold where, for T -> 0, no body turns in a phase; NULL where one does in both. */
-static const char *no_turn(const struct reference *reference)
+/* Does a body turn in both phases for T -> 0? Where that is not known it is said to. */
+static enum scallop_turns turns_in_limit(const struct reference *reference)
 {
   struct series_answer limit;
-  const char *ending = NULL;
+  enum scallop_turns turns = SCALLOP_TURNS_IN_BOTH;
   series_answer_init(&limit);
   if (scallop_gait_is_rational(reference->exact.gait)
-      && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64)) {
-    if (strcmp(strchr(limit.modes, '|'), "| ++") == 0)
-      ending = "_no_turn";
-    else if (strncmp(limit.modes, "++ |", 4) == 0)
-      ending = "_no_turn_extension";
-  }
+      && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64))
+    turns = strcmp(strchr(limit.modes, '|'), "| ++") == 0 ? SCALLOP_NO_TURN_IN_CONTRACTION
+            : strncmp(limit.modes, "++ |", 4) == 0        ? SCALLOP_NO_TURN_IN_EXTENSION
+                                                          : SCALLOP_TURNS_IN_BOTH;
   series_answer_clear(&limit);
-  return ending;
+  return turns;
 }
 
 static void add_formulas(struct settings *settings, const struct reference *reference)
 {
-  const char *ending = no_turn(reference);
+  enum scallop_turns turns = turns_in_limit(reference);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (f->setting == SCALLOP_STEADY)
       settings_add(settings, reference, "published", METHOD_FORMULA, solve_published, "%s", f->equation)->formula = f;
-  for (const struct scallop_formula *f = scallop_corrected; ending && f->name; f++) {
-    const char *there = strstr(f->name, "_no_turn");
-    if (f->setting != SCALLOP_STEADY || !there || strcmp(there, ending) != 0)
-      continue;
-    struct setting *s = settings_add(settings, reference, "corrected", METHOD_FORMULA, solve_corrected,
-                                     "for %s, from its text", f->equation);
-    s->formula = f;
-    s->memory = make_balls(s);
-    s->release = release_balls;
-  }
+  for (const struct scallop_formula *f = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && f->name; f++)
+    if (f->turns == turns) {
+      struct setting *s = settings_add(settings, reference, "corrected", METHOD_FORMULA, solve_corrected,
+                                       "for %s, from its text", f->equation);
+      s->formula = f;
+      s->memory = make_balls(s);
+      s->release = release_balls;
+    }
 }
 
 /* Bits so that rounding does not show beside the terms from T^order on, which go as eps^(order/2). */
@@ -169,7 +165,7 @@ static enum scallop_status solve_coefficients(struct setting *s, struct setting_
   return SCALLOP_OK;
 }
 
-/* The exact solver itself: an answer (answers/answer.h) would take as long to fill as a steady state takes to be solved. */
+/* The exact solver itself, without the answer (answers/answer.h) around it, whose filling would be timed too. */
 static enum scallop_status solve_exact(struct setting *s, struct setting_answer *answer)
 {
   struct scallop_steady_result r;

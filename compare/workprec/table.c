@@ -26,35 +26,27 @@ struct run {
   struct progress progress;
 };
 
-static const char *add_reference(struct run *r, const struct scallop_gait *gait, double T)
-{
-  struct scallop_crawler c = r->options->request.point.crawler;
-  assert(r->count < MOST_REFERENCES);
-  c.gait = gait;
-  c.T = T;
-  return reference_init(&r->references[r->count++], &c);
-}
-
 /* All are solved before anything is written. */
 static bool make_references(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
-  const struct workprec_options *o = r->options;
-  bool one = o->request.point.written[5] != NULL; /* T */
-  const double *T = one ? &o->request.point.crawler.T : o->quick ? few : all;
-  int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
-  for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    const struct scallop_gait *gait = o->request.point.has_gait ? o->request.point.crawler.gait
-                                                                : scallop_gait_named(scallop_gait_name(g));
+  const struct point *p = &r->options->request.point;
+  bool one = p->written[5] != NULL, quick = r->options->quick; /* T */
+  const double *T = one ? &p->crawler.T : quick ? few : all;
+  int times = (int)(one ? 1 : quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
+  struct scallop_crawler c = p->crawler;
+  for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++)
     for (int i = 0; i < times; i++) {
-      const char *why = add_reference(r, gait, T[i]);
-      if (why)
-        complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", gait->name, T[i],
-                 why);
-      if (why)
-        return false;
+      c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+      c.T = T[i];
+      assert(r->count < MOST_REFERENCES);
+      const char *why = reference_init(&r->references[r->count++], &c);
+      if (!why)
+        continue;
+      complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", c.gait->name, c.T,
+               why);
+      return false;
     }
-  }
   return true;
 }
 
