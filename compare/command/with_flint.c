@@ -8,7 +8,6 @@
 #include "compare/claims/claims.h"
 #include "compare/command/series_flint.h"
 #include "compare/maps/maps.h"
-#include "compare/stress/stiff.h"
 #include "compare/stress/table.h"
 #include "compare/workprec/table.h"
 

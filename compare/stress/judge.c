@@ -4,8 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "compare/stress/ball_period.h"
-#include "compare/stress/trajectory.h"
+#include "compare/stress/periods.h"
 
 enum { PARAMETERS = 8, DIGITS = 36 };
 
