@@ -105,7 +105,7 @@ double printed_seconds(double seconds);
 double printed_error_log10(const char *error);
 
 /* summary.c: the cheapest setting for each wanted error that some setting of one reference reaches. */
-extern const char *const summary_columns[];
+void summary_begin(struct table *table); /* its columns */
 void summary_write(struct table *table, const struct settings *settings);
 
 #endif

@@ -74,15 +74,16 @@ static bool begin(struct run *r)
   note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
-  if (o->summary)
+  if (o->summary) {
     table_note(t, "ratios: of median times of one run on one machine");
-  else {
+    summary_begin(t);
+  } else {
     table_note(t,
                "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean anything");
     table_note(t, "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
                r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
+    table_columns(t, columns);
   }
-  table_columns(t, o->summary ? summary_columns : columns);
   table_begin_rows(t);
   return true;
 }
