@@ -109,7 +109,7 @@ static bool wild(struct stress_case *s, const double *x)
   return true;
 }
 
-enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
+enum boundary { NO_BOUNDARY, START_VELOCITY, STICKING, OTHER_MODES };
 
 /* What differs on the two sides of a boundary */
 struct side {
@@ -125,16 +125,13 @@ static bool solve_side(const struct stress_case *s, struct side *side)
   return solved;
 }
 
-static bool same(const struct side *a, const struct side *b)
-{
-  return a->forward == b->forward && a->answer.regime == b->answer.regime && same_modes(a->answer.modes, b->answer.modes);
-}
-
-static enum boundary kind_of(const struct side *a, const struct side *b)
+static enum boundary boundary_between(const struct side *a, const struct side *b)
 {
   if (a->answer.regime != b->answer.regime)
     return STICKING;
-  return a->forward != b->forward ? START_VELOCITY : OTHER_MODES;
+  if (a->forward != b->forward)
+    return START_VELOCITY;
+  return same_modes(a->answer.modes, b->answer.modes) ? NO_BOUNDARY : OTHER_MODES;
 }
 
 /* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary that halving the
@@ -147,7 +144,7 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
   if (!solve_side(s, &first))
     return false;
   *moved = there;
-  if (!solve_side(s, &second) || same(&first, &second))
+  if (!solve_side(s, &second) || boundary_between(&first, &second) == NO_BOUNDARY)
     return false;
   for (int i = 0; i < HALVINGS; i++) {
     *moved = here + (there - here) / 2;
@@ -155,16 +152,13 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
       break;
     if (!solve_side(s, &at))
       return false;
-    if (same(&first, &at))
-      here = *moved;
-    else {
-      there = *moved;
-      second = at;
-    }
+    bool beyond = boundary_between(&first, &at) != NO_BOUNDARY;
+    *(beyond ? &there : &here) = *moved;
+    second = beyond ? at : second;
   }
   double side = x < 0.5 ? -1 : 1, away = decades(x < 0.5 ? 2 * x : 2 * x - 1, -14, -3);
   *moved = here * (1 + side * away);
-  return kind_of(&first, &second) == kind;
+  return boundary_between(&first, &second) == kind;
 }
 
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
@@ -203,11 +197,21 @@ static bool phase_small_period(struct stress_case *s, const double *x)
   return phase_ordinary(s, x);
 }
 
-static bool phase_range(struct stress_case *s, const double *x)
+/* From rest, or of a size from 10^lo to 10^hi */
+static bool start(struct stress_case *s, const double *x, double lo, double hi)
 {
-  any_period(s, x);
   choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -300, 300);
+  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], lo, hi);
+  return true;
+}
+
+static bool phase_range(struct stress_case *s, const double *x) { return any_period(s, x) && start(s, x, -300, 300); }
+
+static bool phase_wild(struct stress_case *s, const double *x)
+{
+  wild(s, x);
+  start(s, x, -6, 1);
+  s->v0 *= phase_velocity(s);
   return true;
 }
 
@@ -215,14 +219,6 @@ static bool phase_velocities(struct stress_case *s, const double *x)
 {
   choose_phase(s, x[7]);
   s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
-  return true;
-}
-
-static bool phase_wild(struct stress_case *s, const double *x)
-{
-  wild(s, x);
-  choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -6, 1) * phase_velocity(s);
   return true;
 }
 

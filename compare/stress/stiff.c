@@ -66,32 +66,24 @@ static bool has_parameters(const struct stress_options *o)
   return false;
 }
 
-static bool add_scene(struct book *b, const char *name, const struct scallop_crawler *crawler)
-{
-  assert(b->scene_count < MOST_SCENES);
-  const char *why = stiff_scene_init(&b->scenes[b->scene_count++], name, crawler);
-  if (why)
-    complain(b->options->request.style.command, "no certified period to compare with for the %s gait, T = %.17g: %s",
-             crawler->gait->name, crawler->T, why);
-  return !why;
-}
-
 /* All are solved before anything is written. */
 static bool make_scenes(struct book *b)
 {
-  const struct stress_options *o = b->options;
-  bool given = has_parameters(o);
+  const struct point *p = &b->options->request.point;
+  bool given = has_parameters(b->options);
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
-    for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-      struct scallop_crawler c = given ? o->request.point.crawler : scallop_crawler_default();
-      c.gait = o->request.point.has_gait ? o->request.point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
-      if (!given) {
-        c.F1 = made[i].F1;
-        c.T = made[i].T;
-      }
-      if (!add_scene(b, given ? "given" : made[i].name, &c))
-        return false;
+    for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      struct scallop_crawler c = given ? p->crawler : scallop_crawler_default();
+      c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+      c.F1 = given ? c.F1 : made[i].F1;
+      c.T = given ? c.T : made[i].T;
+      assert(b->scene_count < MOST_SCENES);
+      const char *why = stiff_scene_init(&b->scenes[b->scene_count++], given ? "given" : made[i].name, &c);
+      if (!why)
+        continue;
+      complain("stress", "no certified period to compare with for the %s gait, T = %.17g: %s", c.gait->name, c.T, why);
+      return false;
     }
   return true;
 }
