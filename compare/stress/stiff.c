@@ -149,8 +149,10 @@ static void write_names(struct table *t, const struct stiff_scene *scene, int st
 static void write_run(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *run)
 {
   write_names(t, scene, stepper);
-  for (int i = 0; i < RUN_COLUMNS; i++)
-    table_rounded(t, *(const double *)((const char *)run + run_columns[i].at), run_columns[i].format);
+  for (int i = 0; i < RUN_COLUMNS; i++) {
+    const void *number = (const char *)run + run_columns[i].at;
+    table_rounded(t, *(const double *)number, run_columns[i].format);
+  }
   table_text(t, run->status);
 }
 
