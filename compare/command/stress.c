@@ -1,7 +1,6 @@
 #include <stddef.h>
 
 #include "compare/command/commands.h"
-#include "compare/stress/stiff.h"
 #include "compare/stress/table.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
