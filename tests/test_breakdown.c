@@ -29,8 +29,6 @@ static void find(struct events *events, const struct motion *s)
   expansions_clear(&e);
 }
 
-/* ---- events ---- */
-
 static double time_of(const struct events *events, const char *what)
 {
   for (int i = 0; i < events->count; i++)
@@ -41,9 +39,8 @@ static double time_of(const struct events *events, const char *what)
 
 /* The body with the larger friction is held once the curve is no steeper than what friction does: at the end of its phase (where |l''| L =
  * 4 L/tau^2) from m_other 4 L/tau^2 = F1 + F2 on, and throughout from m_other 4 L/tau^2 = |F1 - F2| on. */
-static void sticking_begins_where_closed_forms_say(void **state)
+TEST(sticking_begins_where_closed_forms_say)
 {
-  (void)state;
   struct random r = { 61 };
   for (int i = 0; i < 12; i++) {
     struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
@@ -81,9 +78,8 @@ static void check_certified(const struct motion *s, double T, const struct scall
 
 /* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of where certified
  * modes change. */
-static void events_are_where_certified_modes_change(void **state)
+TEST(events_are_where_certified_modes_change)
 {
-  (void)state;
   struct random r = { 62 };
   int certified = 0, all = 0;
   for (int i = 0; i < 8; i++) {
@@ -112,9 +108,8 @@ static void events_are_where_certified_modes_change(void **state)
 }
 
 /* No event is missed below the first: the modes of the limit are proven up to three thousandths below it. */
-static void the_first_event_is_the_first(void **state)
+TEST(the_first_event_is_the_first)
 {
-  (void)state;
   struct random r = { 63 };
   for (int i = 0; i < 6; i++) {
     struct motion s = { .crawler = draw(&r, gait_number(i)) };
@@ -140,9 +135,8 @@ static void the_first_event_is_the_first(void **state)
 }
 
 /* Lengths times 4, times times 2; bodies exchanged in a mirror; a phase is what a half of a period is. */
-static void events_scale_and_mirror(void **state)
+TEST(events_scale_and_mirror)
 {
-  (void)state;
   struct random r = { 64 };
   for (int i = 0; i < 4; i++) {
     struct motion s = { .crawler = draw(&r, gait_number(i)) }, t = s, u = s;
@@ -164,8 +158,6 @@ static void events_scale_and_mirror(void **state)
     events_clear(&exchanged);
   }
 }
-
-/* ---- reach ---- */
 
 struct setting {
   struct motion motion;
@@ -205,9 +197,8 @@ static struct comparison comparison_named(struct setting *s, enum quantity_id qu
 
 /* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2, so that
  * T* = sqrt(m2 l0/(F1 + F2)) tol^(1/4), until the body does not turn any more. Its unexpanded form (A.5) is exact. */
-static void reach_of_a_known_error(void **state)
+TEST(reach_of_a_known_error)
 {
-  (void)state;
   struct random r = { 71 };
   for (int i = 0; i < 6; i++) {
     struct motion motion = { .crawler = draw(&r, &scallop_gait_quadratic), .of = OF_PHASE };
@@ -227,9 +218,8 @@ static void reach_of_a_known_error(void **state)
 
 /* What stands in the table is what a reader would find by trying: the error is below the tolerance at thousands of T below T*, and not
  * right above it. Some of these errors are above the tolerance, below, and above again. */
-static void reach_against_brute_force(void **state)
+TEST(reach_against_brute_force)
 {
-  (void)state;
   const int points = (int)check_cases(3000);
   struct random r = { 72 };
   int returning = 0, found = 0;
@@ -318,9 +308,8 @@ static void check_about_limit(struct comparison *c, double limit, double share, 
 
 /* Formulas whose error tends to a limit other than 0: (28) for alpha < 1/2, and where l' is no straight line; those of a moving body, of
  * the paper's appendices, from a velocity that they take for the steady one. */
-static void reach_about_the_limit_of_the_error(void **state)
+TEST(reach_about_the_limit_of_the_error)
 {
-  (void)state;
   static const double shares[] = { 0.99, 1.01, 2 };
   struct random r = { 73 };
   int found[2] = { 0, 0 };
@@ -362,9 +351,8 @@ static double reach_of(const struct scallop_crawler *crawler, const char *name, 
 }
 
 /* At the change of modes at T = 0.6327 the error of (28) has a sharp peak, just above 1 %, and is below that again from 0.643 to 4.5. */
-static void a_sharp_peak_counts(void **state)
+TEST(a_sharp_peak_counts)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   double error;
   c.F1 = 100;
@@ -379,9 +367,8 @@ static void a_sharp_peak_counts(void **state)
 }
 
 /* A formula that is wrong at leading order reaches nowhere: (28) for alpha < 1/2, with the limit of its error. */
-static void a_wrong_limit_reaches_nowhere(void **state)
+TEST(a_wrong_limit_reaches_nowhere)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   double error;
   c.alpha = 0.3;
@@ -394,9 +381,8 @@ static void a_wrong_limit_reaches_nowhere(void **state)
 }
 
 /* Without friction's difference, or with equal phases, nothing moves, and the series says so: for every T. */
-static void what_is_0_is_0_for_every_T(void **state)
+TEST(what_is_0_is_0_for_every_T)
 {
-  (void)state;
   static const char *const names[] = { "text_steady_xC", "derived", "limit" };
   struct scallop_crawler equal = scallop_crawler_default(), even = equal;
   struct series_item items[MOST_ITEMS];
@@ -416,15 +402,12 @@ static void what_is_0_is_0_for_every_T(void **state)
   setting_clear(&s);
 }
 
-/* ---- radius of convergence ---- */
-
 enum { TERMS = 96, BITS = 768 };
 
 /* Of gaits with linear l' the branch has poles, and where these are is proven of the series; the proof that follows the branch, which knows
  * nothing of that, ends a little below them. */
-static void the_branch_ends_at_its_poles(void **state)
+TEST(the_branch_ends_at_its_poles)
 {
-  (void)state;
   struct random r = { 81 };
   for (int i = 0; i < 3; i++) {
     struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
@@ -454,9 +437,8 @@ static void set_series(struct series *s, const fmpq_poly_t poly, slong terms)
 
 /* 1/((1 - z/4)(1 + z/9)) and 1/(1 - 6 z/25 + z^2/25), z = T^2: poles at 4 and -9, and at 3 +- 4 i. Of their square roots: the same
  * places, which are no poles. */
-static void radius_of_known_functions(void **state)
+TEST(radius_of_known_functions)
 {
-  (void)state;
   enum { COUNT = 60 };
   static const char *const denominators[] = { "3  1 -5/36 -1/36", "3  1 -6/25 1/25" }, *const places[] = {
     "T^2 = 4.000000000:", "T^2 = 3.000000000 +- 4.000000000 i:"
@@ -481,23 +463,4 @@ static void radius_of_known_functions(void **state)
     fmpq_poly_clear(poly);
     series_clear(&s);
   }
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(sticking_begins_where_closed_forms_say),
-    cmocka_unit_test(events_are_where_certified_modes_change),
-    cmocka_unit_test(the_first_event_is_the_first),
-    cmocka_unit_test(events_scale_and_mirror),
-    cmocka_unit_test(reach_of_a_known_error),
-    cmocka_unit_test(reach_against_brute_force),
-    cmocka_unit_test(reach_about_the_limit_of_the_error),
-    cmocka_unit_test(a_sharp_peak_counts),
-    cmocka_unit_test(a_wrong_limit_reaches_nowhere),
-    cmocka_unit_test(what_is_0_is_0_for_every_T),
-    cmocka_unit_test(the_branch_ends_at_its_poles),
-    cmocka_unit_test(radius_of_known_functions),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

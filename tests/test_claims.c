@@ -2,16 +2,11 @@
  * committed table is compared byte by byte elsewhere. */
 #include "tests/full_ledger.h"
 
-static int begin(void **state)
-{
-  (void)state;
-  return fill(true);
-}
+static int begin(void **state) { return (void)state, fill(true); }
 
 /* The order of the first term that a formula leaves out, where the paper's conditions hold. */
-static void orders_inside(void **state)
+TEST(orders_inside)
 {
-  (void)state;
   static const struct {
     const char *claim;
     double quadratic, sinusoidal;
@@ -42,9 +37,8 @@ static void orders_inside(void **state)
 
 /* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3 k0/(6 T^4) + ...
  * The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
-static void lines_with_given_times(void **state)
+TEST(lines_with_given_times)
 {
-  (void)state;
   double m1 = 1.7, m2 = 0.8, M = m1 + m2, L = 11.3, pi = 3.14159265358979324, v0 = 1.8;
   double l0 = pi * pi * L / 2, k0 = -pi * pi * pi * pi * L / 2;
   double of_1 = m2 / M * k0 / 6 * pow(v0 * M / (m2 * l0), 3), of_2 = m1 / M * k0 / 6 * pow(v0 * M / (m1 * l0), 3);
@@ -73,9 +67,8 @@ static void lines_with_given_times(void **state)
 }
 
 /* What is printed as an equality holds if nothing is left out, and is refuted by whatever is. */
-static void equalities(void **state)
+TEST(equalities)
 {
-  (void)state;
   static const struct {
     const char *claim;
     enum claim_verdict verdicts[2];
@@ -94,9 +87,8 @@ static void equalities(void **state)
 }
 
 /* Seen in a mirror these formulas are themselves, so that they leave out the same. */
-static void mirrored_rows_are_about_the_motion_itself(void **state)
+TEST(mirrored_rows_are_about_the_motion_itself)
 {
-  (void)state;
   static const char *const claims[] = { "rest_v1_end", "rest_xC_end" };
   static const char *const conditions[] = { "extension from rest, F1 < F2", "contraction from rest, F2 < F1" };
   for (int i = 0; i < 8; i++) {
@@ -112,9 +104,8 @@ static void mirrored_rows_are_about_the_motion_itself(void **state)
 
 /* For alpha < 1/2 and F1 > F2 the start velocity is negative, and with body names exchanged the appendices' result is
  * (F1-F2)(2 alpha-1) L m* / (alpha^2 F2 m2 + (1-alpha)^2 F1 m1): the published one is off at leading order. */
-static void steady_outside(void **state)
+TEST(steady_outside)
 {
-  (void)state;
   const struct claim_row *row = find("text_steady_xC", "quadratic", "alpha < 1/2, F1 > F2", false);
   CHECK_NEAR(row->fit.order, 0, 1e-6);
   assert_int_equal(row->verdict, CLAIM_REFUTED);
@@ -128,9 +119,8 @@ static void steady_outside(void **state)
                  (c.F1 - c.F2) * (2 * a - 1) * c.L * reduced / (a * a * c.F2 * c.m2 + b * b * c.F1 * c.m1), 1e-13);
 }
 
-static void every_row_is_decided(void **state)
+TEST(every_row_is_decided)
 {
-  (void)state;
   assert_string_equal(ledger.contradiction, "");
   assert_true(ledger.count > 200);
   for (int i = 0; i < ledger.count; i++) {
@@ -146,9 +136,8 @@ static void every_row_is_decided(void **state)
 }
 
 /* The same crawler in other units of force and length: every verdict stays. */
-static void units_do_not_matter(void **state)
+TEST(units_do_not_matter)
 {
-  (void)state;
   struct ledger other = { .rows = NULL };
   fill_ledger(&other, &(struct scallop_crawler){ 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic }, true);
   assert_string_equal(other.contradiction, "");
@@ -161,13 +150,4 @@ static void units_do_not_matter(void **state)
   ledger_free(&other);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(orders_inside),        cmocka_unit_test(steady_outside),
-    cmocka_unit_test(every_row_is_decided), cmocka_unit_test(lines_with_given_times),
-    cmocka_unit_test(equalities),           cmocka_unit_test(mirrored_rows_are_about_the_motion_itself),
-    cmocka_unit_test(units_do_not_matter),
-  };
-  return cmocka_run_group_tests_name("claims", tests, begin, empty);
-}
+int main(void) { return check_run(begin, empty); }

@@ -45,9 +45,8 @@ static enum exit_code check(const char *ledger, char *table, size_t size, struct
   return code;
 }
 
-static void differences_are_found(void **state)
+TEST(differences_are_found)
 {
-  (void)state;
   enum { TABLE = 4000 };
   char table[TABLE], *text = strdup(shipped_text(shipped_ledger, "claims"));
   struct said said;
@@ -74,9 +73,8 @@ static void differences_are_found(void **state)
   free(text);
 }
 
-static void a_text_that_is_no_ledger(void **state)
+TEST(a_text_that_is_no_ledger)
 {
-  (void)state;
   const struct claims_options options = { .request = { .style = { .command = "claims" },
                                                        .point = point_initial(command_claims.defaults) } };
   struct said said;
@@ -87,8 +85,4 @@ static void a_text_that_is_no_ledger(void **state)
   assert_int_equal(code, EXIT_UNSOLVED);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(differences_are_found), cmocka_unit_test(a_text_that_is_no_ledger) };
-  return cmocka_run_group_tests_name("claims_check", tests, scratch_begin, scratch_end);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }

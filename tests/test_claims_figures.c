@@ -2,15 +2,10 @@
 #include "tests/full_ledger.h"
 #include "tests/random_crawler.h"
 
-static int begin(void **state)
-{
-  (void)state;
-  return fill(false);
-}
+static int begin(void **state) { return (void)state, fill(false); }
 
-static void words(void **state)
+TEST(words)
 {
-  (void)state;
   static const struct {
     const char *claim;
     enum claim_verdict quadratic, sinusoidal;
@@ -36,9 +31,8 @@ static const char *const by_ratio = "the paper's crawler; F1/F2 from 1.01 to 783
 static const char *const by_forces = "the paper's crawler; F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %";
 static const char *const by_period = "the paper's crawler; T alone, 1/Froude from 1e-3 to 91 by 2 %";
 
-static void physics(void **state)
+TEST(physics)
 {
-  (void)state;
   static const char peaks[] = "mean_velocity_peaks_where_v_start_is_0", grows[] = "displacement_grows_with_duration";
   static const char limit[] = "text_steady_velocity_in_the_limit", reached[] = "steady_state_is_reached";
   const struct {
@@ -111,9 +105,8 @@ static void boundary_between(double *low, double *high, double alpha, const stru
 }
 
 /* The boundary and both slopes there from the double solver: differences over 1e-6, so good to some 1e-6. */
-static void boundary_is_a_kink(void **state)
+TEST(boundary_is_a_kink)
 {
-  (void)state;
   for (int k = 0; k < 4; k++) {
     const struct scallop_gait *gait = k % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
     bool forces = k > 1;
@@ -135,9 +128,8 @@ static void boundary_is_a_kink(void **state)
 
 /* docs/theory.md, Where the start velocity vanishes: the multiplier is a smooth number times f g, so at the boundary it jumps by the
  * ratio of these, and d v_start/dx by g/(1 - multiplier). */
-static void jump_of_the_slope(void **state)
+TEST(jump_of_the_slope)
 {
-  (void)state;
   for (int i = 0; i < 2; i++) {
     struct scallop_crawler c = scallop_crawler_default();
     double low = i ? 5 : 30, high = i ? 9 : 40, m[2], slope[2], fg[2], g[2], h = 1e-7;
@@ -179,9 +171,8 @@ static double highest_speed(double low, double high, double alpha, const struct 
 
 /* Within 1e-6 of the first alpha that the ledger names the slope behind the boundary changes its sign. At the last one it is the
  * slope before (sinusoidal), or a second maximum overtakes the first (quadratic). */
-static void alphas_from_to(void **state)
+TEST(alphas_from_to)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     const struct scallop_gait *gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
     const struct claim_row *row = find(
@@ -206,9 +197,8 @@ static void alphas_from_to(void **state)
 }
 
 /* The figures of the rows about the steady state and about a phase, from the double solver */
-static void figures_of_steady_states(void **state)
+TEST(figures_of_steady_states)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     struct scallop_crawler c = scallop_crawler_default();
     struct scallop_steady_result s;
@@ -246,9 +236,8 @@ static void figures_of_steady_states(void **state)
 
 /* docs/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking,
  * dx_C/dT = (F1-F2) T/M [1 - (2 F1/(F1-F2)) s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
-static void extension_from_rest(void **state)
+TEST(extension_from_rest)
 {
-  (void)state;
   struct random r = { 77 };
   for (int n = 0; n < 2000; n++) {
     struct scallop_crawler c = { .L = 1, .alpha = 0.5, .gait = &scallop_gait_quadratic };
@@ -275,9 +264,8 @@ static void extension_from_rest(void **state)
  * s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
 static double integral(double s) { return s + 3 / (1 + s) - 1 / ((1 + s) * (1 + s)); }
 
-static void onset_of_sticking(void **state)
+TEST(onset_of_sticking)
 {
-  (void)state;
   static const double ratios[] = { 2, 10, 40 };
   static const char *const whose[] = { "the paper's crawler, from rest, F1/F2 = 2, 10, 40",
                                        "the ledger's crawler, from rest, F1/F2 = 2, 10, 40" };
@@ -297,9 +285,8 @@ static void onset_of_sticking(void **state)
 }
 
 /* Where T alone is varied, mean velocity is given in L/T0, T0 being the T of the crawler. */
-static void speeds_where_T_is_varied(void **state)
+TEST(speeds_where_T_is_varied)
 {
-  (void)state;
   const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", "quadratic", by_period, true);
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result s;
@@ -314,9 +301,8 @@ static void speeds_where_T_is_varied(void **state)
 }
 
 /* A refutation in words comes with a command; the crawler in it does what the row says. */
-static void example_moves_backward(void **state)
+TEST(example_moves_backward)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = find("longer_extension_moves_forward", g ? "sinusoidal" : "quadratic", NULL, true);
     struct scallop_crawler c = { .L = 1, .gait = scallop_gait_named(row->gait) };
@@ -331,19 +317,4 @@ static void example_moves_backward(void **state)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(words),
-    cmocka_unit_test(example_moves_backward),
-    cmocka_unit_test(physics),
-    cmocka_unit_test(boundary_is_a_kink),
-    cmocka_unit_test(jump_of_the_slope),
-    cmocka_unit_test(alphas_from_to),
-    cmocka_unit_test(figures_of_steady_states),
-    cmocka_unit_test(extension_from_rest),
-    cmocka_unit_test(onset_of_sticking),
-    cmocka_unit_test(speeds_where_T_is_varied),
-  };
-  return cmocka_run_group_tests_name("claims about figures", tests, begin, empty);
-}
+int main(void) { return check_run(begin, empty); }

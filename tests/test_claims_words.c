@@ -97,9 +97,8 @@ static const struct {
   { "B_dT_without_remainder", "", CLAIM_HOLDS, CLAIM_REFUTED },
 };
 
-static void verdicts(void **state)
+TEST(verdicts)
 {
-  (void)state;
   for (size_t k = 0; k < sizeof known / sizeof *known; k++)
     for (int g = 0; g < 2; g++) {
       const struct claim_row *row = row_of(known[k].claim, g, known[k].conditions);
@@ -132,9 +131,8 @@ static struct scallop_phase_result phase(const struct scallop_crawler *c, enum s
 }
 
 /* The displacement of a sliding crawler with both asymmetries changes its sign where the row says, and stays 0 at F1 = 1000. */
-static void both_asymmetries_and_no_displacement(void **state)
+TEST(both_asymmetries_and_no_displacement)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = row_of("two_asymmetries_suffice_to_move", g, "F1 varied");
     double low, high, up, down;
@@ -156,9 +154,8 @@ static void both_asymmetries_and_no_displacement(void **state)
 }
 
 /* Rows of one steady state: Froude number, start velocity and displacement as the double solver has them. */
-static void figures_of_steady_states(void **state)
+TEST(figures_of_steady_states)
 {
-  (void)state;
   static const struct {
     const char *claim, *conditions;
     double m1, F1, T, alpha;
@@ -186,9 +183,8 @@ static void figures_of_steady_states(void **state)
 }
 
 /* The start velocity along the translation at F1/F2 = 4, and against it at 40 */
-static void two_regimes(void **state)
+TEST(two_regimes)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = row_of("start_velocity_has_two_regimes", g, "4 and 40");
     double v[2], moved[2];
@@ -209,9 +205,8 @@ static void two_regimes(void **state)
 
 /* For the quadratic gait, from rest and sliding, with s = (F1-F2) T^2/(4 m2 L), dT = T s/(1 + s) and
  * dv_C = [F1 - F2 - 2 F1 s/(1 + s)] T/M, whose slope is F1 - F2 - 2 F1 [s/(1 + s) + 2 s/(1 + s)^2], over M. */
-static void slope_of_figure_4B(void **state)
+TEST(slope_of_figure_4B)
 {
-  (void)state;
   static const double durations[] = { 0.49, 0.51, 1.65 }, alpha[] = { 0.51, 0.51, 0.75 }, T[] = { 1, 1, 2.2 };
   for (int i = 0; i < 3; i++) {
     double s = 3 * durations[i] * durations[i] / 40, slope = 3 - 8 * (s / (1 + s) + 2 * s / ((1 + s) * (1 + s)));
@@ -246,9 +241,8 @@ static bool note_centre(void *context, const struct scallop_sample *sample)
 }
 
 /* What the centre does in each phase of the steady motion, from its trajectory: alpha = 3/4 is the third of four samples. */
-static void boundary_from_trajectories(void **state)
+TEST(boundary_from_trajectories)
 {
-  (void)state;
   static const char *const which[] = { "F1/F2", "together", "T alone" };
   for (int k = 0; k < 6; k++) {
     int g = k / 3, varied = k % 3;
@@ -284,9 +278,8 @@ static void boundary_from_trajectories(void **state)
 }
 
 /* Pencil and paper, for the quadratic gait: duration 3/4, |l'| = L/tau at a quarter of it */
-static void by_hand(void **state)
+TEST(by_hand)
 {
-  (void)state;
   double tau = 0.75, s = 3 * tau * tau / 40, dT = tau * s / (1 + s);
   const struct claim_row *row = row_of("body_1_is_slower_in_the_first_interval", 0, "m1 = 0.5");
   CHECK_NEAR(number_after(row, "v1 T/L = "), -1 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
@@ -308,9 +301,8 @@ static void by_hand(void **state)
 }
 
 /* The formulas printed without a remainder, once more from the paper; the exact times from the double solver */
-static void formulas_without_remainder(void **state)
+TEST(formulas_without_remainder)
 {
-  (void)state;
   for (int g = 0; g < 2; g++) {
     struct scallop_crawler c = paper(g);
     double e = 0.75, k = 0.25, l0 = (g ? 9.869604401089358 / 2 : 4) * 10, F = 3, S = 5, M = 2, v0 = 1;
@@ -338,9 +330,8 @@ static void formulas_without_remainder(void **state)
 
 /* What holds for every crawler, for others than the ledger's: an extension of the quadratic gait in closed form, and start velocities of
  * any size. The ledger's scans meet hundreds of crawlers that they are about. */
-static void statements_about_every_crawler(void **state)
+TEST(statements_about_every_crawler)
 {
-  (void)state;
   struct random r = { 4711 };
   for (int n = 0; n < 1000; n++) {
     struct scallop_crawler c = { .L = 1, .alpha = random_between(&r, 0.05, 0.95), .gait = gaits[n % 2], .T = 1 };
@@ -368,9 +359,8 @@ static void statements_about_every_crawler(void **state)
 }
 
 /* Every name and every number in the texts of the rows means something, and every claim is decided. */
-static void texts_are_whole(void **state)
+TEST(texts_are_whole)
 {
-  (void)state;
   for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++) {
     const char *const texts[] = { row->conditions, row->measured, row->reason };
     for (int i = 0; i < 3; i++)
@@ -380,19 +370,4 @@ static void texts_are_whole(void **state)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(texts_are_whole),
-    cmocka_unit_test(verdicts),
-    cmocka_unit_test(both_asymmetries_and_no_displacement),
-    cmocka_unit_test(figures_of_steady_states),
-    cmocka_unit_test(two_regimes),
-    cmocka_unit_test(slope_of_figure_4B),
-    cmocka_unit_test(boundary_from_trajectories),
-    cmocka_unit_test(by_hand),
-    cmocka_unit_test(formulas_without_remainder),
-    cmocka_unit_test(statements_about_every_crawler),
-  };
-  return cmocka_run_group_tests_name("claims in words", tests, begin, empty);
-}
+int main(void) { return check_run(begin, empty); }

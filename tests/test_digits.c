@@ -46,8 +46,6 @@ static bool check_reading(const char *text)
   return read;
 }
 
-/* ---- kinds of numbers ---- */
-
 static double any_bits(struct random *r)
 {
   double x;
@@ -102,10 +100,9 @@ static const struct kind {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-static void writes_what_the_library_writes(void **state)
+TEST(writes_what_the_library_writes)
 {
   const long count = 150000 * often;
-  (void)state;
   for (int k = 0; k < KINDS; k++) {
     struct random r = { 1303 + (uint64_t)k };
     long quick = 0;
@@ -116,7 +113,7 @@ static void writes_what_the_library_writes(void **state)
   }
 }
 
-static void writes_these(void **state)
+TEST(writes_these)
 {
   static const struct {
     double x;
@@ -156,7 +153,6 @@ static void writes_these(void **state)
     { NAN, "nan" },
     { -NAN, "nan" },
   };
-  (void)state;
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char text[DIGITS_TEXT];
     size_t length = digits_write(text, cases[i].x);
@@ -166,10 +162,9 @@ static void writes_these(void **state)
 }
 
 /* Around the ties of 16 and 17 digits: whole numbers between 2^53 and 10^18 that end in 5, 50 or 500 */
-static void leaves_ties_to_the_library(void **state)
+TEST(leaves_ties_to_the_library)
 {
   struct random r = { 77 };
-  (void)state;
   for (long i = 0; i < 20000 * often; i++) {
     double step = (double[]){ 5, 25, 50, 500 }[random_below(&r, 4)];
     double size = random_decades(&r, 1e13, 1e18);
@@ -178,22 +173,18 @@ static void leaves_ties_to_the_library(void **state)
   }
 }
 
-static void leaves_the_rest_to_the_library(void **state)
+TEST(leaves_the_rest_to_the_library)
 {
   static const double rest[] = { NAN, INFINITY, -INFINITY, 0x1p-1074, 0x1p-1023, DBL_MIN, 1e100, 1e-100 };
   char text[DIGITS_TEXT];
-  (void)state;
   for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
     assert_int_equal(digits_write_quickly(text, rest[i]), 0);
 }
 
-/* ---- reading ---- */
-
-static void reads_what_the_library_reads(void **state)
+TEST(reads_what_the_library_reads)
 {
   const long count = 100000 * often;
   char text[DIGITS_TEXT];
-  (void)state;
   for (int k = 0; k < KINDS; k++) {
     struct random r = { 4711 + (uint64_t)k };
     long quick = 0;
@@ -208,11 +199,10 @@ static void reads_what_the_library_reads(void **state)
 }
 
 /* Halfway between two doubles, and a unit of the last of 19 digits beside it */
-static void reads_ties_as_the_library_does(void **state)
+TEST(reads_ties_as_the_library_does)
 {
   struct random r = { 99 };
   char text[DIGITS_TEXT];
-  (void)state;
   for (long i = 0; i < 50000 * often; i++) {
     int shift = 1 + random_below(&r, 10);
     uint64_t halfway = ((1ULL << 53 | random_bits(&r) >> 11) << shift) - (1ULL << (shift - 1));
@@ -223,7 +213,7 @@ static void reads_ties_as_the_library_does(void **state)
   }
 }
 
-static void reads_these(void **state)
+TEST(reads_these)
 {
   static const char *const texts[] = { "1",
                                        "-1",
@@ -239,12 +229,11 @@ static void reads_these(void **state)
                                        "9999999999999999999",
                                        "1e0012",
                                        "-.25e1" };
-  (void)state;
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     assert_true(check_reading(texts[i]));
 }
 
-static void leaves_these_to_the_library(void **state)
+TEST(leaves_these_to_the_library)
 {
   static const char *const texts[] = {
     "",
@@ -281,7 +270,6 @@ static void leaves_these_to_the_library(void **state)
     "1e-400",
     "4e-324",
   };
-  (void)state;
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
     double x = 42;
     if (digits_read(texts[i], &x) || x != 42)
@@ -291,17 +279,7 @@ static void leaves_these_to_the_library(void **state)
 
 int main(int count, char **arguments)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(writes_what_the_library_writes),
-    cmocka_unit_test(writes_these),
-    cmocka_unit_test(leaves_ties_to_the_library),
-    cmocka_unit_test(leaves_the_rest_to_the_library),
-    cmocka_unit_test(reads_what_the_library_reads),
-    cmocka_unit_test(reads_ties_as_the_library_does),
-    cmocka_unit_test(reads_these),
-    cmocka_unit_test(leaves_these_to_the_library),
-  };
   if (count > 1)
     often = strtol(arguments[1], NULL, 10);
-  return cmocka_run_group_tests_name("digits", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

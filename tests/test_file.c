@@ -48,9 +48,8 @@ static struct file open_and_write(const char *name)
   return f;
 }
 
-static void keeps_or_drops(void **state)
+TEST(keeps_or_drops)
 {
-  (void)state;
   for (int replaces = 0; replaces <= 1; replaces++)
     for (int keep = 0; keep <= 1; keep++) {
       fresh(replaces ? "earlier" : NULL);
@@ -68,9 +67,8 @@ static void keeps_or_drops(void **state)
     }
 }
 
-static void permissions_and_links(void **state)
+TEST(permissions_and_links)
 {
-  (void)state;
   struct stat there;
   mode_t mask = umask(027);
   fresh(NULL);
@@ -90,9 +88,8 @@ static void permissions_and_links(void **state)
   assert_int_equal(entries(false), 2);
 }
 
-static void refuses_what_cannot_be_written(void **state)
+TEST(refuses_what_cannot_be_written)
 {
-  (void)state;
   static const struct {
     const char *name;
     int error;
@@ -133,9 +130,8 @@ static void assert_not_kept(int *fails, int error, int wanted)
   assert_int_equal(lowest_free(), before);
 }
 
-static void the_earlier_file_stays(void **state)
+TEST(the_earlier_file_stays)
 {
-  (void)state;
   struct rlimit before, tight;
   assert_not_kept(&sync_fails, ENOSPC, ENOSPC);
   assert_not_kept(&sync_fails, EINVAL, 0); /* no disk */
@@ -154,9 +150,8 @@ static void the_earlier_file_stays(void **state)
   assert_int_equal(entries(false), 1);
 }
 
-static void several_at_once(void **state)
+TEST(several_at_once)
 {
-  (void)state;
   struct file f[FILES_OPEN], more;
   char name[20];
   fresh(NULL);
@@ -193,9 +188,8 @@ static int ends_by(int before_keep, int in_rename)
   return status;
 }
 
-static void whatever_ends_the_process(void **state)
+TEST(whatever_ends_the_process)
 {
-  (void)state;
   static const int signals[] = { SIGHUP, SIGINT, SIGTERM };
   for (int i = 0; i < 6; i++) {
     fresh("earlier");
@@ -213,15 +207,4 @@ static void whatever_ends_the_process(void **state)
   assert_int_equal(entries(false), 3); /* both temporary files */
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(keeps_or_drops),
-    cmocka_unit_test(permissions_and_links),
-    cmocka_unit_test(refuses_what_cannot_be_written),
-    cmocka_unit_test(the_earlier_file_stays),
-    cmocka_unit_test(several_at_once),
-    cmocka_unit_test(whatever_ends_the_process),
-  };
-  return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -16,8 +16,6 @@ static double friction_work(const struct scallop_crawler *c, const struct scallo
   return work;
 }
 
-/* ---- the energy balance ---- */
-
 struct mechanism {
   const struct scallop_crawler *crawler;
   double tau;
@@ -55,9 +53,8 @@ static void add_work(void *context, const struct scallop_interval *i)
 /* The kinetic energy returns after a period, so that friction takes what the mechanism gives. Of gaits whose l' jumps the impulses at the
  * jumps give nothing on the whole: they change the energy of l' alone, which returns too. Allowed: 1e-11 of the parts for the rule, and what
  * the kinetic energy of the centre of mass changes by where a velocity is a few ulp off. */
-static void takes_what_the_mechanism_gives(void **state)
+TEST(takes_what_the_mechanism_gives)
 {
-  (void)state;
   struct random r = { 20261122 };
   int judged[3] = { 0 };
   for (int n = 0; n < CRAWLERS; n++) {
@@ -82,8 +79,6 @@ static void takes_what_the_mechanism_gives(void **state)
   for (int regime = 0; regime < 3; regime++)
     assert_true(judged[regime] > 10);
 }
-
-/* ---- arithmetics ---- */
 
 static double *parameter(struct scallop_crawler *c, int i)
 {
@@ -124,9 +119,8 @@ static void units_of(double unit[NAMED], const struct scallop_crawler *c, const 
 }
 
 /* 8 units, as every number of the solver. The cost has one where there is a displacement. */
-static void double_is_right(void **state)
+TEST(double_is_right)
 {
-  (void)state;
   struct random r = { 20261123 };
   double worst[NAMED] = { 0, 0 };
   int costs = 0;
@@ -156,9 +150,8 @@ static void double_is_right(void **state)
 }
 
 /* To 20 digits at least, which are far beyond a double's. */
-static void binary128_is_certified(void **state)
+TEST(binary128_is_certified)
 {
-  (void)state;
   struct random r = { 20261124 };
   struct ball_answer b;
   double worst[NAMED] = { 0, 0 };
@@ -193,12 +186,9 @@ static void binary128_is_certified(void **state)
   _arb_vec_clear(t, 2);
 }
 
-/* ---- what is known without a computation ---- */
-
 /* Equal forces in the limit of no inertia at all, and a body that never moves: the other one slides L and back. */
-static void known_work(void **state)
+TEST(known_work)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 3, 2, 2, 10, 1e-6, 0.7, &scallop_gait_sinusoidal };
   struct scallop_steady_result s;
   assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
@@ -209,9 +199,8 @@ static void known_work(void **state)
   CHECK_RELATIVE(friction_work(&c, &s), 2 * 10 * 2, 8 * DBL_EPSILON);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
   double work = 42;
   assert_int_equal(scallop_friction_work(&c, NAN, 0, &work), SCALLOP_EDOMAIN);
@@ -226,16 +215,4 @@ static void refusals(void **state)
   }; /* the work is subnormal */
   assert_int_equal(scallop_friction_work(&light, 0, 0, &work), SCALLOP_ERANGE);
   assert_true(work == 42);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(takes_what_the_mechanism_gives),
-    cmocka_unit_test(double_is_right),
-    cmocka_unit_test(binary128_is_certified),
-    cmocka_unit_test(known_work),
-    cmocka_unit_test(refusals),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

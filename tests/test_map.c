@@ -10,11 +10,8 @@
 #include "compare/maps/maps.h"
 #include "tests/check.h"
 
-/* ---- axes ---- */
-
-static void axes_are_read(void **state)
+TEST(axes_are_read)
 {
-  (void)state;
   struct axis a;
   assert_null(axis_read(&a, "F1/F2", NULL));
   assert_true(a.from == 0.01 && a.to == 100 && a.count == 41 && a.log);
@@ -33,9 +30,8 @@ static void axes_are_read(void **state)
   CHECK_EQUAL(axis_node(&a, 0), 3.0);
 }
 
-static void bad_axes_are_refused(void **state)
+TEST(bad_axes_are_refused)
 {
-  (void)state;
   static const char *const ranges[] = { "1:2",      "1:2:3:log:x", "2:1:3",   "1:1:2", "1:2:1",         "0:1:3",
                                         "-1:1:3",   "1:2:0",       "1:2:2.5", "a:2:3", "1:b:3",         "1:inf:3",
                                         "1:2:3:lo", "1:2:100001",  "",        "1:2:",  "1e-200:1e200:3" };
@@ -48,9 +44,8 @@ static void bad_axes_are_refused(void **state)
   assert_int_equal(a.count, -7);
 }
 
-static void axes_set_the_crawler(void **state)
+TEST(axes_set_the_crawler)
 {
-  (void)state;
   struct axis axes[2];
   struct scallop_crawler base = scallop_crawler_default();
   base.F2 = 3;
@@ -64,8 +59,6 @@ static void axes_set_the_crawler(void **state)
   c = axes_crawler(axes, &base, 4, 1);
   assert_true(c.m1 == 2 && c.m2 == 0.5 && c.F1 == 3 && c.T == base.T);
 }
-
-/* ---- journals ---- */
 
 enum { ITEMS = 5 };
 static const double items[ITEMS][3] = {
@@ -106,9 +99,8 @@ static void write_all(void)
 }
 
 /* However much of the file was written: the items of its whole lines, to the last bit, and never a wrong one. */
-static void any_part_of_a_journal(void **state)
+TEST(any_part_of_a_journal)
 {
-  (void)state;
   char bytes[2000];
   write_all();
   FILE *f = fopen(path, "r");
@@ -129,9 +121,8 @@ static void any_part_of_a_journal(void **state)
   unlink(path);
 }
 
-static void a_changed_line_ends_it(void **state)
+TEST(a_changed_line_ends_it)
 {
-  (void)state;
   write_all();
   FILE *f = fopen(path, "r+");
   char line[200];
@@ -148,9 +139,8 @@ static void a_changed_line_ends_it(void **state)
 }
 
 /* The numbers of a whole line are right, but of more rows, or of wider ones */
-static void a_row_of_another_size_ends_it(void **state)
+TEST(a_row_of_another_size_ends_it)
 {
-  (void)state;
   struct journal j;
   write_all();
   assert_true(journal_init(&j, ITEMS - 1, 3));
@@ -167,9 +157,8 @@ static void a_row_of_another_size_ends_it(void **state)
   unlink(path);
 }
 
-static void journals_of_others(void **state)
+TEST(journals_of_others)
 {
-  (void)state;
   write_all();
   assert_int_equal(look("our"), -1);
   assert_int_equal(look("ours and more"), -1);
@@ -189,9 +178,8 @@ static void journals_of_others(void **state)
 }
 
 /* While another process has it open */
-static void a_journal_at_work_is_left_alone(void **state)
+TEST(a_journal_at_work_is_left_alone)
 {
-  (void)state;
   int opened[2] = { -1, -1 }, done[2] = { -1, -1 };
   char byte = 'x';
   write_all();
@@ -218,9 +206,8 @@ static void a_journal_at_work_is_left_alone(void **state)
   unlink(path);
 }
 
-static void a_finished_journal_goes(void **state)
+TEST(a_finished_journal_goes)
 {
-  (void)state;
   struct journal j;
   write_all();
   assert_true(journal_init(&j, ITEMS, 3));
@@ -228,8 +215,6 @@ static void a_finished_journal_goes(void **state)
   journal_close(&j, true);
   assert_int_not_equal(access(path, F_OK), 0);
 }
-
-/* ---- words ---- */
 
 /* "++ -+ ++ | ++ +- ++" */
 static void read_modes(const char *text, struct scallop_modes modes[2])
@@ -258,9 +243,8 @@ static enum scallop_regime regime_of(const char *text)
 
 static double sign_of(const char *text) { return text[0] != text[1] ? 0 : text[0] == '+' ? 1 : -1; }
 
-static void changes_in_words(void **state)
+TEST(changes_in_words)
 {
-  (void)state;
   static const struct {
     const char *before, *after, *wanted;
   } cases[] = {
@@ -291,23 +275,14 @@ static void changes_in_words(void **state)
   }
 }
 
-int main(void)
+static int begin(void **state)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(axes_are_read),
-                                      cmocka_unit_test(bad_axes_are_refused),
-                                      cmocka_unit_test(axes_set_the_crawler),
-                                      cmocka_unit_test(any_part_of_a_journal),
-                                      cmocka_unit_test(a_changed_line_ends_it),
-                                      cmocka_unit_test(a_row_of_another_size_ends_it),
-                                      cmocka_unit_test(journals_of_others),
-                                      cmocka_unit_test(a_finished_journal_goes),
-                                      cmocka_unit_test(a_journal_at_work_is_left_alone),
-                                      cmocka_unit_test(changes_in_words) };
-  int file = mkstemp(output), failed;
-  if (file >= 0)
-    close(file);
+  (void)state;
+  int file = mkstemp(output);
   snprintf(path, sizeof path, "%s.rows", output);
-  failed = cmocka_run_group_tests(tests, NULL, NULL);
-  unlink(output);
-  return failed;
+  return close(file);
 }
+
+static int end(void **state) { return (void)state, unlink(output); }
+
+int main(void) { return check_run(begin, end); }

@@ -30,9 +30,8 @@ static double way_around(const struct map_curve *c)
   return way;
 }
 
-static void closed_curve(void **state)
+TEST(closed_curve)
 {
-  (void)state;
   double radius = 0.31;
   struct map_curves c = follow(disc, &radius, 16);
   assert_int_equal(c.count, 1);
@@ -51,9 +50,8 @@ static void closed_curve(void **state)
 }
 
 /* Smaller than a cell: it is seen if a line of the grid has a node in it, and then followed with steps as small as it needs. */
-static void small_circle(void **state)
+TEST(small_circle)
 {
-  (void)state;
   double radius = 0.02;
   struct map_curves c = follow(disc, &radius, 41);
   assert_int_equal(c.count, 1);
@@ -68,9 +66,8 @@ static int sectors(void *context, double u, double v)
   return angle < -2 ? 0 : angle < 0.3 ? 1 : angle < 0.35 ? 2 : 3; /* and 3 ends at pi, where 0 begins */
 }
 
-static void junction(void **state)
+TEST(junction)
 {
-  (void)state;
   struct map_curves c = follow(sectors, NULL, 20);
   assert_int_equal(c.count, 4);
   for (int k = 0; k < 4; k++) {
@@ -93,9 +90,8 @@ static int corner_and_line(void *context, double u, double v)
   return *line && v == centre_v && u > centre_u ? 2 : u > centre_u && v > centre_v;
 }
 
-static void corner(void **state)
+TEST(corner)
 {
-  (void)state;
   for (int line = 0; line < 2; line++) {
     struct map_curves c = follow(corner_and_line, &line, 12);
     assert_int_equal(c.count, 1);
@@ -118,9 +114,8 @@ static int cusp(void *context, double u, double v)
   return v < 0.5 ? 0 : v < 0.5 + width ? 1 : 2;
 }
 
-static void thin_strip(void **state)
+TEST(thin_strip)
 {
-  (void)state;
   struct map_curves c = follow(cusp, NULL, 20);
   assert_int_equal(c.count, 3);
   for (int k = 0; k < 3; k++) {
@@ -144,9 +139,8 @@ static int half(void *context, double u, double v)
   return u > 0.7 ? MAP_NOWHERE : v > 0.3 + 0.2 * u;
 }
 
-static void ends_at_nowhere(void **state)
+TEST(ends_at_nowhere)
 {
-  (void)state;
   struct map_curves c = follow(half, NULL, 10);
   assert_int_equal(c.count, 1);
   const struct map_curve *curve = &c.curves[0];
@@ -155,12 +149,4 @@ static void ends_at_nowhere(void **state)
   assert_int_equal(right->end, MAP_STOPS);
   CHECK_NEAR(right->u, 0.7, 1e-10);
   map_curves_clear(&c);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(closed_curve), cmocka_unit_test(small_circle),
-                                      cmocka_unit_test(junction),     cmocka_unit_test(corner),
-                                      cmocka_unit_test(thin_strip),   cmocka_unit_test(ends_at_nowhere) };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,9 +2,8 @@
 #include "check.h"
 #include "compare/text/message.h"
 
-static void characters_that_are_shown(void **state)
+TEST(characters_that_are_shown)
 {
-  (void)state;
   const struct {
     const char *text;
     size_t length;
@@ -26,9 +25,8 @@ static void characters_that_are_shown(void **state)
   assert_true(is_shown(""));
 }
 
-static void what_is_not_shown(void **state)
+TEST(what_is_not_shown)
 {
-  (void)state;
   static const char *const other[] = { "\n",
                                        "\t",
                                        "\x1b[31m",
@@ -55,10 +53,4 @@ static void what_is_not_shown(void **state)
   }
   assert_int_equal(shown_character(""), 0);
   assert_false(is_shown("a\x01"));
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(characters_that_are_shown), cmocka_unit_test(what_is_not_shown) };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,9 +37,8 @@ static bool read_words(struct arguments *a, const struct command *command, char 
   return options_read(a, command, commands, count, arguments, code) == READ_RUN;
 }
 
-static void all_operands_are_kept_in_order(void **state)
+TEST(all_operands_are_kept_in_order)
 {
-  (void)state;
   struct arguments o;
   enum exit_code code = EXIT_DONE;
   char text[] = "b.cfg --T 2.5 a.cfg --map F1/F2 alpha - --quiet c.cfg";
@@ -56,9 +55,8 @@ static void all_operands_are_kept_in_order(void **state)
   assert_int_equal(o.operand_count, 0);
 }
 
-static void one_operand_is_one(void **state)
+TEST(one_operand_is_one)
 {
-  (void)state;
   struct arguments o;
   enum exit_code code = EXIT_DONE;
   char text[] = "--quiet a.txt", two[] = "a.txt b.txt";
@@ -71,9 +69,8 @@ static void one_operand_is_one(void **state)
   options_free(&o);
 }
 
-static void an_operand_is_wanted_or_refused(void **state)
+TEST(an_operand_is_wanted_or_refused)
 {
-  (void)state;
   struct arguments o;
   const struct command *const wanting[] = { &one, &many };
   for (int i = 0; i < 2; i++) {
@@ -93,26 +90,23 @@ static void an_operand_is_wanted_or_refused(void **state)
   options_free(&o);
 }
 
-static void dots_at_the_end_mean_many(void **state)
+TEST(dots_at_the_end_mean_many)
 {
-  (void)state;
   assert_true(takes_operands(&many));
   assert_false(takes_operands(&one));
   assert_false(takes_operands(&none));
 }
 
-static void values_are_counted(void **state)
+TEST(values_are_counted)
 {
-  (void)state;
   assert_int_equal(option_values(option_of(&many, "map")), 2);
   assert_int_equal(option_values(option_of(&many, "T")), 1);
   assert_int_equal(option_values(option_of(&many, "quiet")), 0);
 }
 
 /* An option is refused with one that it does not go with, and without the one that it needs. */
-static void rules_are_kept(void **state)
+TEST(rules_are_kept)
 {
-  (void)state;
   static const struct {
     const char *words, *message;
   } cases[] = { { "", "" },
@@ -137,9 +131,8 @@ static void rules_are_kept(void **state)
 }
 
 /* Each command's struct has room where it is read, begins with the request, and each of its options a name of its own. */
-static void structs_have_room(void **state)
+TEST(structs_have_room)
 {
-  (void)state;
   const struct arguments *a = NULL;
   for (const struct command *const *c = commands; *c; c++) {
     assert_true((*c)->size >= sizeof(struct request) && (*c)->size <= sizeof a->options);
@@ -148,18 +141,4 @@ static void structs_have_room(void **state)
       assert_ptr_equal(option_of(*c, o->name), o);
     }
   }
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(all_operands_are_kept_in_order),
-    cmocka_unit_test(one_operand_is_one),
-    cmocka_unit_test(an_operand_is_wanted_or_refused),
-    cmocka_unit_test(dots_at_the_end_mean_many),
-    cmocka_unit_test(values_are_counted),
-    cmocka_unit_test(rules_are_kept),
-    cmocka_unit_test(structs_have_room),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

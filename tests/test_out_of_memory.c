@@ -83,9 +83,8 @@ static struct scallop_rival *make_smoothed(int kind)
 }
 static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_cvode_rival(1e-6); }
 
-static void making_rivals(void **state)
+TEST(making_rivals)
 {
-  (void)state;
   for (int kind = 0; kind < 3; kind++) {
     check_failures(make_odeiv, kind, 0, 3);
     check_failures(make_smoothed, kind, 0, 3);
@@ -97,9 +96,8 @@ static void making_rivals(void **state)
 }
 
 /* In one call: a status instead, and the result as it was */
-static void a_period_in_one_call(void **state)
+TEST(a_period_in_one_call)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_rival_period period = { .v_end = 7 };
   fails_in = 0;
@@ -110,23 +108,6 @@ static void a_period_in_one_call(void **state)
   assert_int_equal(scallop_odeiv_period(&c, 0, SCALLOP_ODEIV_RKF45, 1e-6, &period), SCALLOP_OK);
 }
 #else
-static void making_rivals(void **state)
-{
-  (void)state;
-  skip();
-}
-static void a_period_in_one_call(void **state)
-{
-  (void)state;
-  skip();
-}
+TEST(making_rivals) { skip(); }
+TEST(a_period_in_one_call) { skip(); }
 #endif
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(making_rivals),
-    cmocka_unit_test(a_period_in_one_call),
-  };
-  return cmocka_run_group_tests_name("out of memory", tests, NULL, NULL);
-}

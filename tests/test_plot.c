@@ -27,24 +27,18 @@ static const char keeps_script[] = "#!/bin/sh\n"
                                    "eval \"$(sed -n 's/^output_file = /file=/p' script)\"\n"
                                    "cp script \"$file\"\n";
 
-static int with_a_gnuplot_of_ours(void **state)
+/* Each test begins with one of these: a folder with the table, and the gnuplot. */
+static void fresh(void)
 {
-  (void)state;
   unlink("bin/gnuplot");
   entries(true);
-  install(keeps_script);
   write_text("table", rows);
-  return 0;
 }
 
-static int with_gnuplot(void **state)
+static void ours(void)
 {
-  (void)state;
-  unlink("bin/gnuplot");
-  entries(true);
-  setenv("PATH", real_path, 1);
-  write_text("table", rows);
-  return 0;
+  fresh();
+  install(keeps_script);
 }
 
 /* y over x in "table", unless the plot says otherwise */
@@ -107,11 +101,9 @@ static void refused(struct plot plot, const char *wanted)
   assert_holds("plot.svg", "earlier");
 }
 
-/* ---- with a program in the place of gnuplot ---- */
-
-static void texts_are_bytes_to_gnuplot(void **state)
+TEST(texts_are_bytes_to_gnuplot)
 {
-  (void)state;
+  ours();
   write_text("plot.svg", "earlier");
   const char *script = draws((struct plot){ .x = "$x@",
                                             .y = { "a'`b`\\\"", "y" },
@@ -128,9 +120,9 @@ static void texts_are_bytes_to_gnuplot(void **state)
   assert_in(script, "load \"./\\074sub/it\\047s.gp\"\nunset output\n");
 }
 
-static void names_of_pictures(void **state)
+TEST(names_of_pictures)
 {
-  (void)state;
+  ours();
   assert_string_equal(plot_kind("a.svg"), "svg");
   assert_string_equal(plot_kind("dir.png/a.b.png"), "png");
   assert_string_equal(plot_kind("a.pdf"), "pdf");
@@ -144,9 +136,9 @@ static void names_of_pictures(void **state)
           "scallop run: cannot draw missing/plot.svg: cannot write it: No such file or directory\n");
 }
 
-static void gnuplot_fails(void **state)
+TEST(gnuplot_fails)
 {
-  (void)state;
+  ours();
   install("#!/bin/sh\nprintf '\\ngnuplot> plot\\n         ^\\n  line 3: \\033undefined\\n\\n' >&2\nexit 1\n");
   refused((struct plot){ .x = NULL }, "scallop run: gnuplot: gnuplot> plot\nscallop run: gnuplot: line 3: ?undefined\n"
                                       "scallop run: cannot draw plot.svg: gnuplot has failed\n");
@@ -161,9 +153,9 @@ static void gnuplot_fails(void **state)
 }
 
 /* Where standard input is closed, the script takes its place. */
-static void standard_input_is_closed(void **state)
+TEST(standard_input_is_closed)
 {
-  (void)state;
+  ours();
   int input = fcntl(STDIN_FILENO, F_DUPFD, 20);
   struct plot plot = completed((struct plot){ .x = NULL });
   close(STDIN_FILENO);
@@ -173,25 +165,23 @@ static void standard_input_is_closed(void **state)
   assert_true(drawn);
 }
 
-/* ---- with gnuplot ---- */
-
-static bool has_gnuplot(void)
+static void installed(void)
 {
   struct said said;
   struct plot plot = completed((struct plot){ .file = "try.svg" });
+  setenv("PATH", real_path, 1);
+  fresh();
   said_begin(&said);
   plot_draw(&plot, "run");
-  bool has = !strstr(said_end(&said), "gnuplot is not installed");
+  if (strstr(said_end(&said), "gnuplot is not installed"))
+    skip();
   unlink("try.svg");
-  return has;
 }
 
-static void pictures_of_each_kind(void **state)
+TEST(pictures_of_each_kind)
 {
-  (void)state;
+  installed();
   static const char *const files[] = { "plot.svg", "plot.png", "plot.pdf" }, *const heads[] = { "<?xml", "\x89PNG", "%PDF" };
-  if (!has_gnuplot())
-    skip();
   for (int i = 0; i < 6; i++) {
     bool logarithmic = i >= 3;
     const char *head = draws(
@@ -212,11 +202,9 @@ static int strokes(const char *picture, const char *colour, char kind)
 }
 
 /* Rows of other values do not interrupt a curve; values that cannot be shown do. */
-static void curves_are_of_their_rows(void **state)
+TEST(curves_are_of_their_rows)
 {
-  (void)state;
-  if (!has_gnuplot())
-    skip();
+  installed();
   write_text("table", "# note\nx\tF\tg\ty\tz\n1\t2\ta\t1\tnan\n1\t40\ta\t1\tnan\n2\t2\ta\t2\t-\n2\t40\ta\tnan\t-\n"
                       "3\t2\ta\t3\tinf\n3\t40\ta\t3\t0\n4\t2\ta\t4\t5\n4\t40\ta\tinf\t0\n5\t2\ta\t5\t5\n# end\n");
   const char *picture = draws((struct plot){ .by = { "F", "g" } });
@@ -232,13 +220,11 @@ static void curves_are_of_their_rows(void **state)
   assert_in(picture, ">z, F = 40 (none)</");
 }
 
-static void axes_of_any_width(void **state)
+TEST(axes_of_any_width)
 {
-  (void)state;
+  installed();
   static const char *const extreme[] = { "1\t1\n", "1\t1\n1.0000000000000002\t1\n", "1e-307\t1e-307\n",
                                          "1e-300\t1\n1e300\t1\n" };
-  if (!has_gnuplot())
-    skip();
   for (size_t i = 0; i < 2 * sizeof extreme / sizeof *extreme; i++) {
     char table[100];
     snprintf(table, sizeof table, "x\ty\n%s", extreme[i / 2]);
@@ -253,14 +239,12 @@ static void axes_of_any_width(void **state)
   assert_null(strstr(picture, "> 0.55<"));
 }
 
-static void gnuplot_runs_nothing_from_names(void **state)
+TEST(gnuplot_runs_nothing_from_names)
 {
-  (void)state;
+  installed();
   static const char *const nasty[] = { "`touch hacked`", "'; !touch hacked #",  "\"; system(\"touch hacked\"); \"",
                                        "@hacked",        "\\\"; !touch hacked", "END",
                                        "<touch hacked",  "|touch hacked" };
-  if (!has_gnuplot())
-    skip();
   for (size_t i = 0; i < sizeof nasty / sizeof *nasty; i++) {
     char table[300], script[100];
     const bool is_quoted = strchr(nasty[i], '"'); /* gnuplot takes the quotes off a cell */
@@ -279,11 +263,9 @@ static void gnuplot_runs_nothing_from_names(void **state)
   assert_in(draws((struct plot){ .title = "a_b {c}^2 \\n & < > \" ' end" }), "a_b {c}^2 \\n &amp; &lt; ");
 }
 
-static void gnuplot_says_what_is_wrong(void **state)
+TEST(gnuplot_says_what_is_wrong)
 {
-  (void)state;
-  if (!has_gnuplot())
-    skip();
+  installed();
   write_text("mine.gp", "plot table using 1:2 skip 1\nplot undefined_variable\n");
   refused((struct plot){ .script = "mine.gp" },
           "scallop run: gnuplot: \"./mine.gp\" line 2: undefined variable: undefined_variable\n"
@@ -310,26 +292,4 @@ static int begin(void **state)
   return scratch_begin(state);
 }
 
-int main(void)
-{
-#define TOLD(test) \
-  { \
-#test, test, with_a_gnuplot_of_ours, NULL, NULL \
-  }
-#define DRAWN(test) \
-  { \
-#test, test, with_gnuplot, NULL, NULL \
-  }
-  const struct CMUnitTest tests[] = {
-    TOLD(texts_are_bytes_to_gnuplot),
-    TOLD(names_of_pictures),
-    TOLD(gnuplot_fails),
-    TOLD(standard_input_is_closed),
-    DRAWN(pictures_of_each_kind),
-    DRAWN(curves_are_of_their_rows),
-    DRAWN(axes_of_any_width),
-    DRAWN(gnuplot_runs_nothing_from_names),
-    DRAWN(gnuplot_says_what_is_wrong),
-  };
-  return cmocka_run_group_tests(tests, begin, scratch_end);
-}
+int main(void) { return check_run(begin, scratch_end); }

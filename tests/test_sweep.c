@@ -23,9 +23,8 @@ static double no_formula(void *context, const struct formula *formula)
   return NAN;
 }
 
-static void every_combination_the_first_slowest(void **state)
+TEST(every_combination_the_first_slowest)
 {
-  (void)state;
   const char *F1[] = { "2.385", "7.0" }, *F2[] = { "0.7", "3.0" }, *T[] = { "0.1", "0.2", "0.3" };
   struct sweep_product product = {
     .groups = 2, .group = { { 2, { listed("F1", F1, 2), listed("F2", F2, 2) }, 2 }, { 1, { listed("T", T, 3) }, 3 } }
@@ -50,9 +49,8 @@ static void every_combination_the_first_slowest(void **state)
 }
 
 /* Ratios and Froude numbers hold whatever is set after them. */
-static void ratios_are_settled_last(void **state)
+TEST(ratios_are_settled_last)
 {
-  (void)state;
   const char *froude = "3.25", *ratio = "4.5", *F2 = "0.7";
   struct sweep_product product = { .groups = 2,
                                    .group = { { 2, { listed("froude", &froude, 1), listed("F1_over_F2", &ratio, 1) }, 1 },
@@ -69,9 +67,8 @@ static void ratios_are_settled_last(void **state)
   assert_string_equal(sweep_set_twice(&product)->name, "T");
 }
 
-static void ranges_are_decimal(void **state)
+TEST(ranges_are_decimal)
 {
-  (void)state;
   for (int is_log = 0; is_log <= 1; is_log++) {
     struct sweep_variable v = listed("alpha", NULL, 5);
     v.from.number = is_log ? 0.0001 : 0.1;
@@ -88,9 +85,8 @@ static void ranges_are_decimal(void **state)
   }
 }
 
-static void what_is_not_allowed_is_said(void **state)
+TEST(what_is_not_allowed_is_said)
 {
-  (void)state;
   const char *alpha[] = { "0.5", "1.0" };
   struct sweep_variable v = listed("alpha", alpha, 2);
   struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 2 } } };
@@ -105,15 +101,4 @@ static void what_is_not_allowed_is_said(void **state)
   v = listed("froude", alpha, 2);
   assert_non_null(sweep_wrong(&v, &point, "0"));
   assert_non_null(sweep_wrong(&v, &point, "inf"));
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(every_combination_the_first_slowest),
-    cmocka_unit_test(ratios_are_settled_last),
-    cmocka_unit_test(ranges_are_decimal),
-    cmocka_unit_test(what_is_not_allowed_is_said),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

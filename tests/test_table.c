@@ -14,9 +14,8 @@ static void write_row(struct table *t, double number, const char *text)
   table_text(t, text);
 }
 
-static void cells_follow_the_format(void **state)
+TEST(cells_follow_the_format)
 {
-  (void)state;
   static const char *const wanted[] = {
     "# note\nT\tstatus\n0.667\ta \"quoted\" text\nnan\tok\n",
     "{\"T\": 0.667, \"status\": \"a \\\"quoted\\\" text\"}\n{\"T\": null, \"status\": \"ok\"}\n",
@@ -38,9 +37,8 @@ static void cells_follow_the_format(void **state)
 }
 
 /* More than a buffer holds, in turn with notes */
-static void rows_and_notes_keep_their_order(void **state)
+TEST(rows_and_notes_keep_their_order)
 {
-  (void)state;
   enum { PARTS = 4, ROWS = 5000 };
   struct table t;
   assert_true(table_open_at(&t, &tsv, "table"));
@@ -69,9 +67,8 @@ static void rows_and_notes_keep_their_order(void **state)
 }
 
 /* Not what varies or is not used; no line where nothing is left. */
-static void parameters_that_do_not_hold_are_not_said(void **state)
+TEST(parameters_that_do_not_hold_are_not_said)
 {
-  (void)state;
   static const char *const some[] = { "m1", "F1", "T", NULL };
   struct point p = point_initial(NULL);
   struct table t;
@@ -88,9 +85,8 @@ static void parameters_that_do_not_hold_are_not_said(void **state)
   entries(true);
 }
 
-static void an_abandoned_table_leaves_nothing(void **state)
+TEST(an_abandoned_table_leaves_nothing)
 {
-  (void)state;
   struct table t;
   write_text("table", "earlier");
   assert_true(table_open_at(&t, &tsv, "table"));
@@ -102,9 +98,8 @@ static void an_abandoned_table_leaves_nothing(void **state)
   assert_int_equal(entries(true), 1);
 }
 
-static void a_failed_write_is_told_once(void **state)
+TEST(a_failed_write_is_told_once)
 {
-  (void)state;
   struct table t;
   struct said said;
   if (access("/dev/full", W_OK) != 0)
@@ -122,9 +117,8 @@ static void a_failed_write_is_told_once(void **state)
   assert_string_equal(said.text, "scallop test: cannot write /dev/full: No space left on device\n");
 }
 
-static void a_refused_output_is_named(void **state)
+TEST(a_refused_output_is_named)
 {
-  (void)state;
   struct table t;
   struct said said;
   said_begin(&said);
@@ -134,15 +128,4 @@ static void a_refused_output_is_named(void **state)
   assert_string_equal(said.text, "scallop test: cannot write missing/table: No such file or directory\n");
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(cells_follow_the_format),
-    cmocka_unit_test(rows_and_notes_keep_their_order),
-    cmocka_unit_test(parameters_that_do_not_hold_are_not_said),
-    cmocka_unit_test(an_abandoned_table_leaves_nothing),
-    cmocka_unit_test(a_failed_write_is_told_once),
-    cmocka_unit_test(a_refused_output_is_named),
-  };
-  return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -56,9 +56,8 @@ static void compare(struct random *r, const struct scallop_gait *one, const stru
 }
 
 /* All digits of doubles: what the doubles themselves make, by another way. */
-static void digits_of_doubles(void **state)
+TEST(digits_of_doubles)
 {
-  (void)state;
   struct random r = { 20261511 };
   for (int i = 0; i < TRIES; i++) {
     char text[2 * WORD];
@@ -76,9 +75,8 @@ static void digits_of_doubles(void **state)
 }
 
 /* Fractions that are no doubles, by hand: 1/5 and 3/10 */
-static void fractions_by_hand(void **state)
+TEST(fractions_by_hand)
 {
-  (void)state;
   struct random r = { 20261512 };
   struct scallop_exact_gait by_hand;
   fmpq *x = _fmpq_vec_init(4);
@@ -94,9 +92,8 @@ static void fractions_by_hand(void **state)
 }
 
 /* Coefficients times one decimal: the same gait. */
-static void polynomials(void **state)
+TEST(polynomials)
 {
-  (void)state;
   static const int shapes[4][5] = { { 0, 3, -2 }, { 0, 0, 10, -15, 6 }, { 0, 6, -8, 3 }, { 0, 0, 4, -3 } };
   struct random r = { 20261513 };
   for (int i = 0; i < TRIES; i++) {
@@ -112,9 +109,8 @@ static void polynomials(void **state)
 }
 
 /* A table in other units and from another origin, in decimals. */
-static void tables(void **state)
+TEST(tables)
 {
-  (void)state;
   struct random r = { 20261514 };
   for (int i = 0; i < TRIES; i++) {
     char text[2][4 * WORD] = { "", "" }, name[2][40];
@@ -137,9 +133,8 @@ static void tables(void **state)
 }
 
 /* Knots and slopes that are doubles: an own way to Steffen's slopes, and to the spline. */
-static void a_table_of_doubles(void **state)
+TEST(a_table_of_doubles)
 {
-  (void)state;
   struct random r = { 20261515 };
   write_text("doubles.txt", "0 0\n1 0.25\n2 0.5\n3 0.5\n4 1\n5 0.75\n6 0.75\n7 0.5\n8 0\n");
   const struct scallop_gait *gait = gait_of("measured:doubles.txt");
@@ -148,9 +143,8 @@ static void a_table_of_doubles(void **state)
 }
 
 /* What a table has of its own: 1/3 of the period, of 0.3. */
-static void own_numbers(void **state)
+TEST(own_numbers)
 {
-  (void)state;
   struct scallop_rational_crawler exact;
   struct point p = point_initial(NULL);
   fmpq_t wanted;
@@ -175,9 +169,8 @@ static void own_numbers(void **state)
 }
 
 /* Whose doubles stand for them */
-static void as_doubles(void **state)
+TEST(as_doubles)
 {
-  (void)state;
   static const char *const texts[] = { "quadratic",
                                        "sinusoidal",
                                        "polynomial:0,1.5,-1.0000000000000000001",
@@ -192,9 +185,8 @@ static void as_doubles(void **state)
 }
 
 /* UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so; symmetries of decimals, not of doubles. */
-static void edges(void **state)
+TEST(edges)
 {
-  (void)state;
   struct random r = { 20261516 };
   for (int i = 0; i < TRIES; i++) {
     char text[WORD], skewed[WORD];
@@ -210,11 +202,4 @@ static void edges(void **state)
   assert_false(scallop_gait_is_reversible(written_gait(gait_of("trapezoidal:0.2,0.20000000000000000001"))));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(digits_of_doubles),  cmocka_unit_test(fractions_by_hand),
-                                      cmocka_unit_test(polynomials),        cmocka_unit_test(tables),
-                                      cmocka_unit_test(a_table_of_doubles), cmocka_unit_test(own_numbers),
-                                      cmocka_unit_test(as_doubles),         cmocka_unit_test(edges) };
-  return cmocka_run_group_tests_name("written gaits", tests, scratch_begin, scratch_end);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }
