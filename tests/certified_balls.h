@@ -5,8 +5,6 @@
 #include "tests/scoped.h"
 #include "tests/solved.h"
 
-static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
-
 /* At least how far apart, seen from the outside: |x - y| with the radii of both. */
 static inline double apart(const arb_t x, const arb_t y)
 {
@@ -38,7 +36,7 @@ static inline void certify_steady(struct scallop_certified_steady *s, const stru
 static inline void check_overlap(const arb_t x, const arb_t y, const char *what)
 {
   if (!arb_overlaps(x, y))
-    fail_msg("%s: %.17g and %.17g do not overlap", what, nearest(x), nearest(y));
+    fail_msg("%s: %.17g and %.17g do not overlap", what, middle(x), middle(y));
 }
 
 #endif

@@ -68,8 +68,6 @@ static inline void print_exact_crawler(const struct scallop_rational_crawler *c)
     flint_free(text[i]);
 }
 
-static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
-
 /* The largest and the smallest that |x| can be */
 static inline double at_most(const arb_t x)
 {

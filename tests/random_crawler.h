@@ -9,8 +9,6 @@
 #include "numerics/numerics.h"
 #include "tests/check.h"
 
-/* ---- numbers ---- */
-
 struct random {
   uint64_t state;
 };
@@ -35,8 +33,6 @@ static inline double random_decades(struct random *r, double lo, double hi) /* l
 }
 
 static inline int random_below(struct random *r, int n) { return (int)(random_bits(r) % (uint64_t)n); }
-
-/* ---- gaits of the tests ---- */
 
 /* trapezoid: l' rises over the first quarter, is constant, and falls over the last eighth. Height
  * 16/13 makes the area 1. The middle piece does not touch its anchor, so it has a length of its own:
@@ -146,11 +142,9 @@ static const struct scallop_gait sawtooth_gait = {
   "sawtooth", { { sawtooth_extension, 1, 0, 0, 1, 1, false, false }, { sawtooth_contraction, 1, 0, 0, 1, -1, false, false } }
 };
 
-enum { SMOOTH_GAITS = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */
+enum { SMOOTH_GAITS = 4, SAWTOOTH = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */
 static const struct scallop_gait *const every_gait[ALL_GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
                                                                   &trapezoid_gait, &minimum_jerk_gait, &sawtooth_gait };
-
-/* ---- crawlers ---- */
 
 enum family { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD, EQUAL_FORCES, NEARLY_EQUAL_FORCES, ALPHA_EDGE, FAMILIES };
 
@@ -191,6 +185,19 @@ static inline struct scallop_crawler random_crawler(struct random *r, enum famil
     c.T = random_decades(r, 1e-8, 1e-2);
   else
     set_eps(&c, family == STICK_SLIP ? random_decades(r, 1, 60) : random_decades(r, 1e-3, 20));
+  return c;
+}
+
+/* Parameters of the same order of magnitude, T = 1; alpha as far from 0 and 1 as `edge` */
+static inline struct scallop_crawler moderate_crawler(struct random *r, double ratio, double edge,
+                                                      const struct scallop_gait *gait)
+{
+  struct scallop_crawler c = { .T = 1, .gait = gait };
+  double *const all[] = { &c.m1, &c.m2, &c.F1, &c.F2 };
+  for (int i = 0; i < 4; i++)
+    *all[i] = random_decades(r, 1 / ratio, ratio);
+  c.L = random_decades(r, 0.1, 10);
+  c.alpha = random_between(r, edge, 1 - edge);
   return c;
 }
 

@@ -11,7 +11,7 @@
 #define SCOPED(kind, ...) SCOPED_OF(__VA_ARGS__, 6, 5, 4, 3, 2, 1)(kind, __VA_ARGS__)
 #define SCOPED_OF(a, b, c, d, e, f, count, ...) SCOPED_##count
 #define SCOPED_1(kind, name) \
-  scoped_##kind name __attribute__((cleanup(scoped_end_##kind))); \
+  ENDED_BY(scoped_end_##kind) scoped_##kind name; \
   scoped_begin_##kind(&name)
 #define SCOPED_2(kind, name, ...) \
   SCOPED_1(kind, name); \
@@ -28,6 +28,9 @@
 #define SCOPED_6(kind, name, ...) \
   SCOPED_1(kind, name); \
   SCOPED_5(kind, __VA_ARGS__)
+
+/* ENDED_BY(f) struct thing a, b;   f(&a), f(&b) end them with their block, whatever began them. */
+#define ENDED_BY(end) __attribute__((cleanup(end)))
 
 #define SCOPED_BY(kind, type, begin, end) \
   typedef type scoped_##kind; \
@@ -48,5 +51,7 @@ SCOPED_KIND(scallop_certified_phase, struct scallop_certified_phase)
 SCOPED_KIND(scallop_certified_steady, struct scallop_certified_steady)
 SCOPED_KIND(scallop_phase_expansion, struct scallop_phase_expansion)
 SCOPED_KIND(scallop_steady_expansion, struct scallop_steady_expansion)
+
+static inline double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 #endif

@@ -51,7 +51,7 @@ static inline void modes_are(const struct scallop_modes *modes, const char *want
   assert_string_equal(text, wanted);
 }
 
-static inline bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
+static inline bool modes_alike(const struct scallop_modes *a, const struct scallop_modes *b)
 {
   char text[2][SCALLOP_MODES_TEXT];
   scallop_modes_text(a, text[0]);

@@ -65,7 +65,7 @@ static double ratio(const struct subject *s, const arb_t exact, int quantity)
   arb_mul(bound, bound, b->C, PRECISION);
   bool holds = !arb_gt(error, bound);
   arb_div(bound, bound, error, PRECISION);
-  double times = arb_is_finite(bound) ? nearest(bound) : INFINITY;
+  double times = arb_is_finite(bound) ? middle(bound) : INFINITY;
   return holds ? times : -times;
 }
 
@@ -200,7 +200,7 @@ TEST(other_modes_beyond_the_end)
     late += !later;
     if (!later) {
       print_exact_crawler(&subjects[i].crawler);
-      print_error("T_end = %.4g, \"%s\": the modes at 1.05 T_end are still %s\n", nearest(subjects[i].bounds[0].T_end),
+      print_error("T_end = %.4g, \"%s\": the modes at 1.05 T_end are still %s\n", middle(subjects[i].bounds[0].T_end),
                   subjects[i].bounds[0].ends, subjects[i].expansion.modes);
     }
   }

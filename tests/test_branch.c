@@ -96,7 +96,7 @@ TEST(more_crossings_than_there_is_room_for)
     SCOPED(arb, u);
     series_coefficient(u, &s.branch.crossing[i].offset, 0, PRECISION);
     int tooth = i / 2;
-    CHECK_NEAR(nearest(u), (tooth + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
+    CHECK_NEAR(middle(u), (tooth + (i % 2 ? 0.75 : 0.25)) / TEETH, 1e-15);
   }
 }
 
@@ -133,7 +133,7 @@ TEST(crossings_along_the_curve)
     assert_int_equal(lift_phase(&lift, &s.branch, &s.phase, &eps, &c, &one, NULL, &ring), !along);
     assert_int_equal(base_follow(&base, &s.branch, &s.phase, s.eps, s.c, s.one, false, PRECISION), !along);
     series_coefficient(before, &s.branch.crossing[0].offset, 0, PRECISION);
-    CHECK_NEAR(nearest(before), u, 1e-30);
+    CHECK_NEAR(middle(before), u, 1e-30);
   }
 }
 
@@ -184,11 +184,11 @@ TEST(a_crossing_moves_to_another_piece)
     assert_true(limit_follow(&l, w, eps, PRECISION));
     find_w_mid(w_mid, &l, w, eps);
     series_coefficient(u, &l.branch[0].crossing[0].offset, 0, PRECISION);
-    *(nearest(u) < JERK_TURN ? &after : &before) += 1;
+    *(middle(u) < JERK_TURN ? &after : &before) += 1;
     assert_null(limit_holds(&l, w, w_mid, eps, PRECISION));
     struct scallop_steady_result steady = steady_of(&c);
-    CHECK_RELATIVE(nearest(w), steady.period.v_start * c.T / c.L, 1e-12);
-    CHECK_RELATIVE(nearest(w_mid), steady.period.v_mid * c.T / c.L, 1e-12);
+    CHECK_RELATIVE(middle(w), steady.period.v_start * c.T / c.L, 1e-12);
+    CHECK_RELATIVE(middle(w_mid), steady.period.v_mid * c.T / c.L, 1e-12);
   }
   assert_true(before > 0 && after > 0);
 }

@@ -5,29 +5,24 @@
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
 #include "numerics/certified.h"
-#include "tests/random_crawler.h"
+#include "tests/exact.h"
+#include "tests/solved.h"
 
-static struct scallop_crawler draw(struct random *r, const struct scallop_gait *gait)
-{
-  return (struct scallop_crawler){ .m1 = random_decades(r, 0.3, 3),
-                                   .m2 = random_decades(r, 0.3, 3),
-                                   .F1 = random_decades(r, 0.3, 3),
-                                   .F2 = random_decades(r, 0.3, 3),
-                                   .L = random_decades(r, 0.1, 10),
-                                   .T = 1,
-                                   .alpha = random_between(r, 0.1, 0.9),
-                                   .gait = gait };
-}
+SCOPED_KIND(scallop_singularity, struct scallop_singularity)
 
-static const struct scallop_gait *gait_number(int i) { return i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic; }
+/* Quadratic for even i, sinusoidal for odd */
+static struct scallop_crawler draw(struct random *r, int i) { return moderate_crawler(r, 3, 0.1, every_gait[i % 2]); }
 
 static void find(struct events *events, const struct motion *s)
 {
-  struct expansions e;
+  ENDED_BY(expansions_clear) struct expansions e;
   expansions_init(&e, s, 4, BREAKDOWN_BITS);
   events_find(events, s, expansions_modes(&e));
-  expansions_clear(&e);
 }
+
+#define EVENTS(name, of) \
+  ENDED_BY(events_clear) struct events name; \
+  find(&(name), of)
 
 static double time_of(const struct events *events, const char *what)
 {
@@ -43,10 +38,9 @@ TEST(sticking_begins_where_closed_forms_say)
 {
   struct random r = { 61 };
   for (int i = 0; i < 12; i++) {
-    struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
+    struct motion s = { .crawler = draw(&r, 0) };
     struct scallop_crawler *c = &s.crawler;
-    struct events events;
-    find(&events, &s);
+    EVENTS(events, &s);
     bool first = c->F1 > c->F2;
     double other = first ? c->m2 : c->m1, shorter = fmin(c->alpha, 1 - c->alpha);
     double held = sqrt(4 * other * c->L / (c->F1 + c->F2)), rests = sqrt(4 * other * c->L / fabs(c->F1 - c->F2));
@@ -55,25 +49,20 @@ TEST(sticking_begins_where_closed_forms_say)
                    held / c->alpha, 8 * 0x1p-53);
     CHECK_RELATIVE(time_of(&events, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
                    8 * 0x1p-53);
-    events_clear(&events);
   }
 }
 
 static void check_certified(const struct motion *s, double T, const struct scallop_modes modes[2])
 {
-  struct scallop_certified_steady steady;
-  struct scallop_rational_crawler exact;
   const struct motion at = motion_at(s, T);
-  char wanted[2 * SCALLOP_MODES_TEXT + 4], got[2 * SCALLOP_MODES_TEXT + 4];
-  scallop_rational_init(&exact);
+  char wanted[BOTH_MODES_TEXT], got[BOTH_MODES_TEXT];
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, &at.crawler);
-  scallop_certified_steady_init(&steady);
+  SCOPED(scallop_certified_steady, steady);
   assert_int_equal(scallop_certified_steady(&exact, 6, &steady, NULL), SCALLOP_OK);
   motion_modes_text(wanted, s->of, modes);
   motion_modes_text(got, s->of, steady.modes);
   assert_string_equal(got, wanted);
-  scallop_certified_steady_clear(&steady);
-  scallop_rational_clear(&exact);
 }
 
 /* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of where certified
@@ -83,9 +72,8 @@ TEST(events_are_where_certified_modes_change)
   struct random r = { 62 };
   int certified = 0, all = 0;
   for (int i = 0; i < 8; i++) {
-    struct motion s = { .crawler = draw(&r, gait_number(i)) };
-    struct events events;
-    find(&events, &s);
+    struct motion s = { .crawler = draw(&r, i) };
+    EVENTS(events, &s);
     assert_true(events.count >= 3);
     const struct scallop_modes *before = events.first;
     for (int k = 0; k < events.count; k++) {
@@ -102,7 +90,6 @@ TEST(events_are_where_certified_modes_change)
       assert_true(strcmp(e->status, "certified") == 0 || strstr(e->what, "switching time"));
     }
     assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
-    events_clear(&events);
   }
   assert_true(certified > 3 * all / 4);
 }
@@ -112,25 +99,19 @@ TEST(the_first_event_is_the_first)
 {
   struct random r = { 63 };
   for (int i = 0; i < 6; i++) {
-    struct motion s = { .crawler = draw(&r, gait_number(i)) };
-    struct scallop_rational_crawler exact;
-    struct events events;
+    struct motion s = { .crawler = draw(&r, i) };
     const char *ends = NULL;
-    arb_t T;
-    arb_init(T);
-    scallop_rational_init(&exact);
+    SCOPED(arb, T);
+    SCOPED(scallop_rational, exact);
     scallop_rational_of(&exact, &s.crawler);
-    find(&events, &s);
+    EVENTS(events, &s);
     assert_int_equal(scallop_steady_modes_hold(&exact, 128, T, &ends, NULL), SCALLOP_OK);
-    double proven = arf_get_d(arb_midref(T), ARF_RND_NEAR);
+    double proven = middle(T);
     assert_non_null(ends);
     /* a proof ends at a corner of l' as well, which is no event while it does not change the modes */
     assert_true(events.event[0].T > proven * (1 - 1e-12));
     if (!strstr(ends, "corner"))
       CHECK_RELATIVE(events.event[0].T, proven, 3e-3);
-    events_clear(&events);
-    scallop_rational_clear(&exact);
-    arb_clear(T);
   }
 }
 
@@ -139,25 +120,22 @@ TEST(events_scale_and_mirror)
 {
   struct random r = { 64 };
   for (int i = 0; i < 4; i++) {
-    struct motion s = { .crawler = draw(&r, gait_number(i)) }, t = s, u = s;
-    struct events one, larger, exchanged;
+    struct motion s = { .crawler = draw(&r, i) }, t = s, u = s;
     t.crawler.L *= 4;
-    u.crawler.m1 = s.crawler.m2, u.crawler.m2 = s.crawler.m1;
-    u.crawler.F1 = s.crawler.F2, u.crawler.F2 = s.crawler.F1;
-    find(&one, &s);
-    find(&larger, &t);
-    find(&exchanged, &u);
+    u.crawler = exchanged(&s.crawler);
+    EVENTS(one, &s);
+    EVENTS(larger, &t);
+    EVENTS(mirrored, &u);
     assert_int_equal(one.count, larger.count);
-    assert_int_equal(one.count, exchanged.count);
+    assert_int_equal(one.count, mirrored.count);
     for (int k = 0; k < one.count; k++) {
       CHECK_RELATIVE(larger.event[k].T, 2 * one.event[k].T, 4 * 0x1p-52);
-      CHECK_RELATIVE(exchanged.event[k].T, one.event[k].T, strstr(one.event[k].what, "switching") ? 1e-12 : 4 * 0x1p-52);
+      CHECK_RELATIVE(mirrored.event[k].T, one.event[k].T, strstr(one.event[k].what, "switching") ? 1e-12 : 4 * 0x1p-52);
     }
-    events_clear(&one);
-    events_clear(&larger);
-    events_clear(&exchanged);
   }
 }
+
+enum { ORDER = 8 };
 
 struct setting {
   struct motion motion;
@@ -165,18 +143,12 @@ struct setting {
   struct exact_cache *cache;
 };
 
-static void setting_init(struct setting *s, const struct motion *motion, long order)
+static void setting_init(struct setting *s, const struct motion *motion)
 {
   s->motion = *motion;
-  expansions_init(&s->expansions, &s->motion, order, BREAKDOWN_BITS);
+  expansions_init(&s->expansions, &s->motion, ORDER, BREAKDOWN_BITS);
   s->cache = exact_cache_new(&s->motion);
   assert_non_null(s->cache);
-}
-
-static double reach_to(struct comparison *c, double tolerance)
-{
-  c->tolerance = tolerance;
-  return comparison_reach(c);
 }
 
 static void setting_clear(struct setting *s)
@@ -185,10 +157,38 @@ static void setting_clear(struct setting *s)
   expansions_clear(&s->expansions);
 }
 
-static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name, long order)
+#define SETTING(name, of) \
+  ENDED_BY(setting_clear) struct setting name; \
+  setting_init(&(name), of)
+
+static double reach_to(struct comparison *c, double tolerance)
+{
+  c->tolerance = tolerance;
+  return comparison_reach(c);
+}
+
+/* The error of a series at T, by the double solver */
+static double error_at(const struct series_item *item, const struct expansions *e, double T)
+{
+  const struct motion at = motion_at(e->motion, T);
+  struct answer exact;
+  SCOPED(arb, value);
+  answer_in_double(&exact, &at);
+  series_item_value(value, item, e, T, 64);
+  return fabs(middle(value) / exact.value[item->quantity].high - 1);
+}
+
+/* The tolerance is reached at T, and not right below it. */
+static void check_sides(const struct comparison *c, double T)
+{
+  assert_int_equal(comparison_certified_side(c, T * (1 - 0x1p-50), 40), -1);
+  assert_int_equal(comparison_certified_side(c, T * (1 + 0x1p-50), 40), 1);
+}
+
+static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name)
 {
   struct series_item items[MOST_ITEMS];
-  int count = series_items(items, &s->expansions, quantity, order), i = 0;
+  int count = series_items(items, &s->expansions, quantity, ORDER), i = 0;
   while (i < count && strcmp(items[i].name, name) != 0)
     i++;
   assert_true(i < count);
@@ -201,18 +201,16 @@ TEST(reach_of_a_known_error)
 {
   struct random r = { 71 };
   for (int i = 0; i < 6; i++) {
-    struct motion motion = { .crawler = draw(&r, &scallop_gait_quadratic), .of = OF_PHASE };
+    struct motion motion = { .crawler = draw(&r, 0), .of = OF_PHASE };
     struct scallop_crawler *c = &motion.crawler;
-    struct setting s;
     motion.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
-    setting_init(&s, &motion, 8);
-    struct comparison short_form = comparison_named(&s, Q_T1, "A_t1", 8);
+    SETTING(s, &motion);
+    struct comparison short_form = comparison_named(&s, Q_T1, "A_t1");
     for (int k = 2; k <= 12; k += 2)
       CHECK_RELATIVE(reach_to(&short_form, pow(10, -k)), sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0),
                      8 * 0x1p-53);
-    struct comparison whole = comparison_named(&s, Q_T1, "A_t1_unexpanded", 8);
+    struct comparison whole = comparison_named(&s, Q_T1, "A_t1_unexpanded");
     CHECK_AT_MOST(fabs(comparison_error(&whole, 0.1)), 1e-30);
-    setting_clear(&s);
   }
 }
 
@@ -224,12 +222,11 @@ TEST(reach_against_brute_force)
   struct random r = { 72 };
   int returning = 0, found = 0;
   for (int i = 0; i < 24; i++) {
-    struct motion motion = { .crawler = draw(&r, gait_number(i)) };
-    struct setting s;
-    setting_init(&s, &motion, 8);
+    struct motion motion = { .crawler = draw(&r, i) };
+    SETTING(s, &motion);
     struct series_item items[MOST_ITEMS];
     enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
-    int count = series_items(items, &s.expansions, quantity, 8);
+    int count = series_items(items, &s.expansions, quantity, ORDER);
     for (int item = 0; item < count; item++) {
       double tolerance = random_decades(&r, 3e-2, 0.5), before = tolerance;
       const struct comparison c = { &s.expansions, items[item], s.cache, tolerance };
@@ -237,20 +234,11 @@ TEST(reach_against_brute_force)
       if (!(T > 0 && isfinite(T)))
         continue;
       found++;
-      assert_int_equal(comparison_certified_side(&c, T * (1 - 0x1p-50), 40), -1);
-      assert_int_equal(comparison_certified_side(&c, T * (1 + 0x1p-50), 40), 1);
-      struct answer exact;
+      check_sides(&c, T);
       for (int k = 1; k < 2 * points; k++) {
-        double t = T * exp2((k - points) * 12.0 / points), value = NAN;
         if (k == points)
           continue;
-        const struct motion at = motion_at(&s.motion, t);
-        answer_in_double(&exact, &at);
-        arb_t x;
-        arb_init(x);
-        series_item_value(x, &c.item, &s.expansions, t, 64);
-        value = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / exact.value[quantity].high - 1);
-        arb_clear(x);
+        double value = error_at(&c.item, &s.expansions, T * exp2((k - points) * 12.0 / points));
         if (k < points)
           CHECK_AT_MOST(value, tolerance);
         else if (k < points + points / 30)
@@ -258,7 +246,6 @@ TEST(reach_against_brute_force)
         before = value;
       }
     }
-    setting_clear(&s);
   }
   assert_true(found > 40);
   assert_true(returning > 0);
@@ -268,21 +255,12 @@ TEST(reach_against_brute_force)
 static double first_above(const struct comparison *c, double T)
 {
   enum { POINTS = 1500, OCTAVES = 20 };
-  enum quantity_id quantity = c->item.quantity;
-  double first = T;
-  arb_t value;
-  arb_init(value);
-  for (int k = 0; k < POINTS && first == T; k++) {
+  for (int k = 0; k < POINTS; k++) {
     double t = T * exp2((double)OCTAVES * (k - POINTS) / POINTS);
-    struct answer exact;
-    const struct motion at = motion_at(c->expansions->motion, t);
-    answer_in_double(&exact, &at);
-    series_item_value(value, &c->item, c->expansions, t, 64);
-    if (!(fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / exact.value[quantity].high - 1) < c->tolerance))
-      first = t;
+    if (!(error_at(&c->item, c->expansions, t) < c->tolerance))
+      return t;
   }
-  arb_clear(value);
-  return first;
+  return T;
 }
 
 /* 0 below the limit of the error, and as far as trying finds above it. Counts reaches in found[0], and in found[1] those of errors that
@@ -296,10 +274,8 @@ static void check_about_limit(struct comparison *c, double limit, double share, 
   }
   bool ends = isfinite(T);
   assert_true(T > 0);
-  if (ends) {
-    assert_int_equal(comparison_certified_side(c, T * (1 - 0x1p-50), 40), -1);
-    assert_int_equal(comparison_certified_side(c, T * (1 + 0x1p-50), 40), 1);
-  }
+  if (ends)
+    check_sides(c, T);
   double last = ends ? T : motion_last_time(c->expansions->motion);
   CHECK_EQUAL(first_above(c, last), last);
   found[0]++;
@@ -314,17 +290,15 @@ TEST(reach_about_the_limit_of_the_error)
   struct random r = { 73 };
   int found[2] = { 0, 0 };
   for (int i = 0; i < 12; i++) {
-    struct motion motion = { .crawler = draw(&r, gait_number(i)),
-                             .of = i % 4 < 2 ? OF_STEADY : OF_PHASE,
-                             .phase = i % 8 < 4 };
+    struct motion motion = { .crawler = draw(&r, i), .of = i % 4 < 2 ? OF_STEADY : OF_PHASE, .phase = i % 8 < 4 };
     struct scallop_crawler *crawler = &motion.crawler;
     motion.v0 = motion.of == OF_STEADY ? 0
                                        : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
-    struct setting s;
-    setting_init(&s, &motion, 8);
+    SETTING(s, &motion);
     for (int q = 0; q < QUANTITIES; q++) {
       struct series_item items[MOST_ITEMS];
-      int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s.expansions, (enum quantity_id)q, 8) : 0;
+      int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s.expansions, (enum quantity_id)q, ORDER)
+                                                           : 0;
       for (int item = 0; item < count; item++) {
         struct comparison c = { &s.expansions, items[item], s.cache, NAN };
         double limit = fabs(comparison_error(&c, 1e-9 * motion_natural_time(&motion)));
@@ -332,7 +306,6 @@ TEST(reach_about_the_limit_of_the_error)
           check_about_limit(&c, limit, shares[k], found);
       }
     }
-    setting_clear(&s);
   }
   assert_true(found[0] > 20 && found[1] > 4);
 }
@@ -341,12 +314,10 @@ TEST(reach_about_the_limit_of_the_error)
 static double reach_of(const struct scallop_crawler *crawler, const char *name, double tolerance, double *error)
 {
   const struct motion motion = { .crawler = *crawler };
-  struct setting s;
-  setting_init(&s, &motion, 8);
-  struct comparison c = comparison_named(&s, Q_DISPLACEMENT, name, 8);
+  SETTING(s, &motion);
+  struct comparison c = comparison_named(&s, Q_DISPLACEMENT, name);
   double T = reach_to(&c, tolerance);
   *error = comparison_error(&c, crawler->T);
-  setting_clear(&s);
   return T;
 }
 
@@ -386,7 +357,6 @@ TEST(what_is_0_is_0_for_every_T)
   static const char *const names[] = { "text_steady_xC", "derived", "limit" };
   struct scallop_crawler equal = scallop_crawler_default(), even = equal;
   struct series_item items[MOST_ITEMS];
-  struct setting s;
   double error;
   equal.F1 = equal.F2;
   even.alpha = 0.5;
@@ -396,10 +366,9 @@ TEST(what_is_0_is_0_for_every_T)
     CHECK_EQUAL(error, 0);
   }
   /* the paper has no formula of v_mid */
-  setting_init(&s, &(struct motion){ .crawler = even }, 8);
-  assert_int_equal(series_items(items, &s.expansions, Q_V_MID, 8), 2);
+  SETTING(s, &(struct motion){ .crawler = even });
+  assert_int_equal(series_items(items, &s.expansions, Q_V_MID, ORDER), 2);
   assert_int_equal(items[0].source, FROM_DERIVED);
-  setting_clear(&s);
 }
 
 enum { TERMS = 96, BITS = 768 };
@@ -410,11 +379,10 @@ TEST(the_branch_ends_at_its_poles)
 {
   struct random r = { 81 };
   for (int i = 0; i < 3; i++) {
-    struct motion s = { .crawler = draw(&r, &scallop_gait_quadratic) };
-    struct expansions e;
-    struct scallop_singularity found;
+    struct motion s = { .crawler = draw(&r, 0) };
+    ENDED_BY(expansions_clear) struct expansions e;
     expansions_init(&e, &s, TERMS, BITS);
-    scallop_singularity_init(&found);
+    SCOPED(scallop_singularity, found);
     assert_true(singularity_of(&found, &e, false));
     for (int q = Q_V_START; q <= Q_MEAN_VELOCITY; q++) {
       struct radius poles, bound;
@@ -424,8 +392,6 @@ TEST(the_branch_ends_at_its_poles)
       assert_string_equal(bound.method, "bound");
       assert_true(bound.T <= poles.high && bound.T >= 0.99 * poles.low);
     }
-    scallop_singularity_clear(&found);
-    expansions_clear(&e);
   }
 }
 
@@ -444,12 +410,10 @@ TEST(radius_of_known_functions)
     "T^2 = 4.000000000:", "T^2 = 3.000000000 +- 4.000000000 i:"
   };
   for (int i = 0; i < 2; i++) {
-    fmpq_poly_t poly;
-    struct series s;
     struct radius found;
     double R = i == 0 ? 2 : sqrt(5);
-    series_init(&s);
-    fmpq_poly_init(poly);
+    SCOPED(series, s);
+    SCOPED(fmpq_poly, poly);
     assert_int_equal(fmpq_poly_set_str(poly, denominators[i]), 0);
     fmpq_poly_inv_series(poly, poly, COUNT);
     set_series(&s, poly, COUNT);
@@ -460,7 +424,5 @@ TEST(radius_of_known_functions)
     fmpq_poly_sqrt_series(poly, poly, COUNT);
     set_series(&s, poly, COUNT);
     assert_false(radius_from_poles(&found, &s, 2 * COUNT));
-    fmpq_poly_clear(poly);
-    series_clear(&s);
   }
 }

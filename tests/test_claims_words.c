@@ -1,42 +1,12 @@
 /* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from another route, the
  * double solver, a closed form of the quadratic gait, or pencil and paper. */
 #include "tests/full_ledger.h"
-#include "tests/random_crawler.h"
 
 static int begin(void **state)
 {
-  const struct scallop_crawler crawler = scallop_crawler_default();
-  (void)state;
+  const struct scallop_crawler crawler = paper(0);
   fill_ledger(&ledger, &crawler, false);
-  return 0;
-}
-
-static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
-
-/* The row whose conditions hold the text */
-static const struct claim_row *row_of(const char *claim, int g, const char *conditions)
-{
-  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
-    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, gaits[g]->name) == 0 && strstr(row->conditions, conditions))
-      return row;
-  fail_msg("no row %s, %s, %s", claim, gaits[g]->name, conditions);
-  return ledger.rows;
-}
-
-/* The first numbers after a text in what was measured */
-static const char *after(const struct claim_row *row, const char *text)
-{
-  const char *at = strstr(row->measured, text);
-  if (!at)
-    fail_msg("%s: no '%s' in '%s'", row->claim, text, row->measured);
-  return at ? at + strlen(text) : "";
-}
-
-static double number_after(const struct claim_row *row, const char *text)
-{
-  double x = NAN;
-  assert_int_equal(sscanf(after(row, text), "%lf", &x), 1);
-  return x;
+  return (void)state, 0;
 }
 
 static const struct {
@@ -109,47 +79,26 @@ TEST(verdicts)
     }
 }
 
-static struct scallop_crawler paper(int g)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = gaits[g];
-  return c;
-}
-
-static struct scallop_steady_result steady(const struct scallop_crawler *c)
-{
-  struct scallop_steady_result s;
-  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
-  return s;
-}
-
-static struct scallop_phase_result phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
-{
-  struct scallop_phase_result r;
-  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
-  return r;
-}
-
 /* The displacement of a sliding crawler with both asymmetries changes its sign where the row says, and stays 0 at F1 = 1000. */
 TEST(both_asymmetries_and_no_displacement)
 {
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = row_of("two_asymmetries_suffice_to_move", g, "F1 varied");
     double low, high, up, down;
-    assert_int_equal(sscanf(after(row, "displacement/L "), "%lf at F1 = %lf, %lf at %lf", &up, &low, &down, &high), 4);
+    READ_NUMBERS(row, "displacement/L ", 4, "%lf at F1 = %lf, %lf at %lf", &up, &low, &down, &high);
     assert_true(low < high && high < low * (1 + 1e-9));
     for (int i = 0; i < 2; i++) {
       struct scallop_crawler c = paper(g);
       c.alpha = 0.55;
       c.F1 = i ? high * (1 + 1e-9) : low * (1 - 1e-9);
-      struct scallop_steady_result s = steady(&c);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(s.period.regime, SCALLOP_SLIDING);
       assert_true(i ? s.period.displacement < 0 : s.period.displacement > 0);
     }
     struct scallop_crawler rests = paper(g);
     rests.F1 = 1000; /* above m2 l'' + F2 at its largest: 641 and 790 */
-    assert_int_equal(steady(&rests).period.regime, SCALLOP_AT_REST);
-    CHECK_EQUAL(steady(&rests).period.displacement, 0);
+    assert_int_equal(steady_of(&rests).period.regime, SCALLOP_AT_REST);
+    CHECK_EQUAL(steady_of(&rests).period.displacement, 0);
   }
 }
 
@@ -174,7 +123,7 @@ TEST(figures_of_steady_states)
       const struct claim_row *row = row_of(rows[k].claim, g, rows[k].conditions);
       struct scallop_crawler c = paper(g);
       c.m1 = rows[k].m1, c.F1 = rows[k].F1, c.T = rows[k].T, c.alpha = rows[k].alpha;
-      struct scallop_steady_result s = steady(&c);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(s.period.regime, rows[k].regime);
       CHECK_RELATIVE(number_after(row, "Froude "), s.froude, 1e-5);
       CHECK_NEAR(number_after(row, "v_start T/L = "), s.period.v_start * c.T / c.L, 1e-6);
@@ -188,13 +137,12 @@ TEST(two_regimes)
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = row_of("start_velocity_has_two_regimes", g, "4 and 40");
     double v[2], moved[2];
-    assert_int_equal(sscanf(after(row, "v_start T/L = "), "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40",
-                            &v[0], &moved[0], &v[1], &moved[1]),
-                     4);
+    READ_NUMBERS(row, "v_start T/L = ", 4, "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40", &v[0], &moved[0],
+                 &v[1], &moved[1]);
     for (int i = 0; i < 2; i++) {
       struct scallop_crawler c = paper(g);
       c.F1 = i ? 40 : 4;
-      struct scallop_steady_result s = steady(&c);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(s.period.regime, SCALLOP_SLIDING);
       CHECK_NEAR(v[i], s.period.v_start * c.T / c.L, 1e-6);
       CHECK_NEAR(moved[i], s.period.displacement / c.L, 1e-6);
@@ -212,12 +160,12 @@ TEST(slope_of_figure_4B)
     double s = 3 * durations[i] * durations[i] / 40, slope = 3 - 8 * (s / (1 + s) + 2 * s / ((1 + s) * (1 + s)));
     struct scallop_crawler c = paper(0);
     c.alpha = alpha[i], c.T = T[i];
-    struct scallop_steady_result r = steady(&c);
+    struct scallop_steady_result r = steady_of(&c);
     assert_true(i < 2 ? slope > 0 : slope < 0);
     assert_true(slope * r.period.v_start < 0 && r.period.displacement > 0);
     struct scallop_crawler one = paper(0);
     one.alpha = 0.5, one.T = 2 * durations[i];
-    struct scallop_phase_result p = phase(&one, SCALLOP_EXTENSION, 0);
+    struct scallop_phase_result p = phase_of(&one, SCALLOP_EXTENSION, 0);
     CHECK_NEAR(p.dT, durations[i] * s / (1 + s), 1e-14);
     CHECK_NEAR(p.v_end, (3 - 8 * s / (1 + s)) * durations[i] / 2, 1e-13);
   }
@@ -243,28 +191,23 @@ static bool note_centre(void *context, const struct scallop_sample *sample)
 /* What the centre does in each phase of the steady motion, from its trajectory: alpha = 3/4 is the third of four samples. */
 TEST(boundary_from_trajectories)
 {
-  static const char *const which[] = { "F1/F2", "together", "T alone" };
+  static const char *const which[] = { "F1/F2", "together", "T alone" }, *const values[] = { "F1/F2 = ", "F2 = ", "T = " };
   for (int k = 0; k < 6; k++) {
     int g = k / 3, varied = k % 3;
     const struct claim_row *row = row_of("v_mid_peaks_where_v_start_is_0", g, which[varied]);
     const struct claim_row *moves = row_of("contraction_loses_least_where_v_start_is_0", g, which[varied]);
     double v[3], x[3], back[3], out[3];
-    assert_int_equal(sscanf(after(row, "v_mid T/L = "), "%lf, %lf, %lf", &v[0], &v[1], &v[2]), 3);
-    assert_int_equal(sscanf(after(row, varied == 0   ? "F1/F2 = "
-                                       : varied == 1 ? "F2 = "
-                                                     : "T = "),
-                            "%lf, %lf, %lf", &x[0], &x[1], &x[2]),
-                     3);
-    assert_int_equal(sscanf(after(moves, "contraction is "), "%lf, %lf, %lf there; of the extension %lf, %lf, %lf", &back[0],
-                            &back[1], &back[2], &out[0], &out[1], &out[2]),
-                     6);
+    READ_NUMBERS(row, "v_mid T/L = ", 3, "%lf, %lf, %lf", &v[0], &v[1], &v[2]);
+    READ_NUMBERS(row, values[varied], 3, "%lf, %lf, %lf", &x[0], &x[1], &x[2]);
+    READ_NUMBERS(moves, "contraction is ", 6, "%lf, %lf, %lf there; of the extension %lf, %lf, %lf", &back[0], &back[1],
+                 &back[2], &out[0], &out[1], &out[2]);
     for (int i = 0; i < 3; i++) {
       struct scallop_crawler c = paper(g);
       struct centre centre = { .samples = 0 };
       c.F1 = varied == 0 ? x[i] : varied == 1 ? 4 * x[i] : 4;
       c.F2 = varied == 1 ? x[i] : 1;
       c.T = varied == 2 ? x[i] : 1;
-      struct scallop_steady_result s = steady(&c);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(scallop_trajectory(&c, s.period.v_start, 1, 4, note_centre, &centre), SCALLOP_OK);
       CHECK_NEAR(v[i], s.period.v_mid * c.T / c.L, 1e-6);
       CHECK_NEAR(out[i], (centre.at[3] - centre.at[0]) / c.L, 1e-6);
@@ -311,12 +254,12 @@ TEST(formulas_without_remainder)
       const char *claim;
       double exact, printed;
     } formulas[] = {
-      { "rest_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
-      { "A_t1_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
-      { "A_dT_without_remainder", phase(&c, SCALLOP_EXTENSION, v0).dT,
+      { "rest_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
+      { "A_t1_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
+      { "A_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).dT,
         -1 / (eT - F) * (v0 * M * (e0 - F) / (e0 + S) + F * e) },
-      { "B_t1_without_remainder", phase(&c, SCALLOP_CONTRACTION, v0).t1, v0 * M / (-k0 + S) },
-      { "B_dT_without_remainder", phase(&c, SCALLOP_CONTRACTION, v0).dT,
+      { "B_t1_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).t1, v0 * M / (-k0 + S) },
+      { "B_dT_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).dT,
         1 / (kT - F) * (v0 * M * (k0 - F) / (k0 - S) - F * k) },
     };
     for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
@@ -334,20 +277,20 @@ TEST(statements_about_every_crawler)
 {
   struct random r = { 4711 };
   for (int n = 0; n < 1000; n++) {
-    struct scallop_crawler c = { .L = 1, .alpha = random_between(&r, 0.05, 0.95), .gait = gaits[n % 2], .T = 1 };
+    struct scallop_crawler c = { .L = 1, .alpha = random_between(&r, 0.05, 0.95), .gait = every_gait[n % 2], .T = 1 };
     c.m1 = random_decades(&r, 0.1, 10), c.m2 = random_decades(&r, 0.1, 10);
     c.F2 = random_decades(&r, 0.1, 10), c.F1 = c.F2 * random_decades(&r, 1.01, 10);
     double s = random_between(&r, 0.01, 0.99), delta = (c.F1 - c.F2) / (c.F1 + c.F2);
     c.T = sqrt(4 * c.m2 * s / (c.F1 - c.F2)) / c.alpha;
-    struct scallop_phase_result rest = phase(&c, SCALLOP_EXTENSION, 0);
+    struct scallop_phase_result rest = phase_of(&c, SCALLOP_EXTENSION, 0);
     if (n % 2 == 0)
       assert_int_equal(rest.regime == SCALLOP_SLIDING, s < delta);
     if (n % 2 == 0 && s < delta)
       CHECK_RELATIVE(rest.dT / (c.alpha * c.T), s / (1 + s), 1e-13); /* below 1/2, and growing with s */
     double v0 = random_between(&r, 0.01, 4) / c.T; /* at the largest a body may never turn: friction then takes all it can */
-    struct scallop_phase_result from_v0 = phase(&c, SCALLOP_EXTENSION, v0);
+    struct scallop_phase_result from_v0 = phase_of(&c, SCALLOP_EXTENSION, v0);
     assert_true(from_v0.dxC > rest.dxC && from_v0.v_end - v0 < rest.v_end);
-    struct scallop_steady_result steady_state = steady(&c);
+    struct scallop_steady_result steady_state = steady_of(&c);
     assert_true(steady_state.period.v_mid >= steady_state.period.v_start);
   }
   static const char *const counted[] = { "velocity_rises_over_extension", "centre_moves_forward_in_an_extension",

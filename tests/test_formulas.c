@@ -59,7 +59,7 @@ static struct sized atom(struct reader *r)
       continue;
     series_coefficient(ball, &r->symbols->value[i], 0, PRECISION);
     bool turns = r->exchanged && (name[0] == 'l' || name[0] == 'k') && (name[1] == '0' || name[1] == 'T');
-    result.value = turns ? -nearest(ball) : nearest(ball);
+    result.value = turns ? -middle(ball) : middle(ball);
     result.size = fabs(result.value);
   }
   r->at += length;
@@ -126,9 +126,9 @@ static void check_value(const struct scallop_formula *f, const struct scallop_sy
   assert_int_equal(next_nonzero(&value, 1, LENGTH), LENGTH);
   series_coefficient(ball, &value, 0, PRECISION);
   struct sized again = sum(&r);
-  if (*r.at != '\0' || !check_near(function, nearest(ball), ROUNDING * again.size)
-      || !check_near(again.value, nearest(ball), ROUNDING * again.size)) {
-    fail_msg("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g", f->name, function, nearest(ball),
+  if (*r.at != '\0' || !check_near(function, middle(ball), ROUNDING * again.size)
+      || !check_near(again.value, middle(ball), ROUNDING * again.size)) {
+    fail_msg("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g", f->name, function, middle(ball),
              again.value, again.size);
   }
 }

@@ -15,7 +15,7 @@ static void around_edge(const struct scallop_crawler *c, enum scallop_phase_kind
   struct scallop_phase_result below = phase_of(c, kind, low);
   for (double mid; (mid = low + (high - low) / 2) > low && mid < high && fabs(mid) >= 1e-290;) {
     struct scallop_phase_result r = phase_of(c, kind, mid);
-    *(same_modes(&r.modes, &below.modes) ? &low : &high) = mid;
+    *(modes_alike(&r.modes, &below.modes) ? &low : &high) = mid;
   }
   edges++;
   if (fabs(low) < 1e-290 || fabs(high) < 1e-290) /* at rest: beside it are only denormal numbers */
@@ -41,7 +41,7 @@ TEST(every_edge)
     for (int k = 1; k <= SCAN; k++) {
       double v = -most + 2 * most * k / SCAN;
       struct scallop_phase_result here = phase_of(&c, kind, v);
-      if (!same_modes(&here.modes, &before.modes))
+      if (!modes_alike(&here.modes, &before.modes))
         around_edge(&c, kind, last, v);
       before = here;
       last = v;

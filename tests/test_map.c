@@ -1,14 +1,12 @@
 /* Axes, journals and the words for a change of modes. */
 #include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "compare/answers/mode_change.h"
 #include "compare/maps/journal.h"
 #include "compare/maps/maps.h"
-#include "tests/check.h"
+#include "tests/cases.h"
+#include "tests/scratch_folder.h"
 
 TEST(axes_are_read)
 {
@@ -32,13 +30,13 @@ TEST(axes_are_read)
 
 TEST(bad_axes_are_refused)
 {
-  static const char *const ranges[] = { "1:2",      "1:2:3:log:x", "2:1:3",   "1:1:2", "1:2:1",         "0:1:3",
-                                        "-1:1:3",   "1:2:0",       "1:2:2.5", "a:2:3", "1:b:3",         "1:inf:3",
-                                        "1:2:3:lo", "1:2:100001",  "",        "1:2:",  "1e-200:1e200:3" };
+  static const char ranges[] =
+      "1:2|1:2:3:log:x|2:1:3|1:1:2|1:2:1|0:1:3|-1:1:3|1:2:0|1:2:2.5|a:2:3|1:b:3|1:inf:3|1:2:3:lo|1:2:100001||1:2:|"
+      "1e-200:1e200:3";
   struct axis a = { .count = -7 };
-  for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
-    if (!axis_read(&a, "T", ranges[i]))
-      fail_msg("'%s' was taken", ranges[i]);
+  FOR_CASES (range, ranges)
+    if (!axis_read(&a, "T", range))
+      fail_msg("'%s' was taken", range);
   assert_non_null(axis_read(&a, "alpha", "0.5:1:3"));
   assert_non_null(strstr(axis_read(&a, "frude", NULL), "'froude'"));
   assert_int_equal(a.count, -7);
@@ -66,7 +64,15 @@ static const double items[ITEMS][3] = {
 };
 
 /* The output of a map, and the journal beside it */
-static char output[] = "/tmp/scallop-journal-XXXXXX", path[sizeof output + sizeof ".rows"];
+static const char output[] = "map", path[] = "map.rows";
+
+static struct journal ours(int count, int width)
+{
+  struct journal j;
+  assert_true(journal_init(&j, count, width));
+  assert_true(journal_open(&j, output, "ours"));
+  return j;
+}
 
 /* What a journal by that title has: the items from the first on, to the last bit, and no others. -1: it is refused. */
 static long look(const char *title)
@@ -87,10 +93,8 @@ static long look(const char *title)
 
 static void write_all(void)
 {
-  struct journal j;
   unlink(path);
-  assert_true(journal_init(&j, ITEMS, 3));
-  assert_true(journal_open(&j, output, "ours"));
+  struct journal j = ours(ITEMS, 3);
   assert_int_equal(j.done_count, 0);
   for (int i = 0; i < ITEMS; i++)
     assert_true(journal_add(&j, i, items[i]));
@@ -118,7 +122,6 @@ TEST(any_part_of_a_journal)
     assert_int_equal(last, lines > 0 ? lines - 1 : 0);
   }
   assert_int_equal(last, ITEMS);
-  unlink(path);
 }
 
 TEST(a_changed_line_ends_it)
@@ -135,26 +138,21 @@ TEST(a_changed_line_ends_it)
   fclose(f);
   assert_int_equal(look("ours"), 2);
   assert_int_equal(look("ours"), 2); /* the rest is gone */
-  unlink(path);
 }
 
 /* The numbers of a whole line are right, but of more rows, or of wider ones */
 TEST(a_row_of_another_size_ends_it)
 {
-  struct journal j;
   write_all();
-  assert_true(journal_init(&j, ITEMS - 1, 3));
-  assert_true(journal_open(&j, output, "ours"));
+  struct journal j = ours(ITEMS - 1, 3);
   assert_int_equal(j.done_count, ITEMS - 1);
   journal_close(&j, false);
   for (int width = 2; width <= 4; width += 2) {
     write_all();
-    assert_true(journal_init(&j, ITEMS, width));
-    assert_true(journal_open(&j, output, "ours"));
+    j = ours(ITEMS, width);
     assert_int_equal(j.done_count, 0);
     journal_close(&j, false);
   }
-  unlink(path);
 }
 
 TEST(journals_of_others)
@@ -164,9 +162,7 @@ TEST(journals_of_others)
   assert_int_equal(look("ours and more"), -1);
   assert_int_equal(look("ours"), ITEMS); /* it was left as it is */
   unlink(path);
-  FILE *f = fopen(path, "w");
-  fputs("oursomething else", f);
-  fclose(f);
+  write_text(path, "oursomething else");
   assert_int_equal(look("ours"), -1);
   unlink(path);
   errno = 0;
@@ -203,15 +199,12 @@ TEST(a_journal_at_work_is_left_alone)
     close(opened[i]);
     close(done[i]);
   }
-  unlink(path);
 }
 
 TEST(a_finished_journal_goes)
 {
-  struct journal j;
   write_all();
-  assert_true(journal_init(&j, ITEMS, 3));
-  assert_true(journal_open(&j, output, "ours"));
+  struct journal j = ours(ITEMS, 3);
   journal_close(&j, true);
   assert_int_not_equal(access(path, F_OK), 0);
 }
@@ -275,14 +268,4 @@ TEST(changes_in_words)
   }
 }
 
-static int begin(void **state)
-{
-  (void)state;
-  int file = mkstemp(output);
-  snprintf(path, sizeof path, "%s.rows", output);
-  return close(file);
-}
-
-static int end(void **state) { return (void)state, unlink(output); }
-
-int main(void) { return check_run(begin, end); }
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -37,56 +37,55 @@ static bool read_words(struct arguments *a, const struct command *command, char 
   return options_read(a, command, commands, count, arguments, code) == READ_RUN;
 }
 
-TEST(all_operands_are_kept_in_order)
+/* Taken with these operands, in order, or refused with this on standard error */
+TEST(operands_and_rules)
+{
+  static const struct {
+    const struct command *command;
+    const char *words, *operands, *message;
+  } cases[] = { { &many, "b.cfg --T 2.5 a.cfg --map F1/F2 alpha - --quiet c.cfg", " b.cfg a.cfg - c.cfg", NULL },
+                { &many, "--quiet", NULL, "" },
+                { &one, "--quiet a.txt", " a.txt", NULL },
+                { &one, "a.txt b.txt", NULL, "" },
+                { &one, "--quiet", NULL, "" },
+                { &none, "--quiet", "", NULL },
+                { &none, "a.txt", NULL, "" },
+                { &ruled, "", "", NULL },
+                { &ruled, "--map a b", NULL, "--map has nothing to do without --m2 T" },
+                { &ruled, "--map a b --T 1", "", NULL },
+                { &ruled, "--quiet", "", NULL },
+                { &ruled, "--quiet --T 1", NULL, "--quiet goes alone" } };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct arguments o;
+    struct said said;
+    enum exit_code code = EXIT_DONE;
+    char text[80], operands[80] = "";
+    snprintf(text, sizeof text, "%s", cases[i].words);
+    said_begin(&said);
+    bool read = read_words(&o, cases[i].command, text, &code);
+    said_end(&said);
+    assert_int_equal(read, !cases[i].message);
+    assert_true(read || code == EXIT_USAGE);
+    if (!read)
+      assert_non_null(strstr(said.text, cases[i].message));
+    for (int k = 0; read && k < o.operand_count; k++)
+      strcat(strcat(operands, " "), o.operands[k]);
+    if (read)
+      assert_string_equal(operands, cases[i].operands);
+    options_free(&o);
+    assert_int_equal(o.operand_count, 0);
+  }
+}
+
+TEST(values_are_read)
 {
   struct arguments o;
   enum exit_code code = EXIT_DONE;
-  char text[] = "b.cfg --T 2.5 a.cfg --map F1/F2 alpha - --quiet c.cfg";
+  char text[] = "--T 2.5 a.cfg --map F1/F2 alpha";
   assert_true(read_words(&o, &many, text, &code));
-  assert_int_equal(o.operand_count, 4);
-  assert_string_equal(o.operands[0], "b.cfg");
-  assert_string_equal(o.operands[1], "a.cfg");
-  assert_string_equal(o.operands[2], "-");
-  assert_string_equal(o.operands[3], "c.cfg");
   const struct some_options *read = (const void *)&o.options;
   assert_string_equal(read->map[1], "alpha");
   CHECK_EQUAL(read->request.point.crawler.T, 2.5);
-  options_free(&o);
-  assert_int_equal(o.operand_count, 0);
-}
-
-TEST(one_operand_is_one)
-{
-  struct arguments o;
-  enum exit_code code = EXIT_DONE;
-  char text[] = "--quiet a.txt", two[] = "a.txt b.txt";
-  assert_true(read_words(&o, &one, text, &code));
-  assert_int_equal(o.operand_count, 1);
-  assert_string_equal(o.operands[0], "a.txt");
-  options_free(&o);
-  assert_false(read_words(&o, &one, two, &code));
-  assert_int_equal(code, EXIT_USAGE);
-  options_free(&o);
-}
-
-TEST(an_operand_is_wanted_or_refused)
-{
-  struct arguments o;
-  const struct command *const wanting[] = { &one, &many };
-  for (int i = 0; i < 2; i++) {
-    enum exit_code code = EXIT_DONE;
-    char nothing[] = "--quiet";
-    assert_false(read_words(&o, wanting[i], nothing, &code));
-    assert_int_equal(code, EXIT_USAGE);
-    options_free(&o);
-  }
-  enum exit_code code = EXIT_DONE;
-  char nothing[] = "--quiet", something[] = "a.txt";
-  assert_true(read_words(&o, &none, nothing, &code));
-  assert_int_equal(o.operand_count, 0);
-  options_free(&o);
-  assert_false(read_words(&o, &none, something, &code));
-  assert_int_equal(code, EXIT_USAGE);
   options_free(&o);
 }
 
@@ -102,32 +101,6 @@ TEST(values_are_counted)
   assert_int_equal(option_values(option_of(&many, "map")), 2);
   assert_int_equal(option_values(option_of(&many, "T")), 1);
   assert_int_equal(option_values(option_of(&many, "quiet")), 0);
-}
-
-/* An option is refused with one that it does not go with, and without the one that it needs. */
-TEST(rules_are_kept)
-{
-  static const struct {
-    const char *words, *message;
-  } cases[] = { { "", "" },
-                { "--map a b", "--map has nothing to do without --m2 T" },
-                { "--map a b --T 1", "" },
-                { "--quiet", "" },
-                { "--quiet --T 1", "--quiet goes alone" } };
-  for (int i = 0; i < 5; i++) {
-    struct arguments o;
-    struct said said;
-    enum exit_code code = EXIT_DONE;
-    char text[40];
-    snprintf(text, sizeof text, "%s", cases[i].words);
-    said_begin(&said);
-    bool read = read_words(&o, &ruled, text, &code);
-    said_end(&said);
-    assert_int_equal(read, *cases[i].message == '\0');
-    assert_true(read || code == EXIT_USAGE);
-    assert_non_null(strstr(said.text, cases[i].message));
-    options_free(&o);
-  }
 }
 
 /* Each command's struct has room where it is read, begins with the request, and each of its options a name of its own. */

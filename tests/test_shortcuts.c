@@ -209,7 +209,7 @@ static void conditions(const struct scallop_crawler *c, double condition[2])
 static double worst_share;
 static long touches;
 
-static bool same_modes(const struct scallop_period_result *a, const struct scallop_period_result *b)
+static bool modes_alike(const struct scallop_period_result *a, const struct scallop_period_result *b)
 {
   for (int phase = 0; phase < 2; phase++) {
     const struct scallop_modes *m = &a->modes[phase], *n = &b->modes[phase];
@@ -233,7 +233,7 @@ static void check_steady(const struct scallop_crawler *c)
     worst_share = fmax(worst_share, unit > 0 ? fabs(got[i] - wanted[i]) / unit : 0);
     CHECK_NEAR(got[i], wanted[i], 8 * unit);
   }
-  if (!same_modes(&a.period, &b.period)) { /* c lies on a plateau of |l'|: every motion near it is another */
+  if (!modes_alike(&a.period, &b.period)) { /* c lies on a plateau of |l'|: every motion near it is another */
     touches++;
     return;
   }

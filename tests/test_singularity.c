@@ -8,27 +8,12 @@
 #include "asymptotics/derived/cover.h"
 #include "asymptotics/derived/derived.h"
 #include "tests/odd_gaits.h"
-#include "tests/random_crawler.h"
-#include "tests/scoped.h"
+#include "tests/exact.h"
 #include "tests/solved.h"
 
 SCOPED_FLINT(acb)
 
 enum { PRECISION = 128 };
-
-static struct scallop_crawler draw(struct random *r, const struct scallop_gait *gait)
-{
-  return (struct scallop_crawler){ .m1 = random_decades(r, 0.1, 10),
-                                   .m2 = random_decades(r, 0.1, 10),
-                                   .F1 = random_decades(r, 0.1, 10),
-                                   .F2 = random_decades(r, 0.1, 10),
-                                   .L = random_decades(r, 0.1, 10),
-                                   .T = 1,
-                                   .alpha = random_between(r, 0.05, 0.95),
-                                   .gait = gait };
-}
-
-static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 struct subject {
   struct scallop_rational_crawler crawler;
@@ -49,7 +34,7 @@ static void end(struct subject *s)
 }
 
 #define SUBJECT(s, of) \
-  struct subject s __attribute__((cleanup(end))); \
+  ENDED_BY(end) struct subject s; \
   begin(&(s), of)
 /* With the singularity of its steady state */
 #define STEADY_SUBJECT(s, of) \
@@ -103,7 +88,7 @@ TEST(coefficients_grow_as_the_singularity_says)
   enum { CRAWLERS = 20 };
   struct random r = { 82 };
   for (int i = 0; i < CRAWLERS; i++) {
-    const struct scallop_crawler c = draw(&r, &scallop_gait_sinusoidal);
+    const struct scallop_crawler c = moderate_crawler(&r, 10, 0.05, &scallop_gait_sinusoidal);
     STEADY_SUBJECT(s, &c);
     check_proven(&s.singularity);
     assert_true(s.singularity.even && s.singularity.shows[TRAVEL] && s.singularity.shows[AT_START]);

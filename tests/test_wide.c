@@ -11,13 +11,13 @@ enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
 
 static struct scallop_wide two_doubles(const arb_t x)
 {
-  struct scallop_wide w = { arf_get_d(arb_midref(x), ARF_RND_NEAR), 0 };
+  struct scallop_wide w = { middle(x), 0 };
   if (arb_contains_zero(x))
     return (struct scallop_wide){ 0, 0 };
   SCOPED(arb, rest);
   arb_set_d(rest, w.high);
   arb_sub(rest, x, rest, 400);
-  w.low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  w.low = middle(rest);
   return w;
 }
 

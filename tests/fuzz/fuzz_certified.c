@@ -11,7 +11,7 @@ static struct fuzz_case now;
 
 static void near(const char *what, double got, const arb_t ball, double natural)
 {
-  double wanted = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+  double wanted = middle(ball);
   if (!(fabs(got - wanted) <= COARSE * natural))
     fuzz_fail("%s is %.17g, certified %.17g, for %s", what, got, wanted, fuzz_describe(&now));
 }
@@ -55,7 +55,7 @@ static void judge_steady(const struct scallop_rational_crawler *exact)
     near("v_mid", r.period.v_mid, certified.v_mid, v);
     near("displacement", r.period.displacement, certified.displacement, c->L);
     near("mean_velocity", r.mean_velocity, certified.mean_velocity, c->L / c->T);
-    bool same = same_modes(&r.period.modes[0], &certified.modes[0]) && same_modes(&r.period.modes[1], &certified.modes[1]);
+    bool same = modes_alike(&r.period.modes[0], &certified.modes[0]) && modes_alike(&r.period.modes[1], &certified.modes[1]);
     if (same && !arb_is_zero(certified.v_start) && !arb_is_zero(certified.v_mid))
       near("multiplier", r.period.multiplier, certified.multiplier,
            1); /* it jumps where a mode goes; at rest it has two sides */
