@@ -47,7 +47,8 @@ static const char *solve(struct cells *c, const struct motion_options *o, const 
   bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, p, o->of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
-  snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
+  if (!done)
+    snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
   return done ? NULL : why;
 }
 
