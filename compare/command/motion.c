@@ -176,7 +176,7 @@ const struct command command_steady = {
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
       "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
       "answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_steady.of,
+  .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
 
@@ -192,6 +192,6 @@ const struct command command_phase = {
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
            "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_phase.of,
+  .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };
