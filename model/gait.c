@@ -14,8 +14,8 @@ static double time_offset(const struct scallop_piece *p, double u) { return p->a
 
 static double linear_length(const struct scallop_piece *p, double u)
 {
-  double t = time_offset(p, u);
-  return t * (p->velocity + 0.5 * p->acceleration * t);
+  double t = time_offset(p, u), base = p->law ? p->law->base : 0;
+  return (p->direction < 0 ? -base : base) + t * (p->velocity + 0.5 * p->acceleration * t);
 }
 
 static double linear_velocity(const struct scallop_piece *p, double u)

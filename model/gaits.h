@@ -19,7 +19,6 @@ struct scallop_straight {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][4];
   struct scallop_law laws[2][4];
-  double numbers[2][4][7];
 };
 
 /* Each phase takes a fraction up[kind] of its duration to bring |l'| from 0 to V along a straight line, stays there, and takes
@@ -41,7 +40,7 @@ struct scallop_polynomial {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][SCALLOP_POLYNOMIAL_PIECES];
   struct scallop_law laws[SCALLOP_POLYNOMIAL_PIECES];
-  double numbers[SCALLOP_POLYNOMIAL_PIECES][SCALLOP_LAW_MOST_DEGREE + 5 + SCALLOP_POLYNOMIAL_PIECES];
+  double ways[SCALLOP_POLYNOMIAL_PIECES];
 };
 
 /* l = sum over k = 1, ..., degree of c[k] s^k / sum of c[k], s the part of the extension that has passed, and the same back in the
@@ -65,7 +64,6 @@ struct scallop_spline { /* laws and pieces for scallop_spline_pieces() of them, 
   struct scallop_gait gait;
   struct scallop_piece *pieces;
   struct scallop_law *laws;
-  double (*numbers)[7];
 };
 
 /* time or length as a knot has it: the nearest multiple of 2^-53, so that differences are exact. For 0 <= x <= 1. */

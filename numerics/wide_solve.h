@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/bernstein.h"
 #include "numerics/motion.h"
 #include "numerics/start.h"
 #include "numerics/wide.h"
@@ -37,34 +38,12 @@ static real polynomial(const struct scallop_law *law, real u, int order)
 {
   real sum = 0;
   for (int k = law->degree; k >= order; k--) {
-    real factor = law->numerator[k];
+    real factor = law->polynomial.c[k];
     for (int i = 0; i < order; i++)
       factor *= k - i;
     sum = sum * u + factor;
   }
-  return sum / law->denominator;
-}
-
-/* A Bernstein law with its coefficients */
-struct bernstein {
-  real b[SCALLOP_LAW_MOST_DEGREE + 2];
-  real near, far;
-  int degree;
-};
-
-static struct bernstein bernstein_of(const struct scallop_law *law)
-{
-  int n = law->degree, implied = (int)law->numerator[n + 3];
-  struct bernstein f = { .near = law->numerator[n + 1], .far = law->numerator[n + 2], .degree = n };
-  real others = 0;
-  for (int j = 0; j <= n; j++) {
-    f.b[j] = law->numerator[j];
-    others += j == implied ? 0 : f.b[j];
-  }
-  for (int i = 1; i < law->denominator; i++)
-    f.b[implied] += law->numerator[n + 4 + i];
-  f.b[implied] = (n + 1) * f.b[implied] / (f.far - f.near) - others;
-  return f;
+  return sum / law->polynomial.denominator;
 }
 
 /* The coefficients of the derivative with respect to u */
@@ -93,20 +72,11 @@ static real bernstein_derivative(const struct scallop_law *law, real u, int orde
   return bernstein_at(&f, u);
 }
 
-/* The integral over u from the smaller to the larger of the two: what lies between them is cut out of the whole, by de Casteljau's rule, and its
- * coefficients have the mean value. */
+/* The integral over u from the smaller to the larger of the two */
 static real bernstein_integral(struct bernstein f, real from, real to)
 {
-  real range = f.far - f.near, low = from < to ? from : to, high = from < to ? to : from, sum = 0;
-  real x = (high - f.near) / range, y = (f.far - high) / range;
-  for (int k = 0; k < f.degree; k++) /* b[j] becomes that of near to high */
-    for (int j = f.degree; j > k; j--)
-      f.b[j] = y * f.b[j - 1] + x * f.b[j];
-  x = (low - f.near) / (high - f.near);
-  y = (high - low) / (high - f.near);
-  for (int k = 0; k < f.degree; k++) /* and of low to high */
-    for (int j = 0; j < f.degree - k; j++)
-      f.b[j] = y * f.b[j] + x * f.b[j + 1];
+  real low = from < to ? from : to, high = from < to ? to : from, sum = 0;
+  bernstein_cut(&f, low, high);
   for (int j = 0; j <= f.degree; j++)
     sum += f.b[j];
   return sum / (f.degree + 1) * (high - low);
@@ -125,22 +95,22 @@ static real speed_derivative(const struct scallop_piece *p, real u, int order)
 /* l' at offset 0 and l'' of a linear piece, as its law has them */
 static real walk_velocity(const struct scallop_piece *p)
 {
-  const double *n = p->law ? p->law->numerator : NULL;
-  if (!n || p->direction == 0)
+  if (!p->law || p->direction == 0)
     return p->velocity;
+  const struct scallop_ramp_law *ramp = &p->law->ramp;
   if (p->law->kind == SCALLOP_LAW_RAMP)
-    return p->direction * n[0] / (n[2] * ((real)n[3] + n[4] + n[5]));
+    return p->direction * ramp->start / (ramp->divisor * ((real)ramp->parts[0] + ramp->parts[1] + ramp->parts[2]));
   return p->direction * polynomial(p->law, 0, 0);
 }
 
 static real walk_acceleration(const struct scallop_piece *p)
 {
-  const double *n = p->law ? p->law->numerator : NULL;
   int sign = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
-  if (!n || p->direction == 0)
+  if (!p->law || p->direction == 0)
     return p->acceleration;
+  const struct scallop_ramp_law *ramp = &p->law->ramp;
   if (p->law->kind == SCALLOP_LAW_RAMP)
-    return sign * n[1] / (n[2] * ((real)n[3] + n[4] + n[5]));
+    return sign * ramp->slope / (ramp->divisor * ((real)ramp->parts[0] + ramp->parts[1] + ramp->parts[2]));
   return sign * polynomial(p->law, 0, 1);
 }
 
@@ -160,9 +130,9 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
       real power = 1, terms = 0;
       for (int i = 0; i <= k; i++, power *= from)
         terms = terms * to + power;
-      way += terms * p->law->numerator[k] / (k + 1);
+      way += terms * p->law->polynomial.c[k] / (k + 1);
     }
-    return way / p->law->denominator * apart;
+    return way / p->law->polynomial.denominator * apart;
   }
   return half_turn_sine((from + to) / 2) * half_turn_sine(apart / 2);
 }

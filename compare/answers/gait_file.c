@@ -215,8 +215,7 @@ static bool make_memory(struct scallop_spline *s, const int count[2])
   size_t pieces = (size_t)scallop_spline_pieces(count);
   s->pieces = malloc(pieces * sizeof *s->pieces);
   s->laws = malloc(pieces * sizeof *s->laws);
-  s->numbers = malloc(pieces * sizeof *s->numbers);
-  return s->pieces && s->laws && s->numbers;
+  return s->pieces && s->laws;
 }
 
 static const char *lay_spline(struct gait_file *gait, const struct rows *rows, const struct period *p, const char *file,
@@ -276,7 +275,6 @@ void gait_file_free(struct gait_file *gait)
 {
   free(gait->spline.pieces);
   free(gait->spline.laws);
-  free(gait->spline.numbers);
   free(gait->texts);
   free(gait->rows);
   *gait = (struct gait_file){ .L = 0 };
