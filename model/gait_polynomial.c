@@ -2,7 +2,7 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 
 #include "model/law.h"
 
@@ -187,13 +187,11 @@ struct plan {
   bool turns; /* somewhere                                                                   */
 };
 
-static int in_time(const void *a, const void *b)
+static bool is_later(const struct place *p, const struct place *q)
 {
-  const struct place *p = a, *q = b;
   if (p->late != q->late)
-    return p->late ? 1 : -1;
-  double difference = p->late ? q->offset - p->offset : p->offset - q->offset;
-  return (difference > 0) - (difference < 0);
+    return p->late;
+  return p->late ? p->offset < q->offset : p->offset > q->offset;
 }
 
 static double distance(const struct place *p, const struct place *q)
@@ -210,7 +208,10 @@ static void add_place(struct plan *plan, struct place place)
       plan->places[i].turns |= place.turns;
       return;
     }
-  plan->places[plan->count++] = place;
+  int at = plan->count++;
+  for (; at > 0 && is_later(&plan->places[at - 1], &place); at--)
+    plan->places[at] = plan->places[at - 1];
+  plan->places[at] = place;
 }
 
 /* False: it cannot be told where l' changes its sign. */
@@ -238,7 +239,6 @@ static bool make_plan(struct plan *plan)
   for (int j = 0; j <= of_bend; j++)
     bend[j] = plan->b[0][j + 2] - 2 * plan->b[0][j + 1] + plan->b[0][j];
   add_roots(plan, bend, of_bend, false);
-  qsort(plan->places, (size_t)plan->count, sizeof *plan->places, in_time);
   return true;
 }
 

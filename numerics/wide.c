@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/solve.h"
 #include "numerics/wide_parts.h"
 
 /* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it to, and as it is
@@ -124,7 +125,8 @@ enum scallop_status scallop_wide_phase(enum scallop_width width, const struct sc
 {
   struct scallop_wide_phase answer;
   struct scallop_phase_result plain;
-  enum scallop_status status = check(width, crawler, scallop_phase(crawler, kind, v0, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_phase(crawler, kind, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
   phase_in(width, crawler, kind, v0, &answer);
@@ -140,7 +142,8 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
 {
   struct scallop_wide_period answer;
   struct scallop_period_result plain;
-  enum scallop_status status = check(width, crawler, scallop_period(crawler, v0, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_period(crawler, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
   period_in(width, crawler, v0, &answer);
@@ -155,7 +158,8 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
 {
   struct scallop_wide_steady answer;
   struct scallop_steady_result plain;
-  enum scallop_status status = check(width, crawler, scallop_steady(crawler, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_steady(crawler, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
   double guess = plain.period.v_start;
