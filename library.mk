@@ -13,7 +13,7 @@ full_headers := $(core_headers) $(addprefix numerics/,rival.h odeiv.h smoothed.h
                 $(if $(filter 0,$(WITH_FLINT)),,model/flint.h model/ball.h numerics/certified.h)
 
 library_parts = $(filter model/% asymptotics/% numerics/%,$(filter-out $(sundials_parts) $(if $(filter 0,$(WITH_FLINT)),$(flint_parts)),$(parts)))
-rivals       := $(addprefix numerics/,moreau odeiv rival rival_centre rival_motion smoothed)
+rivals       := $(addprefix numerics/,moreau odeiv rival rival_motion rival_phases smoothed)
 core_objects := $(patsubst %,$(B)/pic/%.o,$(filter-out $(flint_parts) $(rivals),$(library_parts)))
 full_objects := $(patsubst %,$(B)/pic/%.o,$(filter-out $(threaded),$(library_parts)) $(cvode)) $(patsubst %,$(B)/pic-threads/%.o,$(threaded))
 core_needs    = -lm

@@ -43,7 +43,7 @@ struct run {
 static int equation(double t, N_Vector y, N_Vector dydt, void *context)
 {
   struct rival_motion *m = context;
-  m->evaluations++;
+  m->phases.evaluations++;
   NV_Ith_S(dydt, 0) = rival_acceleration(m, t);
   NV_Ith_S(dydt, 1) = NV_Ith_S(y, 0);
   return 0;
@@ -103,7 +103,7 @@ static int advance(struct run *r, double stop)
   int found[2] = { 0, 0 };
   while (rival_motion_goes_on(m)) {
     int flag = CVode(tools->memory, stop, tools->y, &m->t, CV_ONE_STEP);
-    m->steps++;
+    m->phases.steps++;
     if (flag == CV_TOO_CLOSE) { /* a few units in the last place: nothing moves */
       m->t = stop;
       break;
@@ -145,7 +145,7 @@ static int slide(struct rival_motion *m, double end)
     else
       body = advance(r, stop);
   }
-  m->steps += rejected(r->tools->memory);
+  m->phases.steps += rejected(r->tools->memory);
   return body;
 }
 
@@ -153,10 +153,10 @@ static enum scallop_status period(struct scallop_rival *self, const struct scall
                                   const struct scallop_patience *patience, struct scallop_rival_period *result)
 {
   struct cvode_rival *tools = (struct cvode_rival *)self;
-  struct run r = { .motion = { .slide = slide, .patience = patience }, .tools = tools };
+  struct run r = { .motion = { .slide = slide }, .tools = tools };
   if (CVodeSetUserData(tools->memory, &r) != CV_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
-  return rival_motion_period(&r.motion, crawler, v0, result);
+  return rival_motion_period(&r.motion, crawler, v0, patience, result);
 }
 
 /* ---- memory ---- */

@@ -8,7 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-#include "numerics/rival_motion.h"
+#include "numerics/rival_phases.h"
 
 enum {
   COMPARISONS = 16, /* with strides of one length; then they double */
