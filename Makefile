@@ -21,7 +21,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/command/with_flint.h).
-flint_parts := $(addprefix model/,ball fractions exact_gaits) $(filter-out $(addprefix asymptotics/,appendix_a appendix_b formula formula_double formulas point text),$(basename $(wildcard asymptotics/*.c))) \
+flint_parts := $(addprefix model/,ball fractions exact_gaits) $(basename $(wildcard asymptotics/derived/*.c)) \
                $(addprefix numerics/,certified certified_steady march enclose) \
                $(filter-out compare/workprec/stopwatch,$(basename $(wildcard compare/*/*flint.c $(patsubst %,compare/%/*.c,claims breakdown maps stress workprec))))
 flint_tests := certified friction written_gaits rises certified_edges certified_laws claims claims_check claims_figures claims_words series series_terms formula_series derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
@@ -37,9 +37,10 @@ cvode          = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 SUNDIALS      ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 chosen         = $(B)/with-sundials-$(WITH_SUNDIALS)
 
-code     = model asymptotics numerics compare/* tests tests/fuzz bench
+rooms   := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
+code     = $(rooms) tests tests/fuzz bench
 units    = $(wildcard $(1)/*.c)
-parts    = $(patsubst %.c,%,$(foreach r,model asymptotics numerics compare/*,$(call units,$(r))))
+parts    = $(patsubst %.c,%,$(foreach r,$(rooms),$(call units,$(r))))
 objects  = $(patsubst %,$(B)/%.o,$(1))
 core    := $(call objects,$(filter-out compare/command/main $(flint_parts) $(sundials_parts),$(parts)) shipped_scenes shipped_scripts shipped_completion)
 one_thread = $(patsubst $(B)/%,$(B)/single/%,$(call objects,$(threaded)))
@@ -75,11 +76,11 @@ help:
 	@sed -n 's/^## //p' Makefile library.mk
 
 setup-build:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build
 setup-check:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build tests
 setup-plots:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build plots
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build plots
 
 $(B)/scallop: private openmp = -fopenmp-simd
 $(B)/scallop: $(B)/compare/command/main.o $(filter-out $(call objects,$(threaded)),$(core)) $(one_thread)
@@ -108,9 +109,9 @@ $(B)/single/%.o: %.c Makefile config.mk
 plot_scripts := $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
 $(B)/shipped_scripts.c: $(plot_scripts)
-$(B)/shipped_completion.c: scripts/completion.bash
+$(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
-$(B)/shipped_%.c: scripts/embed.sh
+$(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D)
 	@sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 $(B)/shipped_%.o: $(B)/shipped_%.c compare/text/shipped.h
@@ -148,17 +149,17 @@ at_once = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(shell getconf _NPROC
 ## check:      build with warnings as errors and run every test, the commands included
 check: setup-check
 	@$(MAKE) --no-print-directory $(at_once) $(programs) $(libraries) $(tests) $(fuzz)
-	@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" scripts/check.sh $(B) $(tests) $(fuzz)
+	@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" scripts/dev/check.sh $(B) $(tests) $(fuzz)
 
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 reproduce: setup-plots
 	@$(MAKE) --no-print-directory $(programs)
-	@sh scripts/reproduce.sh $(B)
+	@sh scripts/dev/reproduce.sh $(B)
 
 ## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
 check-report: setup-plots
-	@scripts/setup.sh report
-	@/usr/bin/python3 scripts/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
+	@scripts/dev/setup.sh report
+	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
 
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: setup-build
@@ -168,7 +169,7 @@ bench: setup-build
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 instructions: setup-build
 	@$(MAKE) --no-print-directory $(B)/scallop-bench
-	@sh scripts/instructions.sh $(B)
+	@sh scripts/dev/instructions.sh $(B)
 
 $(B)/scallop-bench: $(call objects,$(filter-out bench/nothing,$(basename $(call units,bench)))) $(core)
 	@echo "  LD $@"
@@ -189,48 +190,48 @@ FUZZ_TARGETS ?= $(patsubst $(B)/fuzz_%,%,$(fuzz))
 fuzz_flags = -fno-omit-frame-pointer -Wno-pass-failed -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 ## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
 fuzz:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests fuzz
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build tests fuzz
 	@$(MAKE) --no-print-directory $(at_once) fuzz-programs CC=clang B=$(B)/fuzz WITH_OPENMP=0 CFLAGS="-O1 -g $(fuzz_flags)" FUZZER=-fsanitize=fuzzer
-	@sh scripts/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
+	@sh scripts/dev/fuzz.sh $(B)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 fuzz-programs: $(fuzz)
 
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 valgrind:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests valgrind
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build tests valgrind
 	@$(MAKE) --no-print-directory $(at_once) $(programs) $(tests) $(fuzz)
-	@sh scripts/valgrind.sh $(B) $(tests) $(fuzz)
+	@sh scripts/dev/valgrind.sh $(B) $(tests) $(fuzz)
 
 ## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
 matrix:
-	@scripts/setup.sh build tests matrix
-	@MAKE="$(MAKE)" sh scripts/matrix.sh $(B)/matrix
+	@scripts/dev/setup.sh build tests matrix
+	@MAKE="$(MAKE)" sh scripts/dev/matrix.sh $(B)/matrix
 
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
 coverage:
-	@WITH_FLINT=$(WITH_FLINT) scripts/setup.sh build tests coverage
-	+@MAKE="$(MAKE)" sh scripts/coverage.sh $(B)/coverage
+	@WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh build tests coverage
+	+@MAKE="$(MAKE)" sh scripts/dev/coverage.sh $(B)/coverage
 
-## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/rooms.txt; circles, and what is too long
+## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
 rooms: setup-build
 	@$(MAKE) --no-print-directory $(at_once) $(programs)
-	@/usr/bin/python3 scripts/rooms.py $(B)
+	@/usr/bin/python3 scripts/dev/rooms.py $(B)
 
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 size:
-	@/usr/bin/python3 scripts/rooms.py $(B) --size
+	@/usr/bin/python3 scripts/dev/rooms.py $(B) --size
 
 sources  = $(filter-out $(if $(filter 0,$(WITH_SUNDIALS)),numerics/cvode.c),$(foreach r,$(code),$(wildcard $(r)/*.c)))
 ## lint:       rooms, clang-format, cppcheck and clang-tidy
 lint:
-	@scripts/setup.sh build tests lint
+	@scripts/dev/setup.sh build tests lint
 	@$(MAKE) --no-print-directory rooms
 	clang-format --dry-run -Werror $(sources) scallop.h $(foreach r,$(code),$(wildcard $(r)/*.h))
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $(sources)
 	printf '%s\n' $(sources) | xargs -n 8 -P "$$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy
 
-## gates:      all of the above that guard something, one row each: scripts/gates.txt has the list, docs/contributing.md what each guards
+## gates:      all of the above that guard something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
 gates:
-	@sh scripts/gates.sh scripts/gates.txt $(B)/gates
+	@sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
 
 ## clean:      remove build/
 clean:

@@ -57,7 +57,7 @@ $$($(1)_file).a: $$($(1)_objects) $$($(1)_file).names
 	@$$(CC) -r -nostdlib -o $$(@:.a=.o) $$($(1)_objects)
 	@$$(OBJCOPY) --keep-global-symbols=$$($(1)_file).names $$(@:.a=.o)
 	@rm -f $$@ && $$(AR) rcs $$@ $$(@:.a=.o)
-$(B)/$($(1)_name).pc: scripts/scallop.pc.in FORCE
+$(B)/$($(1)_name).pc: scripts/dev/scallop.pc.in FORCE
 	@sed -e 's|@PREFIX@|$$(PREFIX)|' -e 's|@libdir@|$$(libdir)|' -e 's|@includedir@|$$(includedir)|' -e 's|@NAME@|$($(1)_name)|' \
 	  -e 's|@DESCRIPTION@|$$($(1)_is)|' -e 's|@VERSION@|$(version)|' -e 's|@PRIVATE@|$$(strip $$($(1)_needs))|' $$< >$$@
 endef
@@ -67,14 +67,14 @@ $(B)/libscallop.so.$(version): $(chosen)
 FORCE:
 
 # From what --help prints. A page for each command, and one for all
-$(B)/man: $(B)/scallop scripts/man.awk
+$(B)/man: $(B)/scallop scripts/dev/man.awk
 	@rm -rf $@ && mkdir -p $@.part
 	@for command in '' $$($< --help | sed -n '/^Commands:/,/^$$/s/^  \([a-z]*\) .*/\1/p'); do page=scallop$${command:+-$$command}; \
-	  $< --help $$command | awk -v page=$$page -v version='scallop $(version)' -f scripts/man.awk >$@.part/$$page.1 || exit 1; done
+	  $< --help $$command | awk -v page=$$page -v version='scallop $(version)' -f scripts/dev/man.awk >$@.part/$$page.1 || exit 1; done
 	@mv $@.part $@
 
 # The Python module finds the library from its own place
-$(B)/scallop_library.py: scripts/scallop_library.py FORCE
+$(B)/scallop_library.py: scripts/python/scallop_library.py FORCE
 	@sed "s|^BESIDE = .*|BESIDE = \"$$(realpath -ms --relative-to='$(datadir)/scallop/python' '$(libdir)')\"|" $< >$@
 
 .PHONY: libraries install uninstall FORCE
@@ -95,11 +95,11 @@ install: $(programs) $(libraries) $(foreach l,$(names),$(B)/$($(l)_name).pc) $(B
 	@for header in $(full_headers); do $(put) -D $$header "$(call to,$(includedir))/scallop/$$header" || exit 1; done
 	@$(put) $(foreach l,$(names),$(B)/$($(l)_name).pc) "$(call to,$(pkgconfigdir))"
 	@$(put) $(B)/man/*.1 "$(call to,$(mandir))/man1"
-	@$(put) scripts/completion.bash "$(call to,$(completionsdir))/scallop"
-	@for module in scripts/scallop.py $(B)/scallop_library.py; do $(put) -D $$module "$(call to,$(datadir))/scallop/python/$${module##*/}" || exit 1; done
+	@$(put) scripts/dev/completion.bash "$(call to,$(completionsdir))/scallop"
+	@for module in scripts/python/scallop.py $(B)/scallop_library.py; do $(put) -D $$module "$(call to,$(datadir))/scallop/python/$${module##*/}" || exit 1; done
 	@for page in docs/*.md; do $(put) -D $$page "$(call to,$(datadir))/doc/scallop/$${page##*/}" || exit 1; done
 	@for scene in $(scenes); do $(put) -D $$scene "$(call to,$(datadir))/scallop/scenes/$${scene##*/}" || exit 1; done
-	@$(put) scripts/cheapest.awk "$(call to,$(datadir))/scallop/cheapest.awk"
+	@$(put) scripts/plots/cheapest.awk "$(call to,$(datadir))/scallop/cheapest.awk"
 	@for script in $(plot_scripts); do $(put) -D $$script "$(call to,$(datadir))/scallop/plots/$${script##*/}" || exit 1; done
 
 ## uninstall:  takes away what install put there

@@ -86,12 +86,12 @@ extern const struct scallop_formula scallop_equal_forces[];
  * is one with the bodies exchanged. equation: what they replace. */
 extern const struct scallop_formula scallop_corrected[];
 
-/* ---- section 4.1: from rest, F1 = F2, at the end of a phase ---------------------------------------- */
+/* Section 4.1: from rest, F1 = F2, at the end of a phase */
 double equal_v1_end(const struct scallop_phase_point *p); /* (6) -(m2/M) l'(T), and l'(T) = 0                  */
 double equal_x1_end(const struct scallop_phase_point *p); /* (7) -(m2/M) (l(T) - l(0))                         */
 double equal_xC_end(const struct scallop_phase_point *p); /* (8) (m1/m2 - 1)/2 (x1(T) - x1(0))                 */
 
-/* ---- section 4.3.1: from rest ------------------------------------------------------------------ */
+/* Section 4.3.1: from rest */
 double rest_v1_switch(const struct scallop_phase_point *p);     /* (12) 0 = dT (m2 l''(T) - F1 + F2) + (F1-F2) T + O(dT^2) */
 double rest_dT_unexpanded(const struct scallop_phase_point *p); /* (13) -(F1-F2) T / (m2 l''(T) - F1 + F2)    */
 double rest_dT(const struct scallop_phase_point *p);            /* (14) -(F1-F2) T^3 / (m2 l_T) + O(T^5)      */
@@ -101,7 +101,7 @@ double rest_x1_end(const struct scallop_phase_point *p);        /* (19) -(m2/M) 
 double rest_x2_end(const struct scallop_phase_point *p);        /* (20)  (m1/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
 double rest_xC_end(const struct scallop_phase_point *p);        /* (21) (m1-m2)/(2M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
 
-/* ---- sections 4.3.2 and 4.3.3: with a start velocity -------------------------------------------- */
+/* Sections 4.3.2 and 4.3.3: with a start velocity */
 double text_extension_velocity_change(const struct scallop_phase_point *p);
 /* (22) (F1-F2)/M T - v0 (2 F1/m2)(1/l0 - 1/lT) T^2 + O(T^3) */
 double text_extension_xC_end(const struct scallop_phase_point *p);
@@ -111,7 +111,7 @@ double text_contraction_velocity_change(const struct scallop_phase_point *p);
 double text_contraction_xC_end(const struct scallop_phase_point *p);
 /* (25) -(m1-m2)/(2M) L + v0 T - (F1-F2)/M T^2/2 + v0 2 F2/(m1 l0) T^3 + O(T^4), L printed l(T) */
 
-/* ---- section 4.3.3: steady state; T is the period ------------------------------------------------ */
+/* Section 4.3.3: steady state; T is the period */
 double text_steady_velocity_l0_lT(const struct scallop_crawler *c);
 /* (26) (F1-F2)(2 alpha-1) m* / (2 T (1/l0 - 1/lT) [alpha^2 F1 m1 + (1-alpha)^2 F2 m2]) + O(T), m* = m1 m2/M */
 double text_steady_velocity(const struct scallop_crawler *c);
@@ -121,7 +121,7 @@ double text_steady_xC(const struct scallop_crawler *c);
 double text_froude(const struct scallop_crawler *c);
 /* section 2: M L / (T^2 (F1 + F2)) */
 
-/* ---- Appendix A: an extension with v0 > 0 --------------------------------------------------------- */
+/* Appendix A: an extension with v0 > 0 */
 double
 A_v1_first_switch(const struct scallop_phase_point *p); /* (A.4) -m2/M t1 l''(0) - (F1+F2)/M t1 + v0 + O(t1^2), t1 given */
 double A_t1_unexpanded(const struct scallop_phase_point *p); /* (A.5) v0 M / (m2 l''(0) + F1 + F2)                */
@@ -144,7 +144,7 @@ double A_x1_end(const struct scallop_phase_point *p);               /* (A.23) ..
 double A_vC_end(const struct scallop_phase_point *p);               /* (A.24) = (A.22)                                   */
 double A_xC_end(const struct scallop_phase_point *p);               /* (A.25) as (23) but + v0 2 F1/(m2 l0) T^3, + O(T^4) */
 
-/* ---- Appendix B: a contraction with v0 > 0; l0 < 0 < lT -------------------------------------------- */
+/* Appendix B: a contraction with v0 > 0; l0 < 0 < lT */
 double B_t1_unexpanded(const struct scallop_phase_point *p); /* (B.2) v0 M / (-m1 l''(0) + F1 + F2)               */
 double B_t1(const struct scallop_phase_point *p);            /* (B.2) -v0 M T^2/(m1 l0) [1 + T^2 (F1+F2)/(m1 l0)] + O(T^6) */
 double B_x2_first_switch(const struct scallop_phase_point *p);      /* (B.3) v0 t1/2 + O(T^2), t1 given                  */

@@ -1,3 +1,4 @@
+/* The operations of a formula in doubles. */
 #include "asymptotics/formula.h"
 
 #include <math.h>

@@ -447,7 +447,7 @@ static void print_head(void)
   printf("what\tcrawlers\tgait\tmethod\tns_median\tns_q1\tns_q3\terror\tratio\ttolerance\n");
 }
 
-/* Nothing but passes over one set, for who counts instructions (scripts/instructions.sh). */
+/* Nothing but passes over one set, for who counts instructions (scripts/dev/instructions.sh). */
 static int repeat(const char *what, const char *choice_name, const char *gait_name, long passes)
 {
   static struct set set;

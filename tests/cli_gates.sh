@@ -1,6 +1,6 @@
 #!/bin/sh
-# scripts/gates.sh on gates of its own: what fails is told, is never passed, and ends the run only in CI.
-gates=$(cd "$(dirname "$0")/.." && pwd)/scripts/gates.sh
+# scripts/dev/gates.sh on gates of its own: what fails is told, is never passed, and ends the run only in CI.
+gates=$(cd "$(dirname "$0")/.." && pwd)/scripts/dev/gates.sh
 . "$(dirname "$0")/common.sh"
 
 cat >table <<'ROWS'

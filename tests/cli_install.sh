@@ -136,7 +136,7 @@ cmp -s out elsewhere/usr/share/bash-completion/completions/scallop || note "no c
 for scene in "$root"/data/scenes/*.cfg; do
   [ ! -f "$scene" ] || cmp -s "$scene" "elsewhere/usr/share/scallop/scenes/$(basename "$scene")" || note "no scene $(basename "$scene")"
 done
-cmp -s "$root/scripts/cheapest.awk" elsewhere/usr/share/scallop/cheapest.awk || note "no cheapest.awk"
+cmp -s "$root/scripts/plots/cheapest.awk" elsewhere/usr/share/scallop/cheapest.awk || note "no cheapest.awk"
 finish "pages, completion and scenes are there"
 
 mv elsewhere "$place"

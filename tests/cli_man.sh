@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pages of the manual, which scripts/man.awk makes from --help, and the completion of bash, which asks --help.
+# The pages of the manual, which scripts/dev/man.awk makes from --help, and the completion of bash, which asks --help.
 # Usage: sh tests/cli_man.sh build/scallop. One line for each check; non-zero if any failed.
 # shellcheck disable=SC2154
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -28,7 +28,7 @@ for command in '' $commands; do
   # shellcheck disable=SC2086
   run 0 --help $command
   mv out "$page"
-  awk -v page="$page" -v version='scallop 1.0' -f "$root/scripts/man.awk" "$page" >"$page.1"
+  awk -v page="$page" -v version='scallop 1.0' -f "$root/scripts/dev/man.awk" "$page" >"$page.1"
   for section in NAME SYNOPSIS ${command:+DESCRIPTION OPTIONS} EXAMPLE '"SEE ALSO"'; do says "^\\.SH $section" "$page.1"; done
   [ -n "$(help_options "$page")" ] || note "no options in the help of $page"
   for option in $(help_options "$page"); do
@@ -87,7 +87,7 @@ fi
 # ---- completion ----
 run 0 --completion=bash
 cp out completion.bash
-cmp -s out "$root/scripts/completion.bash" || note "--completion=bash prints something else than the file"
+cmp -s out "$root/scripts/dev/completion.bash" || note "--completion=bash prints something else than the file"
 if command -v bash >/dev/null 2>&1; then
   cat >complete.bash <<'END'
 eval "$(cat completion.bash)"

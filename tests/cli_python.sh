@@ -1,5 +1,5 @@
 #!/bin/sh
-# scripts/scallop.py and scripts/figure4.py: the numbers of the command, bit for bit, from the shared library beside it or
+# scripts/python/scallop.py and scripts/python/figure4.py: the numbers of the command, bit for bit, from the shared library beside it or
 # in SCALLOP_LIBRARY.
 # Usage: sh tests/cli_python.sh build/scallop. One line for each check; non-zero if any failed.
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -14,7 +14,7 @@ if readelf -d "$library" 2>err | grep -q 'NEEDED.*lib\(asan\|ubsan\)'; then
   echo "ok python: not tried, the library wants the runtime of a sanitizer"
   exit 0
 fi
-export SCALLOP_LIBRARY="$library" PYTHONPATH="$root/scripts" PYTHONDONTWRITEBYTECODE=1
+export SCALLOP_LIBRARY="$library" PYTHONPATH="$root/scripts/python" PYTHONDONTWRITEBYTECODE=1
 export PYTHONWARNINGS=error,ignore::ResourceWarning # read() leaves its files open
 cat >>tables.py <<'END'
 import ctypes, numpy, scallop
@@ -343,10 +343,10 @@ END
 finish "an interrupt ends a trajectory"
 
 # ---- finding the library ----
-mkdir -p tree/scripts tree/build
-cp "$root/scripts/scallop.py" "$root/scripts/scallop_library.py" tree/scripts
+mkdir -p tree/scripts/python tree/build
+cp "$root/scripts/python/scallop.py" "$root/scripts/python/scallop_library.py" tree/scripts/python
 loads() { # FILE, or part of the message
-  PYTHONPATH=tree/scripts /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
+  PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
 }
 loads "$library"
@@ -391,15 +391,15 @@ END
 finish "figure4.py: the numbers of figure 4"
 
 if command -v gnuplot >/dev/null; then
-  /usr/bin/python3 "$root/scripts/figure4.py" --output python.svg || note "exit code $?"
+  /usr/bin/python3 "$root/scripts/python/figure4.py" --output python.svg || note "exit code $?"
   gnuplot -e "table = 'figure4.tsv'; output_file = 'table.svg'; kind = 'svg'" \
     "$root/scripts/plots/common.gp" "$root/scripts/plots/figure4.gp"
   cmp python.svg table.svg >said || note "$(cat said)"
-  /usr/bin/python3 "$root/scripts/figure4.py" --output none/python.svg 2>err
+  /usr/bin/python3 "$root/scripts/python/figure4.py" --output none/python.svg 2>err
   [ $? = 4 ] || note "no exit code 4 for a folder that is not there"
   finish "figure4.py: the picture of figure 4"
 fi
-PATH=/nowhere SCALLOP_LIBRARY=$library /usr/bin/python3 "$root/scripts/figure4.py" --output kept.svg 2>err
+PATH=/nowhere SCALLOP_LIBRARY=$library /usr/bin/python3 "$root/scripts/python/figure4.py" --output kept.svg 2>err
 [ $? = 3 ] || note "no exit code 3 without gnuplot"
 grep -q 'gnuplot is not installed' err || note "$(tail -n 1 err)"
 [ ! -f kept.svg ] || note "a file is there"

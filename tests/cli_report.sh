@@ -1,5 +1,5 @@
 #!/bin/sh
-# The page of all results: scripts/report.py. Usage: sh tests/cli_report.sh build/scallop
+# The page of all results: scripts/report/report.py. Usage: sh tests/cli_report.sh build/scallop
 # With Chromium installed it is looked at as well; `make check-report` looks at the real one, with the plots of gnuplot.
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$(dirname "$0")/common.sh"
@@ -33,7 +33,7 @@ done
 report() { # CODE OPTION...
   wanted=$1
   shift
-  /usr/bin/python3 "$root/scripts/report.py" "$@" >out 2>err
+  /usr/bin/python3 "$root/scripts/report/report.py" "$@" >out 2>err
   code=$?
   [ "$code" = "$wanted" ] || note "report.py $* gives exit code $code, not $wanted: $(tail -n 2 err)"
 }
@@ -190,10 +190,10 @@ for browser in chromium chromium-browser google-chrome ''; do
   [ -z "$browser" ] || ! command -v "$browser" >/dev/null 2>&1 || break
 done
 if [ -n "$browser" ]; then
-  /usr/bin/python3 "$root/scripts/check_report.py" --quick first.html >out 2>err || note "$(head -n 3 out err)"
+  /usr/bin/python3 "$root/scripts/report/check_report.py" --quick first.html >out 2>err || note "$(head -n 3 out err)"
   sed 's/<\/style>/svg{visibility:hidden}p{color:#555}main{min-width:2000px}<\/style>/
     s/style-src [^;]*;/style-src '"'unsafe-inline'"';/' first.html >bad.html
-  /usr/bin/python3 "$root/scripts/check_report.py" --quick bad.html >out 2>err
+  /usr/bin/python3 "$root/scripts/report/check_report.py" --quick bad.html >out 2>err
   code=$?
   [ $code = 1 ] || note "exit code $code for a page that is bad"
   for complaint in 'blank, 1 colours' 'contrast' 'the page is 20.. px wide in a window of'; do

@@ -1,6 +1,6 @@
 #!/bin/sh
-# scripts/rooms.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
-rooms=$(cd "$(dirname "$0")/.." && pwd)/scripts/rooms.py
+# scripts/dev/rooms.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
+rooms=$(cd "$(dirname "$0")/.." && pwd)/scripts/dev/rooms.py
 . "$(dirname "$0")/common.sh"
 
 build() { # every .c of the house as an object file

@@ -152,7 +152,7 @@ for r in t:
 END
 finish "rivals: error and work"
 
-cheapest() { awk -f "$root/scripts/cheapest.awk" "$1"; }
+cheapest() { awk -f "$root/scripts/plots/cheapest.awk" "$1"; }
 # The summary of the table above, and all of it found again from the rows
 cheapest table.tsv >summary.tsv || note "exit code $?"
 python <<'END'

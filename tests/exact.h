@@ -3,7 +3,7 @@
 #ifndef EXACT_H
 #define EXACT_H
 
-#include "asymptotics/series.h"
+#include "asymptotics/derived/series.h"
 #include "model/ball.h"
 #include "tests/random_crawler.h"
 

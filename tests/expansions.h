@@ -3,7 +3,7 @@
 #ifndef EXPANSIONS_H
 #define EXPANSIONS_H
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "tests/exact.h"
 
 enum { PRECISION = 400, ORDER = 14, PHASE = 8, STEADY = 3 };

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "numerics/certified.h"
 #include "tests/exact.h"
 

@@ -2,8 +2,8 @@
  * no expansion, are not given one. */
 #include "tests/check.h"
 
-#include "asymptotics/holds.h"
-#include "asymptotics/limit.h"
+#include "asymptotics/derived/holds.h"
+#include "asymptotics/derived/limit.h"
 #include "numerics/numerics.h"
 #include "tests/exact.h"
 #include "tests/odd_gaits.h"

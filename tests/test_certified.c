@@ -243,7 +243,7 @@ static void steady_states_agree_with_doubles(void **state)
   print_worst(worst, steady_names, STEADY);
 }
 
-/* ---- against 50-digit values of scripts/reference.py ---- */
+/* ---- against 50-digit values of scripts/python/reference.py ---- */
 
 enum { COLUMNS = 27, LINE = 4096, FIRST_INPUT = 3, V0 = 11, MODES = 19, REFERENCE_DIGITS = 45 };
 

@@ -2,7 +2,7 @@
  * has it, or refused. */
 #include "tests/check.h"
 
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 #include "numerics/certified.h"
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"

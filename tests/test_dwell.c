@@ -1,7 +1,7 @@
 /* Dwells: stretches in which l rests, and both bodies are one on friction F1 + F2 until they rest as well. */
 #include "tests/check.h"
 
-#include "asymptotics/branch.h"
+#include "asymptotics/derived/branch.h"
 #include "numerics/certified.h"
 #include "numerics/wide.h"
 #include "tests/certified_balls.h"

@@ -1,8 +1,8 @@
 /* Where each formula goes wrong: the first coefficient in which its text differs from the derived expansion. */
 #include "tests/check.h"
 
-#include "asymptotics/derived.h"
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/derived.h"
+#include "asymptotics/derived/evaluate.h"
 #include "tests/exact.h"
 
 enum { PRECISION = 300, ORDER = 12, NEVER = ORDER };

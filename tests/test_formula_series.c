@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "asymptotics/formula_flint.h"
+#include "asymptotics/derived/formula_flint.h"
 #include "tests/random_series.h"
 
 /* x is the variable, three is 3, half is 1/2, none is 0. */

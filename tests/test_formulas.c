@@ -6,7 +6,7 @@
 #include <float.h>
 #include <stdlib.h>
 
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 #include "tests/exact.h"
 
 enum { PRECISION = 300, LENGTH = 24 };

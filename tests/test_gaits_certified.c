@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "compare/answers/gaits.h"
 #include "compare/stress/judge.h"
 #include "model/ball.h"

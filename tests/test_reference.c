@@ -1,4 +1,4 @@
-/* The exact solver against 50-digit values (tests/reference.tsv, made by scripts/reference.py).
+/* The exact solver against 50-digit values (tests/reference.tsv, made by scripts/python/reference.py).
  *
  * The bound: BOUND ulp times the larger of the result and its absolute condition number (sum over the
  * inputs p of |p dq/dp|, in the table). For nearly equal forces and nearly symmetric timing the

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-#include "asymptotics/continuation.h"
-#include "asymptotics/cover.h"
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/continuation.h"
+#include "asymptotics/derived/cover.h"
+#include "asymptotics/derived/derived.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
 

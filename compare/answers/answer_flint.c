@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 #include "compare/answers/point_flint.h"
 
 void ball_answer_init(struct ball_answer *a)

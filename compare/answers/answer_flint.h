@@ -2,7 +2,7 @@
 #ifndef SCALLOP_ANSWER_FLINT_H
 #define SCALLOP_ANSWER_FLINT_H
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "compare/answers/answer.h"
 #include "numerics/certified.h"
 

@@ -2,7 +2,7 @@
 #ifndef SCALLOP_BREAKDOWN_RADIUS_H
 #define SCALLOP_BREAKDOWN_RADIUS_H
 
-#include "asymptotics/singularity.h"
+#include "asymptotics/derived/singularity.h"
 #include "compare/breakdown/series.h"
 
 struct radius {

@@ -2,7 +2,7 @@
 #ifndef SCALLOP_BREAKDOWN_SERIES_H
 #define SCALLOP_BREAKDOWN_SERIES_H
 
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/breakdown.h"
 

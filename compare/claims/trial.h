@@ -3,8 +3,8 @@
 #ifndef SCALLOP_CLAIMS_TRIAL_H
 #define SCALLOP_CLAIMS_TRIAL_H
 
-#include "asymptotics/derived.h"
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/derived.h"
+#include "asymptotics/derived/evaluate.h"
 #include "compare/claims/claims.h"
 
 /* Under which a formula is tested */

@@ -1,5 +1,5 @@
-/* What --help prints, of the program as a whole and of one command. scripts/man.awk makes the manual from it, and
- * scripts/completion.bash finds commands and options there: two blanks, a name, two blanks or more, what it is for. */
+/* What --help prints, of the program as a whole and of one command. scripts/dev/man.awk makes the manual from it, and
+ * scripts/dev/completion.bash finds commands and options there: two blanks, a name, two blanks or more, what it is for. */
 #ifndef SCALLOP_HELP_H
 #define SCALLOP_HELP_H
 

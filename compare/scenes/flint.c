@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/derived.h"
+#include "asymptotics/derived/derived.h"
 #include "numerics/certified.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/point_flint.h"

@@ -1,4 +1,4 @@
-/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/embed.sh writes them. */
+/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/dev/embed.sh writes them. */
 #ifndef SCALLOP_SHIPPED_H
 #define SCALLOP_SHIPPED_H
 
@@ -8,7 +8,7 @@ struct shipped {
 /* The last of each list has name NULL. */
 extern const struct shipped shipped_scenes[];     /* data/scenes/                                                      */
 extern const struct shipped shipped_scripts[];    /* gnuplot scripts: common, curves, figure2 to figure5                  */
-extern const struct shipped shipped_completion[]; /* scripts/completion.bash alone                                    */
+extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone                                    */
 extern const struct shipped shipped_ledger[];     /* data/claims.tsv; only in the program that has FLINT               */
 
 /* The text called name ("figure4"), or NULL. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/evaluate.h"
+#include "asymptotics/derived/evaluate.h"
 
 static int place(const struct scallop_formula *formula)
 {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the pictures of the tables in TABLES, and of the grids that scripts/maps.sh wrote to MAPS, as SVG and PNG in PLOTS:
+# Draws the pictures of the tables in TABLES, and of the grids that scripts/dev/maps.sh wrote to MAPS, as SVG and PNG in PLOTS:
 # scripts/plots/draw.sh TABLES PLOTS MAPS
 set -eu
 tables=$1 plots=$2 maps=$3

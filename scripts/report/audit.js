@@ -1,5 +1,5 @@
 'use strict';
-// What scripts/check_report.py asks in the page. Each function gives numbers or a list of complaints.
+// What scripts/report/check_report.py asks in the page. Each function gives numbers or a list of complaints.
 globalThis.audit = (() => {
   const channels = (colour) => {
     const [red, green, blue, alpha = 1] = colour.match(/[\d.]+/g).map(Number);

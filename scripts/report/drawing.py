@@ -3,8 +3,8 @@ fonts of the page, names that are unique in it, and a fraction of the size."""
 import re
 import xml.etree.ElementTree as tree
 
-from report import markup
-from report.tables import Unreadable
+import markup
+from tables import Unreadable
 
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"

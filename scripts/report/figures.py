@@ -1,7 +1,7 @@
 """The figures of the page that gnuplot drew: what each is called, shows, and is drawn from."""
 from dataclasses import dataclass
 
-from report.drawing import Panel
+from drawing import Panel
 
 LEFT, RIGHT = "0 0 450 380", "450 0 450 380"
 
@@ -107,7 +107,7 @@ MAPS = [
             " sequence such as <code>++ -+ ++ | ++ +- ++</code> has the directions of body 1 and body 2, piece by"
             " piece; <code>0</code> is a body that is stuck, <code>|</code> stands between extension and contraction."
             " The expansions describe only the regions that reach to large Froude numbers. The curves are those of the"
-            " tables; the colours come from finer grids, which <code>scripts/maps.sh</code> computes."
+            " tables; the colours come from finer grids, which <code>scripts/dev/maps.sh</code> computes."
         ),
         [
             Panel("0 0 625 820", "Regions over Froude number and alpha"),

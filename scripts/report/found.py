@@ -1,6 +1,6 @@
 """What the tables say, counted from their rows."""
-from report import tables
-from report.markup import VERDICTS
+import tables
+from markup import VERDICTS
 
 
 def is_formula(row):

@@ -1,8 +1,10 @@
 """What was found, and the ledger of claims."""
 import re
 
-from report import found, markup, tables
-from report.markup import element, order, paragraph, sortable, text, verdict
+import found
+import markup
+import tables
+from markup import element, order, paragraph, sortable, text, verdict
 
 SCOPES = {
     "paper": "under the paper’s conditions",

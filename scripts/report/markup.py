@@ -3,7 +3,7 @@ import re
 from html import escape as text
 from urllib.parse import quote
 
-from report import tables
+import tables
 
 PREVIEW = 12  # rows of a long table that are on the page before it is opened
 TALL = 24  # rows of a table that is shown at its full height

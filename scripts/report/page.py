@@ -3,8 +3,8 @@ import base64
 import hashlib
 from pathlib import Path
 
-from report import sections
-from report.markup import element, text
+import sections
+from markup import element, text
 
 HERE = Path(__file__).parent
 TITLE = "Crawling scallop: the paper against the exact motion"

@@ -1,6 +1,11 @@
 """The sections of the page about figures and tables: what each shows, what made it, and the rows."""
-from report import drawing, figures, found, ledger, markup, stability
-from report.markup import element, paragraph, text
+import drawing
+import figures
+import found
+import ledger
+import markup
+import stability
+from markup import element, paragraph, text
 
 TIMES = {
     "gait": "gait",
@@ -155,7 +160,7 @@ def against_time(inputs):
             {name for name in TIMES if name in markup.number_columns(inputs.cheapest)},
         )
         content += element(
-            "pre", element("code", "awk -f scripts/cheapest.awk data/workprec.tsv"), class_="command", tabindex="0"
+            "pre", element("code", "awk -f scripts/plots/cheapest.awk data/workprec.tsv"), class_="command", tabindex="0"
         )
     return section("time", "Error against run time", content)
 

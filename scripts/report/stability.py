@@ -1,6 +1,7 @@
 """The largest error of every family of stress.tsv beside what is promised, drawn as rows of dots."""
-from report import found, tables
-from report.markup import element, text
+import found
+import tables
+from markup import element, text
 
 WIDTH, LEFT, RIGHT, LINE, TOP = 450, 182, 16, 17, 44
 GAITS = {"quadratic": "M{x} {y}m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "sinusoidal": "M{x} {y}m0-5l5 5l-5 5l-5-5z"}

@@ -1,6 +1,6 @@
 /* Formulas as series: identities that hold for whatever is taken, the value of a formula of numbers by another parser, modulo a
  * prime, and an untouched value where it refuses. */
-#include "asymptotics/formula_flint.h"
+#include "asymptotics/derived/formula_flint.h"
 
 #include <stdlib.h>
 #include <string.h>

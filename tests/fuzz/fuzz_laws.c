@@ -148,7 +148,7 @@ static void judge(const struct scallop_phase_result *r)
 {
   const struct scallop_interval *last = &now.interval[now.count - 1];
   const struct scallop_crawler *c = &now.input.crawler;
-  double total = 0, terms = 0, half = 0.5 * (c->m1 - c->m2) / (c->m1 + c->m2);
+  double total = 0, terms = 0, half = (c->m1 - c->m2) / (c->m1 + c->m2) * 0.5;
   double stroke = now.kind == SCALLOP_EXTENSION ? 1 : -1, travel = r->dxC / c->L - half * stroke;
   for (const struct scallop_interval *i = now.interval; i <= last; i++) {
     double one = impulse(i), x = (i < last ? i[1].x_begin : travel) - i->x_begin;

@@ -1,0 +1,89 @@
+/* A branch: motions with one sequence of modes, described around one value of eps, and carried from there as
+ * series. Not public.
+ *
+ * As in docs/theory.md, c is the velocity of the centre of mass, with the phase as the unit of time and L as that of
+ * length: a straight line of slope eps beta between its crossings of curve 0, q_0 |l'| (the rear body turns), and
+ * curve 1, q_1 |l'| (the front body turns). Region j lies above curve j, region j + 1 below it. At eps = 0
+ * the line is horizontal: that is the limit T -> 0 at fixed c.
+ */
+#ifndef SCALLOP_BRANCH_H
+#define SCALLOP_BRANCH_H
+
+#include "asymptotics/derived/series.h"
+#include "model/ball.h"
+
+enum { MOST_CROSSINGS = 16 };
+
+/* x q, rounded twice; aliases are allowed. */
+void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision);
+/* The time since the start of the phase at offset u of a piece, and the other way round; aliases are allowed. */
+void time_of_offset(arb_t time, const struct scallop_piece *piece, const arb_t u, slong precision);
+/* q |l'| - (a + b time) at offset u of a piece, and its derivative by u */
+void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmpq_t q, const arb_t a, const arb_t b,
+            const arb_t u, slong precision);
+
+struct phase_constants { /* of one phase of a crawler                                             */
+  enum scallop_phase_kind kind;
+  const struct scallop_shape *shape;
+  fmpq_t fraction; /* of the period                                                               */
+  fmpq_t curve[2]; /* q_0 = m_front/M > 0, q_1 = -m_rear/M < 0                                    */
+  fmpq_t beta[3];  /* slope of c in each region over eps: -1, (F_rear - F_front)/(F1 + F2), 1     */
+};
+void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind);
+void phase_constants_clear(struct phase_constants *p);
+
+struct crossing {
+  const struct scallop_piece *piece; /* in which it happens                                        */
+  int curve, to;                     /* which curve, and the region behind it                      */
+  struct series offset;              /* a constant, exact or a ball: where it happens at the base point */
+};
+
+struct branch {
+  int first_region, count;
+  struct crossing crossing[MOST_CROSSINGS];
+};
+void branch_init(struct branch *b);
+void branch_clear(struct branch *b);
+int branch_region(const struct branch *b, int segment); /* 0 <= segment <= count */
+
+/* Whether l' has one sign in each phase, that of its net gain, and is 0 at its ends at most: else the motion for T -> 0 has modes
+ * that no branch has. */
+bool branch_is_possible(const struct scallop_gait *gait);
+extern const char *const branch_impossible;
+
+/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 for none.
+ * False: l'' = 0 at such an end, where the crossing moves as a fractional power of T, or the piece there has its anchor elsewhere. */
+extern const char *const branch_without_ends;
+bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sign_at_start, int sign_at_end);
+
+/* The crossings of the level c (a ball that is not 0) through one phase at eps = 0, with their offsets as balls.
+ * False: c touches a curve, or is too wide to tell. */
+bool branch_of_level(struct branch *b, const struct phase_constants *p, const arb_t c, slong precision);
+
+struct base {                       /* what a phase does to c, in balls                                              */
+  arb_t c_end, balance;             /* balance: (c_end - c_start)/eps, formed without a division           */
+  arb_t c_end_slope, balance_slope; /* their derivatives by the unknown that c_start depends on */
+};
+void base_init(struct base *b);
+void base_clear(struct base *b);
+/* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c. same: it must be the very
+ * crossing that the offset's ball holds, shown by its lying where there is only one.
+ * False: no enclosure was found; the offsets are then as before. */
+bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
+                 const arb_t c_slope, bool same, slong precision);
+
+struct lift {                         /* the same as series in x                                                       */
+  struct series when[MOST_CROSSINGS]; /* times of the crossings, from the start of the phase   */
+  struct series left[MOST_CROSSINGS]; /* 1 minus that                                          */
+  struct series travel_to[MOST_CROSSINGS];
+  struct series c_end, c_end_slope, balance, balance_slope;
+  struct series travel; /* of the centre of mass                                               */
+};
+void lift_init(struct lift *l);
+void lift_clear(struct lift *l);
+/* eps, c and c_slope as series whose constant terms are the base point. pi_squared: see model/ball.h, or NULL.
+ * False: a crossing is not transversal. */
+bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+                const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring);
+
+#endif

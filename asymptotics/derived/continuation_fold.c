@@ -1,0 +1,177 @@
+/* Branch points. With v_p as the parameter t all is analytic in t, also z; the branch, a function of z, is not where z'(t) = 0. */
+#include <math.h>
+
+#include "asymptotics/derived/continuation.h"
+
+enum { NEIGHBOURHOOD_BITS = 64 };
+
+void fold_init(struct fold *f, const struct continuation *c)
+{
+  *f = (struct fold){ .c = c };
+  f->v = _acb_vec_init(c->n + 1);
+  f->first = _acb_vec_init(c->n + 1);
+  f->around = _acb_vec_init(c->n + 1);
+}
+
+void fold_clear(struct fold *f)
+{
+  _acb_vec_clear(f->v, f->c->n + 1);
+  _acb_vec_clear(f->first, f->c->n + 1);
+  _acb_vec_clear(f->around, f->c->n + 1);
+}
+
+/* The coordinate that changes most with z */
+static slong steepest(acb_srcptr first, slong n)
+{
+  slong best = 0;
+  mag_t most, here;
+  mag_init(most);
+  mag_init(here);
+  for (slong j = 0; j < n; j++) {
+    acb_get_mag(here, first + j);
+    if (mag_cmp(here, most) > 0) {
+      mag_set(most, here);
+      best = j;
+    }
+  }
+  mag_clear(most);
+  mag_clear(here);
+  return best;
+}
+
+/* v and both derivatives for the ball in v[p] */
+static bool enclose(struct fold *f, acb_t second, slong precision)
+{
+  return continuation_enclose(f->v, f->around, f->c, f->p, precision)
+         && continuation_derivatives(f->first, second, f->c, f->v, f->p, precision);
+}
+
+static double size_of(const acb_t z)
+{
+  mag_t size;
+  mag_init(size);
+  acb_get_mag(size, z);
+  double d = mag_get_d(size);
+  mag_clear(size);
+  return d;
+}
+
+/* t -= z'/z'' until that is of no size; v, first and second are then at that place. */
+static bool approach(struct fold *f, acb_t second, double far, slong precision)
+{
+  enum { STEPS = 40 };
+  acb_t step, began;
+  bool sound = true, close = false;
+  acb_init(step);
+  acb_init(began);
+  acb_get_mid(began, f->v + f->c->n);
+  for (int i = 0; i < STEPS && sound && !close; i++) {
+    acb_get_mid(f->v + f->p, f->v + f->p);
+    sound = enclose(f, second, precision);
+    acb_sub(step, f->v + f->c->n, began, precision);
+    sound = sound && size_of(step) < far;
+    acb_div(step, f->first + f->c->n, second, precision);
+    sound = sound && acb_is_finite(step);
+    close = sound && size_of(step) < ldexp(1, -(int)precision / 2);
+    if (sound && !close)
+      acb_sub(f->v + f->p, f->v + f->p, step, precision);
+  }
+  acb_clear(step);
+  acb_clear(began);
+  return close;
+}
+
+/* Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and holds the only zero of z'. */
+static bool prove(struct fold *f, acb_t second, slong precision)
+{
+  acb_t zero, rate;
+  mag_t size;
+  acb_init(zero);
+  acb_init(rate);
+  mag_init(size);
+  acb_set(zero, f->v + f->p);
+  acb_set(rate, f->first + f->c->n);
+  mag_set_ui_2exp_si(size, 1, -precision / 3);
+  acb_add_error_mag(f->v + f->p, size);
+  bool proven = enclose(f, second, precision);
+  acb_div(rate, rate, second, precision);
+  acb_sub(zero, zero, rate, precision);
+  proven = proven && acb_is_finite(zero) && acb_contains_interior(f->v + f->p, zero);
+  acb_set(f->v + f->p, zero);
+  proven = proven && enclose(f, second, precision);
+  acb_clear(zero);
+  acb_clear(rate);
+  mag_clear(size);
+  return proven;
+}
+
+/* min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not shown to be positive. By Taylor's theorem
+ * |z - z*| is at least that at distance size. */
+static double clearance(acb_ptr around, const struct fold *f, double size)
+{
+  slong n = f->c->n;
+  acb_ptr v = _acb_vec_init(n + 1), first = _acb_vec_init(n + 1);
+  acb_t second;
+  arf_t least;
+  mag_t half;
+  acb_init(second);
+  arf_init(least);
+  mag_init(half);
+  _acb_vec_set(v, f->v, n + 1);
+  mag_set_d(half, size);
+  acb_add_error_mag(v + f->p, half);
+  if (continuation_enclose(v, around, f->c, f->p, NEIGHBOURHOOD_BITS)
+      && continuation_derivatives(first, second, f->c, v, f->p, NEIGHBOURHOOD_BITS))
+    acb_get_abs_lbound_arf(least, second, NEIGHBOURHOOD_BITS);
+  double clear = arf_get_d(least, ARF_RND_DOWN) * size * size / 2 * (1 - 0x1p-20); /* t* is known to far less than that */
+  _acb_vec_clear(v, n + 1);
+  _acb_vec_clear(first, n + 1);
+  acb_clear(second);
+  arf_clear(least);
+  mag_clear(half);
+  return clear > 0 ? clear : 0;
+}
+
+/* The size with the largest clearance, of 2, 1, 1/2, ... */
+static bool set_neighbourhood(struct fold *f)
+{
+  enum { LARGEST = 1, SMALLEST = -20 };
+  acb_ptr around = _acb_vec_init(f->c->n + 1);
+  f->clear = 0;
+  for (int i = LARGEST; i >= SMALLEST; i--) {
+    double size = ldexp(1, i), clear = clearance(around, f, size);
+    if (clear > 0 && clear < f->clear)
+      break;
+    if (clear > f->clear) {
+      f->clear = clear;
+      f->size = size;
+      _acb_vec_swap(f->around, around, f->c->n + 1);
+    }
+  }
+  _acb_vec_clear(around, f->c->n + 1);
+  return f->clear > 0;
+}
+
+bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision)
+{
+  acb_t second;
+  acb_init(second);
+  _acb_vec_set(f->v, v, f->c->n + 1);
+  bool found = continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision);
+  f->p = steepest(f->first, f->c->n);
+  found = found && approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
+  acb_clear(second);
+  return found;
+}
+
+bool fold_holds(const struct fold *f, acb_srcptr v)
+{
+  acb_t way;
+  acb_init(way);
+  acb_sub(way, v + f->p, f->v + f->p, NEIGHBOURHOOD_BITS);
+  bool holds = size_of(way) < f->size;
+  for (slong j = 0; j <= f->c->n; j++)
+    holds = holds && (j == f->p || acb_contains(f->around + j, v + j));
+  acb_clear(way);
+  return holds;
+}

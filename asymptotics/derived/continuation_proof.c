@@ -1,0 +1,272 @@
+/* Krawczyk's operator for the equations of a branch: for v_p in a ball, the others around a middle m, and C about the inverse of the
+ * derivative J of the equations F by the others, both at the middle,
+ *
+ *     K(V) = m - C F(m) - C dF/dv_p (v_p - m_p) + (1 - C J(V)) (V - m).
+ *
+ * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle, so that what the
+ * entries of J share cancels before it becomes a width. */
+#include "asymptotics/derived/continuation.h"
+
+struct krawczyk {
+  const struct continuation *c;
+  slong n, p, precision;
+  acb_mat_t jacobian, middle;  /* anywhere; at the middle                                              */
+  acb_mat_t others, inverse;   /* of the middle the columns but p; C                                   */
+  acb_mat_t near, gain, drive; /* C J(m) - 1, C per_eps, C dF/dv_p: n columns and two more, and one         */
+  acb_mat_t residual, step;
+};
+
+static void krawczyk_init(struct krawczyk *k, const struct continuation *c, slong p, slong precision)
+{
+  *k = (struct krawczyk){ .c = c, .n = c->n, .p = p, .precision = precision };
+  acb_mat_init(k->jacobian, k->n, k->n + 1);
+  acb_mat_init(k->middle, k->n, k->n + 1);
+  acb_mat_init(k->others, k->n, k->n);
+  acb_mat_init(k->inverse, k->n, k->n);
+  acb_mat_init(k->near, k->n, k->n + 1);
+  acb_mat_init(k->gain, k->n, k->n + 2);
+  acb_mat_init(k->drive, k->n, 1);
+  acb_mat_init(k->residual, k->n, 1);
+  acb_mat_init(k->step, k->n, 1);
+}
+
+static void krawczyk_clear(struct krawczyk *k)
+{
+  acb_mat_clear(k->jacobian);
+  acb_mat_clear(k->middle);
+  acb_mat_clear(k->others);
+  acb_mat_clear(k->inverse);
+  acb_mat_clear(k->near);
+  acb_mat_clear(k->gain);
+  acb_mat_clear(k->drive);
+  acb_mat_clear(k->residual);
+  acb_mat_clear(k->step);
+}
+
+/* The coordinate that column j of the others is of */
+static slong other(const struct krawczyk *k, slong j) { return j + (j >= k->p); }
+
+static void drop_column(acb_mat_t others, acb_mat_t dropped, const struct krawczyk *k, const acb_mat_t all)
+{
+  for (slong i = 0; i < k->n; i++) {
+    for (slong j = 0; j < k->n; j++)
+      acb_set(acb_mat_entry(others, i, j), acb_mat_entry(all, i, other(k, j)));
+    acb_set(acb_mat_entry(dropped, i, 0), acb_mat_entry(all, i, k->p));
+  }
+}
+
+/* One step of Newton's method; its size. False: not finite */
+static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
+{
+  mag_t here;
+  mag_init(here);
+  continued_jacobian(k->middle, k->c, v, k->precision);
+  continued_residual(k->residual, k->c, v, k->precision);
+  drop_column(k->others, k->drive, k, k->middle);
+  bool sound = acb_mat_is_finite(k->middle) && acb_mat_approx_inv(k->inverse, k->others, k->precision);
+  if (sound)
+    acb_mat_approx_mul(k->step, k->inverse, k->residual, k->precision);
+  mag_zero(size);
+  for (slong j = 0; j < k->n && sound; j++) {
+    acb_ptr to = v + other(k, j);
+    acb_get_mag(here, acb_mat_entry(k->step, j, 0));
+    mag_max(size, size, here);
+    acb_sub(to, to, acb_mat_entry(k->step, j, 0), k->precision);
+    acb_get_mid(to, to);
+    sound = acb_is_finite(to);
+  }
+  mag_clear(here);
+  return sound;
+}
+
+/* Newton's method for the middle of v[p], until a step is small beside the ball of v[p] or, the next one being its square, beside rounding */
+static bool find_middle(struct krawczyk *k, acb_ptr v)
+{
+  enum { STEPS = 20, SMALL = 3 };
+  mag_t size, enough;
+  bool close = false;
+  mag_init(size);
+  mag_init(enough);
+  mag_max(enough, arb_radref(acb_realref(v + k->p)), arb_radref(acb_imagref(v + k->p)));
+  mag_mul_2exp_si(enough, enough, -SMALL);
+  for (slong j = 0; j <= k->n; j++)
+    acb_get_mid(v + j, v + j);
+  for (int i = 0; i < STEPS && !close && newton_step(k, v, size); i++)
+    close = mag_cmp(size, enough) < 0 || mag_cmp_2exp_si(size, -k->precision / 2) < 0;
+  mag_clear(size);
+  mag_clear(enough);
+  return close;
+}
+
+/* What of K does not depend on V */
+static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
+{
+  acb_ptr v = _acb_vec_init(k->n + 1);
+  _acb_vec_set(v, middle, k->n + 1);
+  continued_residual(k->residual, k->c, v, k->precision);
+  acb_mat_mul(k->residual, k->inverse, k->residual, k->precision);
+  continued_jacobian(k->middle, k->c, v, k->precision);
+  acb_mat_mul(k->near, k->inverse, k->middle, k->precision);
+  for (slong i = 0; i < k->n; i++)
+    acb_sub_ui(acb_mat_entry(k->near, i, other(k, i)), acb_mat_entry(k->near, i, other(k, i)), 1, k->precision);
+  acb_mat_mul(k->gain, k->inverse, k->c->per_eps, k->precision);
+  acb_set(v + k->p, whole);
+  continued_jacobian(k->jacobian, k->c, v, k->precision);
+  drop_column(k->others, k->drive, k, k->jacobian);
+  acb_mat_mul(k->drive, k->inverse, k->drive, k->precision);
+  _acb_vec_clear(v, k->n + 1);
+}
+
+/* next = m - C F(m) - C dF/dv_p (v_p - m_p) */
+static void first_guess(acb_ptr next, struct krawczyk *k, acb_srcptr middle, const acb_t whole)
+{
+  acb_t way;
+  acb_init(way);
+  acb_sub(way, whole, middle + k->p, k->precision);
+  for (slong j = 0; j < k->n; j++) {
+    acb_ptr to = next + other(k, j);
+    acb_sub(to, middle + other(k, j), acb_mat_entry(k->residual, j, 0), k->precision);
+    acb_submul(to, acb_mat_entry(k->drive, j, 0), way, k->precision);
+  }
+  acb_set(next + k->p, whole);
+  acb_clear(way);
+}
+
+/* to -= C (J(V) - J(m)) (V - m), row by row: of the curves C_il (their change), of eps the change times C per_eps */
+static void subtract_change(acb_ptr to, struct krawczyk *k, acb_srcptr middle, acb_srcptr around, acb_srcptr way)
+{
+  const struct continuation *c = k->c;
+  slong n = k->n, precision = k->precision;
+  acb_ptr here = _acb_vec_init(JET), there = _acb_vec_init(JET), t = _acb_vec_init(4), eps = t, rate = t + 1, sum = t + 2,
+          other_sum = t + 3;
+  continued_eps(eps, c, around + n, 0, precision);
+  continued_eps(sum, c, middle + n, 0, precision);
+  acb_sub(eps, eps, sum, precision);
+  for (slong i = 0; i < n; i++) { /* eps */
+    continued_row(sum, k->gain, i, way, 0, precision);
+    acb_addmul(to + other(k, i), sum, eps, precision);
+    if (k->p == n)
+      continue;
+    continued_eps(rate, c, around + n, 1, precision);
+    continued_row(sum, k->gain, i, around, 1, precision);
+    acb_mul(sum, sum, rate, precision);
+    continued_eps(rate, c, middle + n, 1, precision);
+    continued_row(other_sum, k->gain, i, middle, 1, precision);
+    acb_submul(sum, other_sum, rate, precision);
+    acb_addmul(to + other(k, i), sum, way + n, precision);
+  }
+  for (slong l = 0; l < c->m; l++) {
+    continued_law(here, &c->crossing[l], around + l, around + l + 1, precision);
+    if (c->crossing[l].joined) {
+      acb_mul(here + JET_A, here + JET_AA, way + l, precision);
+      acb_addmul(here + JET_A, here + JET_AB, way + l + 1, precision);
+      acb_mul(here + JET_B, here + JET_BB, way + l + 1, precision);
+      acb_addmul(here + JET_B, here + JET_AB, way + l, precision);
+    } else {
+      continued_law(there, &c->crossing[l], middle + l, middle + l + 1, precision);
+      _acb_vec_sub(here, here, there, JET, precision);
+    }
+    acb_mul(sum, here + JET_A, way + l, precision);
+    acb_addmul(sum, here + JET_B, way + l + 1, precision);
+    for (slong i = 0; i < n; i++)
+      acb_submul(to + other(k, i), acb_mat_entry(k->inverse, i, l), sum, precision);
+  }
+  _acb_vec_clear(here, JET);
+  _acb_vec_clear(there, JET);
+  _acb_vec_clear(t, 4);
+}
+
+static void map(acb_ptr next, struct krawczyk *k, acb_srcptr middle, acb_srcptr around)
+{
+  acb_ptr way = _acb_vec_init(k->n + 1);
+  first_guess(next, k, middle, around + k->p);
+  _acb_vec_sub(way, around, middle, k->n + 1, k->precision);
+  acb_zero(way + k->p);
+  for (slong i = 0; i < k->n; i++) {
+    acb_ptr to = next + other(k, i);
+    for (slong j = 0; j <= k->n; j++)
+      acb_submul(to, acb_mat_entry(k->near, i, j), way + j, k->precision);
+  }
+  subtract_change(next, k, middle, around, way);
+  _acb_vec_clear(way, k->n + 1);
+}
+
+/* A box around middle, a little more than what next needs */
+static void widen(acb_ptr around, const struct krawczyk *k, acb_srcptr middle, acb_srcptr next)
+{
+  mag_t size, least;
+  acb_t way;
+  mag_init(size);
+  mag_init(least);
+  acb_init(way);
+  mag_set_ui_2exp_si(least, 1, 8 - k->precision);
+  for (slong j = 0; j < k->n; j++) {
+    acb_ptr to = around + other(k, j);
+    acb_sub(way, next + other(k, j), middle + other(k, j), k->precision);
+    acb_get_mag(size, way);
+    mag_mul_ui(size, size, 5);
+    mag_mul_2exp_si(size, size, -2);
+    mag_add(size, size, least);
+    acb_set(to, middle + other(k, j));
+    acb_add_error_mag(to, size);
+  }
+  mag_clear(size);
+  mag_clear(least);
+  acb_clear(way);
+}
+
+static bool lies_inside(const struct krawczyk *k, acb_srcptr around, acb_srcptr next)
+{
+  for (slong j = 0; j < k->n; j++)
+    if (!acb_is_finite(next + other(k, j)) || !acb_contains_interior(around + other(k, j), next + other(k, j)))
+      return false;
+  return true;
+}
+
+bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision)
+{
+  enum { TRIES = 4 };
+  struct krawczyk k;
+  acb_ptr middle = _acb_vec_init(c->n + 1), next = _acb_vec_init(c->n + 1);
+  krawczyk_init(&k, c, p, precision);
+  _acb_vec_set(middle, v, c->n + 1);
+  bool sound = find_middle(&k, middle), inside = false;
+  if (sound) {
+    prepare(&k, middle, v + p);
+    first_guess(next, &k, middle, v + p);
+    acb_set(around + p, v + p);
+  }
+  for (int i = 0; i < TRIES && sound && !inside; i++) {
+    widen(around, &k, middle, next);
+    map(next, &k, middle, around);
+    inside = lies_inside(&k, around, next);
+  }
+  if (inside)
+    _acb_vec_set(v, next, c->n + 1);
+  krawczyk_clear(&k);
+  _acb_vec_clear(middle, c->n + 1);
+  _acb_vec_clear(next, c->n + 1);
+  return inside;
+}
+
+bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,
+                              slong precision)
+{
+  struct krawczyk k;
+  krawczyk_init(&k, c, p, precision);
+  continued_jacobian(k.jacobian, c, v, precision);
+  drop_column(k.others, k.drive, &k, k.jacobian);
+  acb_mat_neg(k.drive, k.drive);
+  bool solved = acb_mat_solve_precond(k.step, k.others, k.drive, precision);
+  acb_one(first + p);
+  for (slong j = 0; j < c->n; j++)
+    acb_set(first + other(&k, j), acb_mat_entry(k.step, j, 0));
+  continued_bend(k.residual, c, v, first, precision);
+  solved = solved && acb_mat_solve_precond(k.step, k.others, k.residual, precision);
+  if (p == c->n)
+    acb_zero(second);
+  else
+    acb_set(second, acb_mat_entry(k.step, c->n - 1, 0));
+  krawczyk_clear(&k);
+  return solved;
+}

@@ -1,0 +1,373 @@
+/* The expansions of derived.h: a phase or the steady state around T = 0, from the branch that its limit begins. */
+#include "asymptotics/derived/derived.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "asymptotics/derived/evaluate.h"
+#include "asymptotics/derived/limit.h"
+
+static void modes_text(char *text, size_t size, const struct branch *b, enum scallop_phase_kind kind)
+{
+  static const char *const names[2][3] = { { "++", "-+", "--" }, { "++", "+-", "--" } };
+  size_t at = 0;
+  for (int i = 0; i <= b->count && at < size; i++)
+    at += (size_t)snprintf(text + at, size - at, "%s%s", i ? " " : "", names[kind][branch_region(b, i)]);
+}
+
+#define PHASE_SERIES(e) \
+  { \
+    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, &(e)->turning_velocity \
+  }
+enum { PHASE_QUANTITIES = 9 };
+
+void scallop_phase_expansion_init(struct scallop_phase_expansion *e)
+{
+  struct series *const all[] = PHASE_SERIES(e);
+  for (int i = 0; i < PHASE_QUANTITIES; i++)
+    series_init(all[i]);
+  e->switches = false;
+  *e->modes = '\0';
+}
+
+void scallop_phase_expansion_clear(struct scallop_phase_expansion *e)
+{
+  struct series *const all[] = PHASE_SERIES(e);
+  for (int i = 0; i < PHASE_QUANTITIES; i++)
+    series_clear(all[i]);
+}
+
+/* |way| of the separation from the start of the phase to a crossing at offset 0 of its piece: the integral of |l'| */
+static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b, const fmpq_t pi_squared,
+                   const struct ring *ring)
+{
+  const struct scallop_piece *piece = b->crossing[i].piece;
+  bool at_end = piece->anchor == SCALLOP_FROM_END;
+  struct series one, speed;
+  series_init(&one);
+  series_init(&speed);
+  scallop_speed_series(&speed, piece, pi_squared, ring);
+  series_integral(&speed, &speed, ring);
+  series_set_si(&one, at_end ? 1 : 0);
+  if (at_end) { /* times are measured from the end: minus what is left */
+    series_neg(way, &l->left[i]);
+    series_compose(way, &speed, way, ring);
+    series_add(way, way, &one, ring);
+  } else
+    series_compose(way, &speed, &l->when[i], ring);
+  series_clear(&one);
+  series_clear(&speed);
+}
+
+/* L (travel - q_0 way): the rear body goes back while the separation grows, and so does its counterpart in a contraction */
+static void rear_position(struct series *to, const struct lift *l, int i, const struct branch *b,
+                          const struct phase_constants *p, const fmpq_t L, const fmpq_t pi_squared, const struct ring *ring)
+{
+  struct series way;
+  series_init(&way);
+  way_to(&way, l, i, b, pi_squared, ring);
+  series_scale(&way, &way, p->curve[0], ring);
+  series_sub(to, &l->travel_to[i], &way, ring);
+  series_scale(to, to, L, ring);
+  series_clear(&way);
+}
+
+/* L (travel + share), share in L: what a point moves against the centre of mass */
+static void add_share(struct series *to, const struct series *travel, const fmpq_t share, const fmpq_t L,
+                      const struct ring *ring)
+{
+  struct series constant;
+  series_init(&constant);
+  series_set_rational(&constant, share);
+  series_add(to, travel, &constant, ring);
+  series_scale(to, to, L, ring);
+  series_clear(&constant);
+}
+
+static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_constants *p,
+                          const fmpq_t L, const struct ring *ring)
+{
+  bool extension = p->kind == SCALLOP_EXTENSION;
+  fmpq_t rear, front, centre;
+  fmpq_init(rear);
+  fmpq_init(front);
+  fmpq_init(centre);
+  fmpq_neg(rear, p->curve[0]);
+  fmpq_neg(front, p->curve[1]);
+  fmpq_add(centre, rear, front);
+  fmpq_div_2exp(centre, centre, 1);
+  add_share(extension ? &e->dx1 : &e->dx2, &l->travel, rear, L, ring);
+  add_share(extension ? &e->dx2 : &e->dx1, &l->travel, front, L, ring);
+  add_share(&e->dxC, &l->travel, centre, L, ring);
+  fmpq_clear(rear);
+  fmpq_clear(front);
+  fmpq_clear(centre);
+}
+
+/* c at the start is v0 T/L and eps is T^2 (F1 + F2)/(M L), both in units of the phase. */
+static void start_series(struct series *c, struct series *eps, const struct scallop_rational_crawler *crawler,
+                         const fmpq_t v0, const struct ring *ring)
+{
+  fmpq_t q, M;
+  fmpq_init(q);
+  fmpq_init(M);
+  series_set_x(c);
+  fmpq_div(q, v0, crawler->L);
+  series_scale(c, c, q, ring);
+  series_set_x(eps);
+  series_shift(eps, eps, 1);
+  fmpq_add(M, crawler->m1, crawler->m2);
+  fmpq_add(q, crawler->F1, crawler->F2);
+  fmpq_div(q, q, M);
+  fmpq_div(q, q, crawler->L);
+  series_scale(eps, eps, q, ring);
+  fmpq_clear(q);
+  fmpq_clear(M);
+}
+
+static bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_constants *p,
+                          const struct scallop_rational_crawler *crawler, const fmpq_t v0, const fmpq_t pi_squared,
+                          const struct ring *ring)
+{
+  struct lift l;
+  struct series c, eps, none;
+  lift_init(&l);
+  series_init(&c);
+  series_init(&eps);
+  series_init(&none);
+  start_series(&c, &eps, crawler, v0, ring);
+  series_set_si(&none, 1);
+  bool lifted = lift_phase(&l, b, p, &eps, &c, &none, pi_squared, ring);
+  if (lifted) {
+    int last = b->count - 1;
+    e->switches = b->count > 0;
+    displacements(e, &l, p, crawler->L, ring);
+    series_scale(&e->v_end, &l.c_end, crawler->L, ring);
+    series_shift(&e->v_end, &e->v_end, -1);
+    if (e->switches) {
+      series_shift(&e->t1, &l.when[0], 1);
+      series_shift(&e->dT, &l.left[last], 1);
+      rear_position(&e->at_first, &l, 0, b, p, crawler->L, pi_squared, ring);
+      rear_position(&e->at_last, &l, last, b, p, crawler->L, pi_squared, ring);
+    }
+    modes_text(e->modes, sizeof e->modes, b, p->kind);
+  }
+  lift_clear(&l);
+  series_clear(&c);
+  series_clear(&eps);
+  series_clear(&none);
+  return lifted;
+}
+
+static enum scallop_status refuse(const char **why, const char *reason)
+{
+  if (why)
+    *why = reason;
+  return SCALLOP_EDOMAIN;
+}
+
+static enum scallop_status check(const struct scallop_rational_crawler *crawler, slong order, slong precision,
+                                 const char **why)
+{
+  if (!scallop_rational_is_valid(crawler))
+    return refuse(why, "a parameter is outside its domain");
+  if (order < 1 || order > SCALLOP_MOST_TERMS)
+    return refuse(why, "the order is outside of 1 to 1000");
+  if (precision < 16)
+    return refuse(why, "fewer than 16 bits");
+  if (!scallop_gait_is_exact(crawler->gait))
+    return refuse(why, "the gait has no exact law");
+  return branch_is_possible(crawler->gait) ? SCALLOP_OK : refuse(why, branch_impossible);
+}
+
+static bool may_vanish(const struct series *s, slong power)
+{
+  arb_t x;
+  arb_init(x);
+  series_coefficient(x, s, power, 64);
+  bool may = arb_contains_zero(x) && !arb_is_zero(x);
+  arb_clear(x);
+  return may;
+}
+
+/* Coefficients that vanish are balls around 0 where pi comes in. Those below x^end that are shown to vanish are set to 0. */
+static void find_zeros(struct scallop_phase_expansion *e, slong end, const struct branch *b, const struct phase_constants *p,
+                       const struct scallop_rational_crawler *crawler, const fmpq_t v0, slong precision)
+{
+  enum { SPARE = 3 };
+  struct scallop_phase_expansion exact;
+  struct series *const all[] = PHASE_SERIES(e), *const instead[] = PHASE_SERIES(&exact);
+  bool *vanishes = flint_malloc(sizeof *vanishes * (size_t)(PHASE_QUANTITIES * end)), expanded = true;
+  slong last = -1;
+  for (int i = 0; i < PHASE_QUANTITIES; i++)
+    for (slong k = 0; k < end; k++)
+      if ((vanishes[i * end + k] = may_vanish(all[i], k)))
+        last = k > last ? k : last;
+  const struct ring ring = { last + SPARE, precision };
+  fmpq_t pi_squared;
+  fmpq_init(pi_squared);
+  scallop_phase_expansion_init(&exact);
+  for (slong n = 1; expanded && last >= 0 && n <= scallop_zero_tests(last); n++) {
+    fmpq_set_si(pi_squared, n, 1);
+    expanded = expand_branch(&exact, b, p, crawler, v0, pi_squared, &ring);
+    for (int i = 0; i < PHASE_QUANTITIES; i++)
+      for (slong k = 0; k <= last; k++)
+        vanishes[i * end + k] &= k < instead[i]->known && series_coefficient_is_zero(instead[i], k);
+  }
+  for (int i = 0; expanded && i < PHASE_QUANTITIES; i++)
+    for (slong k = 0; k <= last; k++)
+      if (vanishes[i * end + k])
+        series_set_zero(all[i], k);
+  flint_free(vanishes);
+  scallop_phase_expansion_clear(&exact);
+  fmpq_clear(pi_squared);
+}
+
+slong scallop_zero_tests(slong power) { return power + 16; }
+
+enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
+                                         const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
+                                         struct scallop_phase_expansion *expansion, const char **why)
+{
+  enum { ZEROS_WANTED = 40 }; /* beyond, balls around 0 remain */
+  enum scallop_status status = check(crawler, order, precision, why);
+  struct phase_constants p;
+  struct branch b;
+  if (status != SCALLOP_OK)
+    return status;
+  const struct ring ring = { order + 2, precision };
+  phase_constants_init(&p, crawler, kind);
+  branch_init(&b);
+  int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
+  if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
+    status = refuse(why, branch_without_ends);
+  else if (!pi_squared && !scallop_gait_is_rational(crawler->gait) && order <= ZEROS_WANTED)
+    find_zeros(expansion, order, &b, &p, crawler, v0, precision);
+  branch_clear(&b);
+  phase_constants_clear(&p);
+  return status;
+}
+
+void scallop_steady_expansion_init(struct scallop_steady_expansion *e)
+{
+  series_init(&e->v_start);
+  series_init(&e->v_mid);
+  series_init(&e->displacement);
+  series_init(&e->mean_velocity);
+  series_init(&e->friction_work);
+  *e->modes = '\0';
+}
+
+void scallop_steady_expansion_clear(struct scallop_steady_expansion *e)
+{
+  series_clear(&e->v_start);
+  series_clear(&e->v_mid);
+  series_clear(&e->displacement);
+  series_clear(&e->mean_velocity);
+  series_clear(&e->friction_work);
+}
+
+/* From a series in T^2 and units of L to one in T, times T^power */
+static void in_period(struct series *to, const struct series *from, const fmpq_t L, slong power, const struct ring *ring)
+{
+  const struct ring longer = { 2 * ring->length, ring->precision };
+  series_inflate(to, from, 2);
+  series_scale(to, to, L, &longer);
+  series_shift(to, to, power);
+}
+
+/* What the symmetries say of the displacement (docs/theory.md): balls around 0 become 0. */
+static void use_symmetries(struct series *travel, const struct limit *l, slong terms)
+{
+  for (slong k = 0; k < terms; k++)
+    if (l->returns || (l->even && k % 2 == 1))
+      series_set_zero(travel, k);
+}
+
+static void set_eps(struct series *eps, const struct scallop_rational_crawler *crawler, const struct ring *ring)
+{
+  struct series unused;
+  fmpq_t zero;
+  fmpq_init(zero);
+  series_init(&unused);
+  start_series(&unused, eps, crawler, zero, ring); /* kappa T^2 */
+  series_shift(eps, eps, -1);                      /* the variable is T^2 here */
+  series_clear(&unused);
+  fmpq_clear(zero);
+}
+
+enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
+                                          struct scallop_steady_expansion *e, const char **why)
+{
+  const char *reason = NULL;
+  enum scallop_status status = check(crawler, order, precision, why);
+  struct limit l;
+  struct steady_lift s;
+  struct series eps;
+  if (status != SCALLOP_OK)
+    return status;
+  const struct ring ring = { order / 2 + 2, precision };
+  fmpq_t energy;
+  fmpq_init(energy);
+  limit_init(&l, crawler);
+  steady_lift_init(&s);
+  series_init(&eps);
+  set_eps(&eps, crawler, &ring);
+  status = limit_find(&l, crawler, precision, &reason);
+  if (status == SCALLOP_OK && !l.at_rest && !steady_lift(&s, &l, &eps, &ring)) {
+    status = SCALLOP_EUNDECIDED;              /* GCOVR_EXCL_LINE: only if rounding undoes what limit_find has shown */
+    reason = "a crossing is not transversal"; /* GCOVR_EXCL_LINE */
+  }
+  if (status == SCALLOP_OK) {
+    char modes[2][SCALLOP_BRANCH_TEXT - 2];
+    use_symmetries(&s.travel, &l, ring.length);
+    in_period(&e->v_start, &s.w, crawler->L, -1, &ring);
+    in_period(&e->v_mid, &s.w_mid, crawler->L, -1, &ring);
+    in_period(&e->displacement, &s.travel, crawler->L, 0, &ring);
+    series_shift(&e->mean_velocity, &e->displacement, -1);
+    fmpq_add(energy, crawler->F1, crawler->F2);
+    fmpq_mul(energy, energy, crawler->L);
+    steady_friction_work(&e->friction_work, &l, &s, &eps, &ring);
+    for (slong k = 1; l.even && k < ring.length; k += 2)
+      series_set_zero(&e->friction_work, k);
+    in_period(&e->friction_work, &e->friction_work, energy, 0, &ring);
+    for (int k = 0; k < 2; k++)
+      modes_text(modes[k], sizeof modes[k], &l.branch[k], (enum scallop_phase_kind)k);
+    snprintf(e->modes, sizeof e->modes, "%s | %s", modes[0], modes[1]);
+  } else if (why)
+    *why = reason;
+  fmpq_clear(energy);
+  series_clear(&eps);
+  steady_lift_clear(&s);
+  limit_clear(&l);
+  return status;
+}
+
+const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
+                                            enum scallop_quantity quantity)
+{
+  bool extension = kind == SCALLOP_EXTENSION;
+  switch (quantity) {
+  case SCALLOP_LAG: return &e->dT;
+  case SCALLOP_FIRST_SWITCH: return &e->t1;
+  case SCALLOP_REAR_AT_FIRST: return &e->at_first;
+  case SCALLOP_REAR_AT_LAST: return &e->at_last;
+  case SCALLOP_REAR_AT_END: return extension ? &e->dx1 : &e->dx2;
+  case SCALLOP_FRONT_AT_END: return extension ? &e->dx2 : &e->dx1;
+  case SCALLOP_CENTRE_AT_END: return &e->dxC;
+  case SCALLOP_VELOCITY_AT_END:
+  case SCALLOP_VELOCITY_CHANGE: return &e->v_end;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return &e->turning_velocity;
+  case SCALLOP_STEADY_VELOCITY:
+  case SCALLOP_STEADY_DISPLACEMENT: break;
+  }
+  return NULL;
+}
+
+const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity)
+{
+  return quantity == SCALLOP_STEADY_VELOCITY       ? &e->v_start
+         : quantity == SCALLOP_STEADY_DISPLACEMENT ? &e->displacement
+                                                   : NULL;
+}

@@ -1,0 +1,53 @@
+/* The formulas of asymptotics.h as series in T, from their texts: with exact coefficients where the parameters
+ * are, so that what a formula leaves out of the derived expansion is known term by term. Needs FLINT. */
+#ifndef SCALLOP_EVALUATE_H
+#define SCALLOP_EVALUATE_H
+
+#include "asymptotics/asymptotics.h"
+#include "asymptotics/derived/series.h"
+#include "model/ball.h"
+
+/* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
+enum scallop_symbol {
+  SYMBOL_m1,
+  SYMBOL_m2,
+  SYMBOL_F1,
+  SYMBOL_F2,
+  SYMBOL_M,
+  SYMBOL_L,
+  SYMBOL_L_kin,
+  SYMBOL_alpha,
+  SYMBOL_T,
+  SYMBOL_l0,
+  SYMBOL_lT,
+  SYMBOL_k0,
+  SYMBOL_kT,
+  SYMBOL_l_start,
+  SYMBOL_l_end,
+  SYMBOL_v0,
+  SYMBOL_t1,
+  SYMBOL_dT,
+  SYMBOL_x_switch,
+  SYMBOLS
+};
+struct scallop_symbols {
+  struct series value[SYMBOLS];
+};
+void scallop_symbols_init(struct scallop_symbols *s);
+void scallop_symbols_clear(struct scallop_symbols *s);
+
+/* All but t1, dT and x_switch, which the formulas that take them as given need and the caller sets. T is the variable x;
+ * set it to a constant to evaluate at a point. v0 may be NULL (steady). pi_squared: as in model/ball.h, or NULL. */
+void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *crawler,
+                         enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring);
+
+/* |l'| at time x after the anchor of a piece, as a series in x: exact where it can be, in balls otherwise. */
+void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
+                          const struct ring *ring);
+
+/* The formula for that phase. One that is printed for an extension is carried to a contraction by exchanging the bodies.
+ * False: the text has an unknown name, or divides by something that may be 0. */
+bool scallop_formula_expand(struct series *value, const struct scallop_formula *formula, const struct scallop_symbols *s,
+                            enum scallop_phase_kind kind, const struct ring *ring);
+
+#endif

@@ -1,0 +1,100 @@
+/* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the lengths of paths,
+ * which numerics/ adds up. */
+#include "asymptotics/derived/limit.h"
+
+/* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times |l'|. */
+static void power_of_region(fmpq_t power, const struct phase_constants *p, int region)
+{
+  fmpq_t rear, front; /* twice the friction of that body times its curve */
+  fmpq_init(rear);
+  fmpq_init(front);
+  fmpq_add_si(rear, p->beta[1], 1);
+  fmpq_mul(rear, rear, p->curve[0]);
+  fmpq_sub_si(front, p->beta[1], 1);
+  fmpq_mul(front, front, p->curve[1]); /* minus that */
+  if (region > 0)
+    fmpq_neg(rear, rear);
+  if (region > 1)
+    fmpq_neg(front, front);
+  fmpq_sub(power, front, rear);
+  fmpq_div_2exp(power, power, 1);
+  fmpq_clear(rear);
+  fmpq_clear(front);
+}
+
+/* The integral of |l'| from the start of the phase to where the crossing is at the base point */
+static void way_to_base(struct series *way, const struct crossing *at, const struct phase_constants *p, slong precision)
+{
+  arb_ptr t = _arb_vec_init(4), from = t, to = t + 1, part = t + 2, sum = t + 3;
+  for (const struct scallop_piece *piece = p->shape->pieces; piece <= at->piece; piece++) {
+    scallop_ball_begin(from, piece, precision);
+    scallop_ball_end(to, piece, precision);
+    if (piece == at->piece)
+      series_coefficient(to, &at->offset, 0, precision);
+    scallop_ball_way(part, piece, from, to, precision);
+    arb_add(sum, sum, part, precision);
+  }
+  series_set_ball(way, sum);
+  _arb_vec_clear(t, 4);
+}
+
+/* Adds to work what the friction of a phase takes, over (F1 + F2) L, but for the loss of kinetic energy of the centre of mass, which is 0
+ * over the period. c, at the start (overwritten), and eps are those of the phase. |l'| is c/q at a crossing, so that what it covers up to there is the
+ * integral of (c/q) dt over the variable of the series. */
+static void add_friction_work(struct series *work, const struct branch *b, const struct phase_constants *p,
+                              const struct lift *lift, struct series *c, const struct series *eps, const struct ring *ring)
+{
+  struct series since, term, way;
+  fmpq_t power, next;
+  series_init(&since);
+  series_init(&term);
+  series_init(&way);
+  fmpq_init(power);
+  fmpq_init(next);
+  power_of_region(power, p, b->first_region);
+  for (int i = 0; i < b->count; i++) {
+    const struct crossing *at = &b->crossing[i];
+    series_sub(&term, &lift->when[i], &since, ring);
+    series_mul(&term, &term, eps, ring);
+    series_scale(&term, &term, p->beta[branch_region(b, i)], ring);
+    series_add(c, c, &term, ring); /* now at this crossing */
+    series_set(&since, &lift->when[i]);
+    series_derivative(&term, &since, ring);
+    series_mul(&term, &term, c, ring);
+    fmpq_inv(next, p->curve[at->curve]);
+    series_scale(&term, &term, next, ring);
+    series_integral(&term, &term, ring);
+    way_to_base(&way, at, p, ring->precision);
+    series_add(&way, &way, &term, ring);
+    power_of_region(next, p, at->to);
+    fmpq_sub(power, power, next);
+    series_scale(&way, &way, power, ring);
+    series_add(work, work, &way, ring);
+    fmpq_set(power, next);
+  }
+  series_set_rational(&term, power); /* up to the end |l'| covers 1 */
+  series_add(work, work, &term, ring);
+  series_clear(&since);
+  series_clear(&term);
+  series_clear(&way);
+  fmpq_clear(power);
+  fmpq_clear(next);
+}
+
+void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s, const struct series *eps,
+                          const struct ring *ring)
+{
+  struct series c, here;
+  series_init(&c);
+  series_init(&here);
+  series_set_si(work, 0);
+  for (int k = 0; k < 2; k++) {
+    const struct phase_constants *p = &l->phase[k];
+    series_scale(&c, k == SCALLOP_EXTENSION ? &s->w : &s->w_mid, p->fraction, ring);
+    series_scale(&here, eps, p->fraction, ring);
+    series_scale(&here, &here, p->fraction, ring);
+    add_friction_work(work, &l->branch[k], p, &s->phase[k], &c, &here, ring);
+  }
+  series_clear(&c);
+  series_clear(&here);
+}

@@ -1,0 +1,264 @@
+/* A branch as power series: every crossing by Newton's method in truncated series arithmetic. */
+#include "asymptotics/derived/branch.h"
+
+void lift_init(struct lift *l)
+{
+  for (int i = 0; i < MOST_CROSSINGS; i++) {
+    series_init(&l->when[i]);
+    series_init(&l->left[i]);
+    series_init(&l->travel_to[i]);
+  }
+  series_init(&l->c_end);
+  series_init(&l->c_end_slope);
+  series_init(&l->balance);
+  series_init(&l->balance_slope);
+  series_init(&l->travel);
+}
+
+void lift_clear(struct lift *l)
+{
+  for (int i = 0; i < MOST_CROSSINGS; i++) {
+    series_clear(&l->when[i]);
+    series_clear(&l->left[i]);
+    series_clear(&l->travel_to[i]);
+  }
+  series_clear(&l->c_end);
+  series_clear(&l->c_end_slope);
+  series_clear(&l->balance);
+  series_clear(&l->balance_slope);
+  series_clear(&l->travel);
+}
+
+/* c = a + b s until the next crossing; a_slope is the derivative of a by the unknown. */
+struct line {
+  struct series a, a_slope, b;
+};
+
+/* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
+struct curve {
+  const struct crossing *at;
+  const fmpq *q;
+  bool exact;
+  struct series value, rate;
+};
+
+static void line_init(struct line *l)
+{
+  series_init(&l->a);
+  series_init(&l->a_slope);
+  series_init(&l->b);
+}
+
+static void line_clear(struct line *l)
+{
+  series_clear(&l->a);
+  series_clear(&l->a_slope);
+  series_clear(&l->b);
+}
+
+static void curve_at(struct curve *curve, const struct crossing *at, const struct phase_constants *p,
+                     const fmpq_t pi_squared, const struct ring *ring)
+{
+  const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
+  fmpq_t u;
+  fmpq_poly_t speed;
+  fmpq_init(u);
+  fmpq_poly_init(speed);
+  curve->at = at;
+  curve->q = p->curve[at->curve];
+  curve->exact = series_rational_coefficient(u, &at->offset, 0)
+                 && scallop_rational_speed_series(speed, at->piece, u, longer.length, pi_squared);
+  if (curve->exact) {
+    const struct scallop_law *law = at->piece->law;
+    bool whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < longer.length : longer.length > 1;
+    series_set_rational_poly(&curve->value, speed, whole ? SERIES_ALL : longer.length);
+    series_scale(&curve->value, &curve->value, curve->q, &longer);
+    series_derivative(&curve->rate, &curve->value, ring);
+  }
+  fmpq_clear(u);
+  fmpq_poly_clear(speed);
+}
+
+/* The curve and its derivative at time x after the base point, x a series */
+static void curve_along(struct series *value, struct series *rate, const struct curve *curve, const struct series *x,
+                        const struct ring *ring)
+{
+  if (curve->exact && x->exact) {
+    series_compose(value, &curve->value, x, ring);
+    series_compose(rate, &curve->rate, x, ring);
+    return;
+  }
+  arb_t u;
+  arb_poly_t time, speed, slope;
+  arb_init(u);
+  arb_poly_init(time);
+  arb_poly_init(speed);
+  arb_poly_init(slope);
+  series_coefficient(u, &curve->at->offset, 0, ring->precision);
+  series_get_ball_poly(time, x, ring->length, ring->precision);
+  scallop_ball_speed_along(speed, slope, curve->at->piece, u, time, ring->length, ring->precision);
+  series_set_ball_poly(value, speed, ring->length < x->known ? ring->length : x->known);
+  series_set_ball_poly(rate, slope, value->known);
+  series_scale(value, value, curve->q, ring);
+  series_scale(rate, rate, curve->q, ring);
+  arb_clear(u);
+  arb_poly_clear(time);
+  arb_poly_clear(speed);
+  arb_poly_clear(slope);
+}
+
+/* The time of the base point since the start of the phase */
+static void base_time(struct series *time, const struct crossing *at, const struct ring *ring)
+{
+  series_set(time, &at->offset);
+  if (at->piece->anchor == SCALLOP_FROM_END) {
+    struct series one;
+    series_init(&one);
+    series_set_si(&one, 1);
+    series_sub(time, &one, time, ring);
+    series_clear(&one);
+  }
+}
+
+/* The root x of curve(x) = line(base + x) with x = 0 at the base point. closing: curve'(x) - b there. */
+static bool solve_crossing(struct series *x, struct series *closing, const struct curve *curve, const struct line *line,
+                           const struct series *base, const struct ring *ring)
+{
+  struct series gap, term;
+  bool solved = true, last = false;
+  series_init(&gap);
+  series_init(&term);
+  series_set_si(x, 0);
+  for (slong length = 2; solved && !last; length *= 2) {
+    last = length >= ring->length;
+    struct ring part = { last ? ring->length : length, ring->precision };
+    x->known = SERIES_ALL; /* a polynomial that is right up to half of this length */
+    curve_along(&gap, closing, curve, x, &part);
+    series_add(&term, base, x, &part);
+    series_mul(&term, &term, &line->b, &part);
+    series_add(&term, &term, &line->a, &part);
+    series_sub(&gap, &gap, &term, &part);
+    for (slong k = 0; !gap.exact && k < length / 2; k++) /* x solves the equation so far, whatever its balls */
+      series_set_zero(&gap, k);
+    series_sub(closing, closing, &line->b, &part);
+    solved = series_div(&gap, &gap, closing, &part);
+    series_sub(x, x, &gap, &part);
+  }
+  series_truncate(x, ring->length);
+  series_clear(&gap);
+  series_clear(&term);
+  return solved;
+}
+
+/* The integral of c from s to t: a (t - s) + b (t^2 - s^2)/2 */
+static void travel_between(struct series *way, const struct line *line, const struct series *s, const struct series *t,
+                           const struct ring *ring)
+{
+  struct series duration, middle;
+  fmpq_t half;
+  fmpq_init(half);
+  fmpq_set_si(half, 1, 2);
+  series_init(&duration);
+  series_init(&middle);
+  series_sub(&duration, t, s, ring);
+  series_add(&middle, t, s, ring);
+  series_mul(&middle, &middle, &line->b, ring);
+  series_scale(&middle, &middle, half, ring);
+  series_add(&middle, &middle, &line->a, ring);
+  series_mul(way, &duration, &middle, ring);
+  series_clear(&duration);
+  series_clear(&middle);
+  fmpq_clear(half);
+}
+
+/* From region r to region `to` at time s: a and its derivative, and the two balances, take in the change of slope. */
+static void change_region(struct lift *l, struct line *line, const struct phase_constants *p, int r, int to,
+                          const struct series *eps, const struct series *s, const struct series *s_slope,
+                          const struct ring *ring)
+{
+  struct series term, change;
+  fmpq_t drop;
+  fmpq_init(drop);
+  series_init(&term);
+  series_init(&change);
+  fmpq_sub(drop, p->beta[r], p->beta[to]);
+  series_scale(&term, s, drop, ring);
+  series_add(&l->balance, &l->balance, &term, ring);
+  series_mul(&change, &term, eps, ring);
+  series_add(&line->a, &line->a, &change, ring);
+  series_scale(&term, s_slope, drop, ring);
+  series_add(&l->balance_slope, &l->balance_slope, &term, ring);
+  series_mul(&change, &term, eps, ring);
+  series_add(&line->a_slope, &line->a_slope, &change, ring);
+  series_scale(&line->b, eps, p->beta[to], ring);
+  series_clear(&term);
+  series_clear(&change);
+  fmpq_clear(drop);
+}
+
+static void set_time(struct lift *l, int i, const struct series *base, const struct series *x, const struct ring *ring)
+{
+  struct series one;
+  series_init(&one);
+  series_set_si(&one, 1);
+  series_add(&l->when[i], base, x, ring);
+  series_sub(&l->left[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
+  series_sub(&l->left[i], &l->left[i], x, ring);
+  series_clear(&one);
+}
+
+static void finish(struct lift *l, const struct line *line, const struct phase_constants *p, int region,
+                   const struct series *since, const struct ring *ring)
+{
+  struct series one;
+  series_init(&one);
+  series_set_si(&one, 1);
+  travel_between(&l->c_end, line, since, &one, ring);
+  series_add(&l->travel, &l->travel, &l->c_end, ring);
+  series_add(&l->c_end, &line->a, &line->b, ring);
+  series_set(&l->c_end_slope, &line->a_slope);
+  series_set_rational(&one, p->beta[region]);
+  series_add(&l->balance, &l->balance, &one, ring);
+  series_clear(&one);
+}
+
+bool lift_phase(struct lift *l, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+                const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
+{
+  struct line line;
+  struct curve curve;
+  struct series x, closing, base, since;
+  struct series *const work[] = { &curve.value, &curve.rate, &x, &closing, &base, &since };
+  bool transversal = true;
+  line_init(&line);
+  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
+    series_init(work[i]);
+  series_set(&line.a, c);
+  series_set(&line.a_slope, c_slope);
+  series_scale(&line.b, eps, p->beta[b->first_region], ring);
+  series_set_si(&since, 0);
+  series_set_si(&l->balance, 0);
+  series_set_si(&l->balance_slope, 0);
+  series_set_si(&l->travel, 0);
+  for (int i = 0; transversal && i < b->count; i++) {
+    const struct crossing *at = &b->crossing[i];
+    curve_at(&curve, at, p, pi_squared, ring);
+    base_time(&base, at, ring);
+    transversal = solve_crossing(&x, &closing, &curve, &line, &base, ring)
+                  && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
+    if (!transversal)
+      break;
+    set_time(l, i, &base, &x, ring);
+    travel_between(&l->travel_to[i], &line, &since, &l->when[i], ring);
+    series_add(&l->travel, &l->travel, &l->travel_to[i], ring);
+    series_set(&l->travel_to[i], &l->travel);
+    series_set(&since, &l->when[i]);
+    change_region(l, &line, p, branch_region(b, i), at->to, eps, &since, &closing, ring);
+  }
+  if (transversal)
+    finish(l, &line, p, branch_region(b, b->count), &since, ring);
+  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
+    series_clear(work[i]);
+  line_clear(&line);
+  return transversal;
+}

@@ -1,0 +1,44 @@
+/* The limit T -> 0 of the steady state, and the steady state as a series around it. Not public: derived.h is.
+ *
+ * In units of L and of the period, the start velocity w = v_start T/L and the displacement over L are functions of
+ * eps = T^2 (F1 + F2)/(M L) alone. At eps = 0 the centre of mass moves with the constant velocity w, and what
+ * decides w is that the friction impulse over a period vanishes: the sum over the phases of fraction times balance.
+ */
+#ifndef SCALLOP_LIMIT_H
+#define SCALLOP_LIMIT_H
+
+#include "asymptotics/derived/branch.h"
+
+struct limit {
+  struct phase_constants phase[2];
+  struct branch branch[2];
+  struct series w; /* a constant: exact, or a ball                                          */
+  bool at_rest;    /* F1 = F2: c = 0 throughout, at every eps                               */
+  bool returns;    /* the displacement is 0 at every eps: F1 = F2, or phases that mirror each other */
+  bool even;       /* the displacement is an even function of eps (docs/theory.md)          */
+};
+void limit_init(struct limit *l, const struct scallop_rational_crawler *crawler);
+void limit_clear(struct limit *l);
+
+/* SCALLOP_OK; SCALLOP_EDOMAIN where no power series exists; SCALLOP_EUNDECIDED where c touches a curve. why says it. */
+enum scallop_status limit_find(struct limit *l, const struct scallop_rational_crawler *crawler, slong precision,
+                               const char **why);
+
+struct steady_lift {
+  struct series w, w_mid, travel; /* of eps = eps0 + x                                         */
+  struct lift phase[2];
+};
+void steady_lift_init(struct steady_lift *s);
+void steady_lift_clear(struct steady_lift *s);
+/* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. */
+bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring);
+
+/* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless l->at_rest. */
+void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s, const struct series *eps,
+                          const struct ring *ring);
+
+/* The same in balls, at eps: encloses the w of every eps in the ball, and the crossings with it. w: comes in as a place near it.
+ * False: not found, and the branches are as before. */
+bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision);
+
+#endif

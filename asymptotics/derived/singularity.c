@@ -1,0 +1,161 @@
+/* The branch points nearest to T = 0: searched for along the branch, then proven to be the nearest. */
+#include "asymptotics/derived/singularity.h"
+
+#include "asymptotics/derived/cover.h"
+
+void scallop_singularity_init(struct scallop_singularity *s)
+{
+  arb_init(s->low);
+  arb_init(s->T);
+  acb_init(s->place);
+}
+
+void scallop_singularity_clear(struct scallop_singularity *s)
+{
+  arb_clear(s->low);
+  arb_clear(s->T);
+  acb_clear(s->place);
+}
+
+/* Which values have a branch point at a fold. Of an even one at its mirror image: v_mid there is v_start here, and the other way round. */
+static void add_shown(struct scallop_singularity *to, const struct search *s, const struct fold *f)
+{
+  acb_t gain;
+  acb_init(gain);
+  for (int k = 0; k < CONTINUED_VALUES; k++) {
+    continued_gain(gain, s->apart, (enum continued_value)k, f->v, f->first, s->precision);
+    to->shows[k] = to->shows[k] || !acb_contains_zero(gain);
+  }
+  if (to->even)
+    to->shows[AT_START] = to->shows[AFTER_FIRST_PHASE] = to->shows[AT_START] || to->shows[AFTER_FIRST_PHASE];
+  acb_clear(gain);
+}
+
+/* The folds of which none is shown to be nearer than another */
+static void set_place(struct scallop_singularity *to, const struct search *s)
+{
+  arb_t size;
+  arb_init(size);
+  arb_pos_inf(to->T);
+  for (int i = 0; i < s->folds; i++) {
+    acb_abs(size, s->fold[i].v + s->n, s->precision);
+    if (arf_cmp(arb_midref(size), arb_midref(to->T)) < 0) {
+      arb_set(to->T, size);
+      acb_set(to->place, s->fold[i].v + s->n);
+    }
+  }
+  for (int i = 0; i < s->folds; i++) {
+    acb_abs(size, s->fold[i].v + s->n, s->precision);
+    if (arb_overlaps(size, to->T))
+      add_shown(to, s, &s->fold[i]);
+  }
+  arb_clear(size);
+}
+
+/* From z to T */
+static void unscale(struct scallop_singularity *to, const struct continuation *c, slong precision)
+{
+  arb_ptr sizes[2] = { to->low, to->T };
+  for (int i = 0; i < 2; i++) {
+    arb_mul_2exp_si(sizes[i], sizes[i], c->scale);
+    arb_root_ui(sizes[i], sizes[i], (ulong)to->power, precision);
+  }
+  acb_mul_2exp_si(to->place, to->place, c->scale);
+}
+
+static void nothing_found(struct scallop_singularity *to, slong power, bool even)
+{
+  to->power = power;
+  to->even = even;
+  to->found = false;
+  for (int k = 0; k < CONTINUED_VALUES; k++)
+    to->shows[k] = false;
+  arb_pos_inf(to->low);
+  arb_pos_inf(to->T);
+}
+
+/* both: without and with joined crossings */
+static void find(struct scallop_singularity *to, const struct continuation both[2], bool even, slong precision)
+{
+  struct search *s = search_new(both, even ? 0.5 : 1, precision);
+  nothing_found(to, 3 - both[0].power, even);
+  double covered = search_cover(s);
+  to->found = s->folds > 0;
+  set_place(to, s);
+  if (to->found && covered >= s->reach)
+    arb_set(to->low, to->T);
+  else
+    arb_set_d(to->low, covered);
+  unscale(to, &both[0], precision);
+  search_free(s);
+}
+
+/* eps/T^2 = (F1 + F2)/(M L) */
+static void set_kappa(fmpq_t kappa, const struct scallop_rational_crawler *c)
+{
+  fmpq_t M;
+  fmpq_init(M);
+  fmpq_add(M, c->m1, c->m2);
+  fmpq_add(kappa, c->F1, c->F2);
+  fmpq_div(kappa, kappa, M);
+  fmpq_div(kappa, kappa, c->L);
+  fmpq_clear(M);
+}
+
+enum scallop_status scallop_steady_singularity(struct scallop_singularity *s, const struct scallop_rational_crawler *crawler,
+                                               slong precision, const char **why)
+{
+  struct limit l;
+  const char *reason = NULL;
+  limit_init(&l, crawler);
+  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
+  nothing_found(s, 2, l.even);
+  if (status == SCALLOP_OK && !l.at_rest) {
+    struct continuation both[2];
+    fmpq_t kappa;
+    fmpq_init(kappa);
+    set_kappa(kappa, crawler);
+    for (int join = 0; join < 2; join++)
+      continue_steady(&both[join], &l, kappa, join, precision);
+    find(s, both, l.even, precision);
+    for (int join = 0; join < 2; join++)
+      continuation_clear(&both[join]);
+    fmpq_clear(kappa);
+  } else if (status != SCALLOP_OK && why)
+    *why = reason;
+  limit_clear(&l);
+  return status;
+}
+
+enum scallop_status scallop_phase_singularity(struct scallop_singularity *s, const struct scallop_rational_crawler *crawler,
+                                              enum scallop_phase_kind kind, const fmpq_t v0, int crossings, slong precision,
+                                              const char **why)
+{
+  struct phase_constants p;
+  struct branch b;
+  phase_constants_init(&p, crawler, kind);
+  branch_init(&b);
+  int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
+  bool possible = branch_is_possible(crawler->gait), has_ends = possible && branch_from_ends(&b, &p, at_start, at_end);
+  nothing_found(s, 1, false);
+  if (!has_ends && why)
+    *why = possible ? branch_without_ends : branch_impossible;
+  if (has_ends && b.count > 0) {
+    struct continuation both[2];
+    fmpq_t kappa, velocity;
+    fmpq_init(kappa);
+    fmpq_init(velocity);
+    set_kappa(kappa, crawler);
+    fmpq_div(velocity, v0, crawler->L);
+    for (int join = 0; join < 2; join++)
+      continue_phase(&both[join], &b, &p, crossings < b.count ? crossings : b.count, velocity, kappa, join, precision);
+    find(s, both, false, precision);
+    for (int join = 0; join < 2; join++)
+      continuation_clear(&both[join]);
+    fmpq_clear(kappa);
+    fmpq_clear(velocity);
+  }
+  branch_clear(&b);
+  phase_constants_clear(&p);
+  return has_ends ? SCALLOP_OK : SCALLOP_EDOMAIN;
+}

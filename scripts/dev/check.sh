@@ -1,0 +1,114 @@
+#!/bin/sh
+# Runs every test, as many at a time as there are cores (JOBS=N: as N), and counts: scripts/dev/check.sh BUILD TEST_PROGRAM...
+# A line for each, in the same order whichever ends first; of one that fails, all that it said. Ends with "N passed, M failed".
+set -u
+build=$1
+shift
+at_a_time=${JOBS:-$(getconf _NPROCESSORS_ONLN)}
+case $at_a_time in '' | *[!0-9]* | 0*) echo "check.sh: JOBS: '$at_a_time' is not a number of 1 or more" >&2; exit 2 ;; esac
+runs=$build/check
+rm -rf "$runs"
+mkdir -p "$runs"
+
+same_tables() {
+  rm -rf "$build/tables"
+  sh scripts/dev/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
+    cmp "$table" "data/$(basename "$table")" || return 1
+  done || return 1
+  # map_reach, stress and workprec take minutes, or are times: tests/cli_{map,stress,workprec}.sh
+  [ "$(cd data && ls ./*.tsv)" = "$(cd "$build/tables" && { ls ./*; for name in map_reach stress workprec; do echo "./$name.tsv"; done; } | LC_ALL=C sort)" ] &&
+    [ "$(cd data && ls ./*.tsv | sed 's/tsv$/cfg/')" = "$(cd data/scenes && ls ./*.cfg)" ]
+}
+perform() { # TEST
+  case $1 in
+    tables) same_tables ;;
+    verdicts) "$build/scallop" claims --check ;;
+    reference) /usr/bin/python3 scripts/python/reference.py --check tests/reference.tsv --every 40 ;;
+    cli_*) sh "tests/$1" "$build/scallop" ;;
+    fuzz_*) "$build/$1" tests/corpus/"${1#fuzz_}"/* ;;
+    *) "$build/$1" ;;
+  esac
+}
+title() {
+  case $1 in
+    tables) echo "data/ is what the tool writes" ;;
+    verdicts) echo "verdicts are those of data/claims.tsv" ;;
+    reference) echo "reference table, every 40th row" ;;
+    *) echo "$1" ;;
+  esac
+}
+
+# One of several that take tests from the same list: mkdir tells who was first. A pipeline and no background jobs, which a shell
+# without a terminal starts deaf to Ctrl-C. $$ is the whole check: when something else ended it, no further test begins.
+worker() { # TEST...
+  for test in "$@"; do
+    kill -0 $$ 2>/dev/null || exit 1
+    mkdir "$runs/$test" 2>/dev/null || continue
+    perform "$test" </dev/null >"$runs/$test/log" 2>&1 3>&-
+    echo $? >"$runs/$test/code.part"
+    mv "$runs/$test/code.part" "$runs/$test/code"
+    echo ended >&3
+  done
+}
+workers() { # NUMBER TEST...
+  more=$(($1 - 1))
+  shift
+  if [ $more = 0 ]; then
+    worker "$@"
+  else
+    worker "$@" | workers $more "$@"
+  fi
+}
+
+passed=0 failed=0
+count() { # TEST, which has ended
+  log=$runs/$1/log name=$(title "$1")
+  if [ ! -f "$runs/$1/code" ]; then
+    failed=$((failed + 1))
+    echo "FAIL $name: it did not end"
+  elif [ "$(cat "$runs/$1/code")" = 0 ]; then
+    count=$(grep -c -e '^\[       OK \]' -e '^ok ' "$log")
+    if [ "$count" = 0 ]; then
+      case $1 in
+        test_* | cli_* | fuzz_*) failed=$((failed + 1)); echo "FAIL $name: it ran no test"; return ;;
+        *) count=1 ;;
+      esac
+    fi
+    passed=$((passed + count))
+    echo "ok   $name ($count)"
+  else
+    bad=$(grep -c '^\[  FAILED  \] [a-z]' "$log")
+    [ "$bad" -gt 0 ] || bad=1
+    failed=$((failed + bad))
+    echo "FAIL $name"
+    cat "$log"
+  fi
+}
+report() { # TEST...: each as soon as it and those before it have ended, which the lines of standard input tell
+  for test in "$@"; do
+    until [ -f "$runs/$test/code" ] || ! read -r _; do :; done
+    count "$test"
+    cat "$runs/$test/log" >>"$build/check.log"
+  done
+  echo "$passed passed, $failed failed"
+  [ "$failed" = 0 ]
+}
+
+# The long ones come first, so that the others fill the cores beside them.
+together='' alone=''
+for script in tests/cli_*.sh; do
+  name=$(basename "$script")
+  case $name in
+    cli_workprec.sh) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them
+    *_without_flint.sh) together="$together $name" ;;
+    *) [ "${WITH_FLINT:-1}" = 0 ] || together="$together $name" ;;
+  esac
+done
+[ "${WITH_FLINT:-1}" = 0 ] || together="$together tables verdicts"
+together="$together reference"
+for program in "$@"; do
+  together="$together $(basename "$program")"
+done
+: >"$build/check.log"
+# shellcheck disable=SC2086
+{ workers "$at_a_time" $together; worker $alone; } 3>&1 >/dev/null | report $together $alone

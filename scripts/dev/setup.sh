@@ -1,0 +1,68 @@
+#!/bin/sh
+# Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/dev/setup.sh build|plots|tests|report|lint|fuzz|coverage|valgrind|matrix ...
+set -eu
+
+has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
+
+need() { missing="$missing $1"; }
+look() { # PURPOSE...: what is missing
+  missing=""
+  command -v cc >/dev/null 2>&1 || need "gcc libc6-dev"
+  for purpose in "$@"; do
+    case $purpose in
+      build)    has_header gsl/gsl_roots.h || need libgsl-dev
+                has_header libconfig.h || need libconfig-dev
+                if [ "${WITH_FLINT:-1}" != 0 ]; then
+                  has_header gmp.h || need libgmp-dev
+                  if ! has_header flint/fmpq.h; then
+                    need libflint-dev
+                  elif ! has_header arb.h && ! has_header flint/arb.h; then
+                    need libflint-arb-dev # beside FLINT 2; FLINT 3 has it inside
+                  fi
+                fi ;;
+      plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
+                [ -x /usr/bin/python3 ] || need python3 ;;
+      report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
+      tests)    has_header cmocka.h || need libcmocka-dev
+                command -v pkg-config >/dev/null 2>&1 || need pkgconf
+                command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
+                /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"
+                /usr/bin/python3 -c 'import numpy' 2>/dev/null || need python3-numpy ;;
+      lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
+                command -v clang-format >/dev/null 2>&1 || need clang-format
+                command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;
+      fuzz)     command -v clang >/dev/null 2>&1 || need clang
+                ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-dev ;;
+      valgrind) command -v valgrind >/dev/null 2>&1 || need valgrind ;;
+      matrix)   command -v clang >/dev/null 2>&1 || need clang ;;
+      coverage) command -v gcovr >/dev/null 2>&1 || need gcovr ;;
+      *)        echo "setup.sh: unknown purpose '$purpose'" >&2; exit 2 ;;
+    esac
+  done
+}
+look "$@"
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" = 0 ]; then
+  as_root=""
+elif sudo -n true 2>/dev/null; then
+  as_root="sudo"
+else
+  as_root="none"
+fi
+if [ "$as_root" = none ] || ! command -v apt-get >/dev/null 2>&1; then
+  echo "These packages (Debian names) are missing and cannot be installed from here:$missing" >&2
+  echo "Install them, as root: apt-get install$missing" >&2
+  exit 2
+fi
+export DEBIAN_FRONTEND=noninteractive
+for again in 1 2 3; do # one package shows whether another is wanted; and the compiler comes before its headers are seen
+  [ -n "$missing" ] || exit 0
+  echo "Installing:$missing" >&2
+  # shellcheck disable=SC2086
+  { [ $again -gt 1 ] || $as_root apt-get update -qq; } >&2 &&
+    $as_root apt-get install -y -qq --no-install-recommends $missing >&2
+  look "$@"
+done
+[ -z "$missing" ] || { echo "Still missing:$missing" >&2; exit 2; }

@@ -1,0 +1,130 @@
+"""The C library as scallop.py calls it: where it is found, its structures field by field, and its functions."""
+
+import ctypes
+import os
+import re
+
+ABI_VERSION = 0
+BESIDE = "../../build"  # the folder of the library, from that of this file; `make install` writes its own
+LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
+
+DOMAIN = -1  # SCALLOP_EDOMAIN
+AT_REST_START, MOVING_EXTENSION, MOVING_CONTRACTION, STEADY = range(4)  # enum scallop_setting
+
+
+def _structure(name, *fields):
+    """A C structure of (type, "names of fields") pairs."""
+    each = [(field, kind) for kind, names in fields for field in names.split()]
+    return type(name, (ctypes.Structure,), {"_fields_": each})
+
+
+_double, _int, _pointer, _text = ctypes.c_double, ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p
+
+# model/model.h
+DEGREE = 16  # SCALLOP_POLYNOMIAL_DEGREE
+Law = _structure("scallop_law", (_int, "kind degree"), (_double * (DEGREE + 3), "numbers"), (_int, "implied more_count"),
+                 (_pointer, "more"), (_double, "base"))  # of its union the largest
+Piece = _structure("scallop_piece", (_double, "begin end"), (_int, "anchor direction"), (ctypes.c_bool, "jump linear"),
+                   (_double, "velocity acceleration"), (_pointer, "curve law exact"))
+Shape = _structure("scallop_shape", (_pointer, "pieces"), (_int, "count"), (_double, "l0 lT peak net"),
+                   (ctypes.c_bool, "concave ramps"))
+Gait = _structure("scallop_gait", (_pointer, "name"), (Shape * 2, "phase"))
+Crawler = _structure("scallop_crawler", (_double, "m1 m2 F1 F2 L T alpha"), (_pointer, "gait"))
+Complaint = _structure("scallop_complaint", (_text, "name"), (_double, "given"), (_text, "allowed"))
+# model/gaits.h
+Straight = _structure("scallop_straight", (Gait, "gait"), (Piece * 4 * 2, "pieces"), (Law * 4 * 2, "laws"))
+_PIECES = 2 * DEGREE
+Polynomial = _structure("scallop_polynomial", (Gait, "gait"), (Piece * _PIECES * 2, "pieces"), (Law * _PIECES, "laws"),
+                        (_double * _PIECES, "ways"))
+# numerics/numerics.h
+MODES_KEPT = 24
+Modes = _structure("scallop_modes", (_int, "count"), (ctypes.c_byte * 2 * MODES_KEPT, "kept"))
+PARAMETERS = ("m1", "m2", "F1", "F2", "L", "T", "alpha")
+STEADY_NUMBERS = ("froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "v_low", "v_high")
+PHASE_NUMBERS = ("t1", "dT", "v_end", "dx1", "dx2", "dxC")
+Crawlers = _structure("scallop_crawlers", (ctypes.c_long, "count"), (_pointer, " ".join(PARAMETERS)), (_pointer, "gait"))
+SteadyStates = _structure("scallop_steady_states", (_pointer, " ".join(STEADY_NUMBERS)), (_pointer, "regime modes status"))
+Phases = _structure("scallop_phases", (_pointer, " ".join(PHASE_NUMBERS)), (_pointer, "regime modes status"))
+SAMPLE = ("t", "x1", "x2", "xC", "v1", "v2", "l")  # struct scallop_sample, doubles
+Sampler = ctypes.CFUNCTYPE(ctypes.c_bool, _pointer, _pointer)
+# asymptotics/asymptotics.h
+PhasePoint = _structure("scallop_phase_point", (_double, "m1 m2 F1 F2 T l0 lT l_start l_end v0 t1 dT x_switch"))
+PhaseFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(PhasePoint))
+SteadyFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(Crawler))
+Formula = _structure("scallop_formula", (_text, "name equation"), (_int, "setting quantity remainder"),
+                     (PhaseFormula, "phase"), (SteadyFormula, "steady"), (_text, "text corrected"), (_int, "turns"))
+
+PROTOTYPES = {  # function: result, arguments
+    "scallop_status_text": (_text, _int),
+    "scallop_regime_text": (_text, _int),
+    "scallop_modes_text": (None, _pointer, _text),
+    "scallop_gait_named": (_pointer, _text),
+    "scallop_crawler_check": (_int, ctypes.POINTER(Crawler), ctypes.POINTER(Complaint)),
+    "scallop_make_trapezoidal": (_int, _pointer, _text, _double * 2, _double * 2),
+    "scallop_make_skewed": (_int, _pointer, _text, _double * 2),
+    "scallop_make_polynomial": (_int, _pointer, _text, ctypes.POINTER(_double), _int, ctypes.POINTER(_text)),
+    "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
+    "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
+    "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
+    "scallop_phase_point": (PhasePoint, ctypes.POINTER(Crawler), _int, _double),
+}
+
+
+_loaded = None
+
+
+def load(path=None):
+    """Loads the library in file `path`, or the one found as said above, and uses it from now on. Its name must end in
+    .so.0 or .so.0.MINOR..., or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
+    version. Returns its name."""
+    global _loaded
+    path = path or os.environ.get("SCALLOP_LIBRARY")
+    _loaded = _bind(_open(_versioned(os.fspath(path))) if path else _found())
+    return _loaded._name
+
+
+def library():
+    if _loaded is None:
+        load()
+    return _loaded
+
+
+def _versioned(path):
+    name = os.path.basename(os.path.realpath(path))
+    version = re.search(r"\.so\.(\d+)(\.\d+)*$", name)
+    if not version:
+        raise OSError(f"{path}: the name does not say the version of the binary interface: .so.{ABI_VERSION} is wanted")
+    if int(version[1]) != ABI_VERSION:
+        raise OSError(f"{path}: version {version[1]} of the binary interface: version {ABI_VERSION} is wanted")
+    return os.path.abspath(path)
+
+
+def _open(path):
+    try:
+        return ctypes.CDLL(path)
+    except OSError as error:
+        raise OSError(f"cannot load the library of scallop: {error}") from None
+
+
+def _found():
+    beside = os.path.normpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), BESIDE))
+    for name in LIBRARIES:
+        if os.path.exists(os.path.join(beside, name)):
+            return _open(os.path.join(beside, name))
+    for name in LIBRARIES:
+        try:
+            return ctypes.CDLL(name)
+        except OSError:
+            pass
+    raise OSError(f"neither {' nor '.join(LIBRARIES)} is in {beside} or known to the system's loader: build or install it, "
+                  "or name it in SCALLOP_LIBRARY or scallop.load(path)")
+
+
+def _bind(loaded):
+    for name, (result, *arguments) in PROTOTYPES.items():
+        try:
+            function = getattr(loaded, name)
+        except AttributeError:
+            raise OSError(f"{loaded._name} has no {name}: it is older than scallop.py, or another library") from None
+        function.restype, function.argtypes = result, arguments
+    return loaded
