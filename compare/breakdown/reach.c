@@ -390,7 +390,7 @@ static double of_crawler(const struct scallop_crawler *crawler, const struct bre
   while (!found && series_item_next(&c.item, &e, series->quantity, series->order)) {
     /* of two formulas of the paper for one quantity the simpler: (27) is (26) with L_kin */
     const struct scallop_formula *f = c.item.formula;
-    found = c.item.which.source == series->source && (!f || f->steady != text_steady_velocity_l0_lT);
+    found = c.item.which.source == series->source && (!f || f->steady != scallop_text_steady_velocity_l0_lT);
   }
   if (found && tolerance == 0)
     result = comparison_error(&c, crawler->T);
