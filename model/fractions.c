@@ -21,8 +21,6 @@ void fractions_clear(struct scallop_fractions *f)
   fmpq_poly_clear(f->speed);
 }
 
-/* ---- of doubles ---- */
-
 static void set_coefficient(fmpq_poly_t law, int k, double value)
 {
   fmpq_t c;
@@ -128,8 +126,6 @@ void fractions_of_doubles(struct scallop_fractions *f, const struct scallop_piec
     divide_by_sum(law, &p->law->polynomial.denominator, 1);
   }
 }
-
-/* ---- a gait ---- */
 
 static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
 

@@ -16,8 +16,6 @@ static long double binomial(int n, int k)
   return value;
 }
 
-/* ---- the Bernstein coefficients of l' ---- */
-
 /* Of the sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 where they may be but for half an ulp of each c. Returns NULL, or why that is no gait. */
 static const char *coefficients_of(long double *b, const double *c, int n)
 {
@@ -53,8 +51,6 @@ static const char *coefficients_of(long double *b, const double *c, int n)
     b[j] /= total;
   return NULL;
 }
-
-/* ---- roots between 0 and 1 ---- */
 
 /* A polynomial by its Bernstein coefficients, without its zeros at 0 and 1; noise: what cannot be told from 0. */
 struct polynomial {
@@ -177,8 +173,6 @@ static struct place root_at(const struct polynomial *p, long double low, long do
   return (struct place){ hi, late, turns };
 }
 
-/* ---- where the pieces end ---- */
-
 struct plan {
   long double b[2][MOST + 1]; /* of l', from the start and from the end                                */
   int n;
@@ -241,8 +235,6 @@ static bool make_plan(struct plan *plan)
   add_roots(plan, bend, of_bend, false);
   return true;
 }
-
-/* ---- laws ---- */
 
 /* The largest of the coefficients that are not at the ends: rounding does least to it where it follows from the others. */
 static int largest(const double *b, int degree)
@@ -307,8 +299,6 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
   g->laws[at] = law_of(plan->n, b, largest(b, plan->n), near->offset, far->offset, (double)(sum * (v - u) / (plan->n + 1)),
                        (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
 }
-
-/* ---- the gait ---- */
 
 /* The sign of l' between two places, in an extension */
 static int direction_between(const struct plan *plan, const struct place *begin, const struct place *end, bool late)

@@ -16,8 +16,6 @@ int scallop_spline_pieces(const int count[2])
   return count[0] + count[1];
 } /* one between two knots, and one for the middle */
 
-/* ---- domain ---- */
-
 static bool is_rounded(double x) { return x >= 0 && x <= 1 && scallop_knot_round(x) == x; }
 
 /* Between two knots. three: times the way over the time, not rounded down */
@@ -45,8 +43,6 @@ static bool is_phase(const struct scallop_knot *knots, int count, int kind)
       return false;
   return true;
 }
-
-/* ---- pieces ---- */
 
 /* The piece of the cubic between two knots that lies between the times from and to, on one side of the middle */
 static void add(struct scallop_spline *s, int at, const struct scallop_knot *a, const struct scallop_knot *b, int kind,
@@ -91,8 +87,6 @@ static int add_phase(struct scallop_spline *s, int at, const struct scallop_knot
   }
   return at;
 }
-
-/* ---- a phase as a whole ---- */
 
 /* The largest value of b0 (1 - x)^2 + 2 b1 x (1 - x) + b2 x^2, 0 <= x <= 1 */
 static long double largest(const long double b[3])

@@ -13,8 +13,6 @@
 extern "C" {
 #endif
 
-/* ---- of straight pieces ---------------------------------------------------------------------- */
-
 struct scallop_straight {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][4];
@@ -31,8 +29,6 @@ enum scallop_status scallop_make_trapezoidal(struct scallop_straight *straight, 
 /* l'' is constant for a fraction beta[kind] of each phase, and has another constant value for the rest: l is quadratic, |l'| rises to 2 and
  * falls. beta = 1/2 is the quadratic gait. Domain: 2^-100 <= beta <= 1 - 2^-53. */
 enum scallop_status scallop_make_skewed(struct scallop_straight *straight, const char *name, const double beta[2]);
-
-/* ---- polynomial ------------------------------------------------------------------------------ */
 
 enum { SCALLOP_POLYNOMIAL_DEGREE = SCALLOP_LAW_MOST_DEGREE + 1, SCALLOP_POLYNOMIAL_PIECES = 2 * SCALLOP_POLYNOMIAL_DEGREE };
 
@@ -51,8 +47,6 @@ struct scallop_polynomial {
  * be NULL: what is wrong. */
 enum scallop_status scallop_make_polynomial(struct scallop_polynomial *polynomial, const char *name, const double *c,
                                             int degree, const char **why);
-
-/* ---- splines --------------------------------------------------------------------------------- */
 
 /* A point of one phase: the part of the phase that has passed, from 0 to 1; l in units of the amplitude, which begins and ends with 0 and 1
  * in the extension and with 1 and 0 in the contraction; dl/dtime. */

@@ -31,8 +31,6 @@ enum scallop_status {
 };
 const char *scallop_status_text(enum scallop_status status);
 
-/* ---- gait ---------------------------------------------------------------------------------- */
-
 enum scallop_phase_kind { SCALLOP_EXTENSION = 0, SCALLOP_CONTRACTION = 1 };
 
 /* Where a piece measures its own time from. Times near the end of a phase are kept as distances to
@@ -146,8 +144,6 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait);
  * start of an extension and 1 at the start of a contraction. Any of the three may be NULL. */
 void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,
                      double *velocity, double *acceleration);
-
-/* ---- crawler ------------------------------------------------------------------------------- */
 
 /* SI or any consistent units. Every m, F, L, T > 0 and finite; 0 < alpha < 1: the fraction of the
  * period T that the extension takes. */

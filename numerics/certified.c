@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-/* ---- results ---- */
-
 enum { PHASE_BALLS = 9 };
 
 static arb_ptr phase_ball(struct scallop_certified_phase *r, int i)
@@ -27,15 +25,11 @@ void scallop_certified_phase_clear(struct scallop_certified_phase *r)
     arb_clear(phase_ball(r, i));
 }
 
-/* ---- domain ---- */
-
 bool certified_domain(const struct scallop_rational_crawler *c, long digits)
 {
   return scallop_rational_is_valid(c) && fmpq_sgn(c->T) > 0 && digits >= 1 && digits <= SCALLOP_MOST_DIGITS
          && scallop_gait_is_exact(c->gait);
 }
-
-/* ---- accuracy and precision ---- */
 
 slong certified_bits(long digits) { return (slong)((double)digits * 3.3219280948873624) + 4; }
 
@@ -76,8 +70,6 @@ bool certified_is_accurate(const arb_t x, const arb_t size, slong bits)
   mag_clear(allowed);
   return accurate;
 }
-
-/* ---- one phase ---- */
 
 enum scallop_regime certified_regime(bool sticks, bool both_move)
 {

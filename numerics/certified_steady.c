@@ -26,8 +26,6 @@ void scallop_certified_steady_clear(struct scallop_certified_steady *r)
     arb_clear(steady_ball(r, i));
 }
 
-/* ---- domain ---- */
-
 static bool is_zero_at(const struct scallop_piece *piece, double u)
 {
   arb_t at, speed;
@@ -56,7 +54,7 @@ static bool is_continuous(const struct scallop_gait *gait)
   return true;
 }
 
-/* ---- one period; velocities in L/T ---- */
+/* Velocities in L/T */
 
 struct period {
   struct scallop_forces forces[2];
@@ -119,8 +117,6 @@ static bool march_period(struct period *period, const arb_t v, slong precision)
   arb_mul(period->multiplier, period->march[0].multiplier, period->march[1].multiplier, precision);
   return true;
 }
-
-/* ---- the steady state ---- */
 
 struct search {
   struct period period;

@@ -38,8 +38,6 @@ struct run {
   bool let_go[2]; /* a body that was at rest where the integration began */
 };
 
-/* ---- what CVODE asks for ---- */
-
 static int equation(double t, N_Vector y, N_Vector dydt, void *context)
 {
   struct rival_motion *m = context;
@@ -67,8 +65,6 @@ static int velocities(double t, N_Vector y, double *ahead, void *context)
     ahead[body] = rival_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
   return 0;
 }
-
-/* ---- from event to event ---- */
 
 /* From where the motion stands, with no memory of what was before. */
 static bool begin(struct run *r)
@@ -158,8 +154,6 @@ static enum scallop_status period(struct scallop_rival *self, const struct scall
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
   return rival_motion_period(&r.motion, crawler, v0, patience, result);
 }
-
-/* ---- memory ---- */
 
 #if SUNDIALS_VERSION_MAJOR < 7
 static void be_silent(int code, const char *module, const char *function, char *message, void *context)

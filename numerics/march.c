@@ -11,8 +11,6 @@ static const char *const at_end[] = { "body 1 comes to rest just as a piece of t
 static const char *const at_limit[] = { "the force that holds body 1 is exactly at its limit, or almost",
                                         "the force that holds body 2 is exactly at its limit, or almost" };
 
-/* ---- what it works on ---- */
-
 void scallop_forces_init(struct scallop_forces *forces)
 {
   scallop_exact_init(&forces->exact);
@@ -107,7 +105,7 @@ static bool undecided(struct scallop_march *m, const char *why)
   return false;
 }
 
-/* ---- forces: accelerations, in fact, those of equal masses M ---- */
+/* Forces are accelerations here, those of equal masses M. */
 
 /* n1 F1 + n2 F2 */
 static void friction(fmpq_t sum, const struct scallop_march *m, int n1, int n2)
@@ -180,8 +178,6 @@ static void shear(struct scallop_march *m, int body, int s)
   arb_clear(before);
   arb_clear(after);
 }
-
-/* ---- moving on ---- */
 
 static void advance(struct scallop_march *m, const arb_t to)
 {
@@ -292,8 +288,6 @@ static void take_down(struct scallop_march *m)
   arb_set(m->last, m->now);
   arb_set(m->at_last, position(m, rear(m)));
 }
-
-/* ---- changes of mode ---- */
 
 /* The velocity of a body has come to 0 across it: does it go on, or can friction hold it? */
 static bool turn(struct scallop_march *m, int body)
@@ -488,8 +482,6 @@ static bool enter(struct scallop_march *m, const struct scallop_piece *piece, bo
     return is_at_rest(m) ? start_from_rest(m) : set_directions(m);
   return !is_stuck(m) || hold(m);
 }
-
-/* ---- the next change ---- */
 
 /* v_body while both bodies slide. */
 static void set_velocity_track(struct scallop_track *f, struct scallop_march *m, int body)

@@ -45,8 +45,6 @@ static int equation(double t, const double y[], double dydt[], void *params)
   return GSL_SUCCESS;
 }
 
-/* ---- events within a step ---- */
-
 static double ahead(const struct run *r, const struct point *p, int body)
 {
   return rival_ahead(&r->motion, p->y[0], p->v2, body);
@@ -181,8 +179,6 @@ static int first_event(struct run *r, const struct point *from, struct point *to
   return first;
 }
 
-/* ---- from event to event ---- */
-
 static void begin(struct run *r, struct point *from)
 {
   const struct rival_motion *m = &r->motion;
@@ -254,8 +250,6 @@ enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct 
   return good_tolerance(tolerance) ? run(odeiv, crawler, v0, tolerance, NULL, period) : SCALLOP_EDOMAIN;
 }
 
-/* ---- memory ---- */
-
 static const gsl_odeiv2_step_type *type_of(enum scallop_odeiv_stepper stepper)
 {
   switch (stepper) {
@@ -318,8 +312,6 @@ enum scallop_status scallop_odeiv_period(const struct scallop_crawler *crawler, 
   scallop_odeiv_destroy(odeiv);
   return status;
 }
-
-/* ---- as a rival ---- */
 
 struct odeiv_rival {
   struct scallop_rival rival; /* first, so that the one is the other */

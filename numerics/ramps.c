@@ -59,7 +59,7 @@ INLINE void cross(struct progress *p, double change, double slope, double then, 
   p->events++;
 }
 
-/* ---- the way up; false: too close to call ---- */
+/* The way up. False: too close to call. */
 
 /* Between the curves from time t: c can only meet curve 1, and is then held by it. */
 INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum trail_state *state)
@@ -109,7 +109,7 @@ INLINE bool go_up(struct progress *p, const struct ramps *r, enum trail_state *s
   return true;
 }
 
-/* ---- the way down; times count back from the end ---- */
+/* The way down: times count back from the end. */
 
 INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, double q)
 {
@@ -195,8 +195,6 @@ INLINE bool go_down(struct progress *p, const struct ramps *r, enum trail_state 
   }
   return false; /* GCOVR_EXCL_LINE */
 }
-
-/* ---- the phase ---- */
 
 /* Region 0 to region 2 and back, curve 0 to curve 1 and back */
 unsigned trail_mirrored(unsigned trail)

@@ -46,8 +46,6 @@ static enum scallop_status next_period(struct search *s, double v0, struct scall
   return SCALLOP_OK;
 }
 
-/* ---- simulation ---- */
-
 /* Changes of the start velocity, each over a stride of so many periods. */
 struct watch {
   double mark;   /* where the last stride ended */
@@ -118,8 +116,6 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
   *steady = s.at;
   return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
 }
-
-/* ---- root ---- */
 
 /* The map at a start velocity, as it was found. */
 struct tried {

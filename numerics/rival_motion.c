@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stddef.h>
 
-/* ---- the mode ---- */
-
 static void set_mode(struct rival_motion *m, int s1, int s2)
 {
   m->sign[0] = s1;
@@ -36,8 +34,6 @@ static double turning_time(const struct rival_motion *m, int body)
   double level = body == 0 ? -m->drag / m->phases.mu[1] : m->drag / m->phases.mu[0];
   return rival_flip(m->piece, m->piece->curve->when(m->piece, level));
 }
-
-/* ---- from event to event ---- */
 
 bool rival_motion_goes_on(struct rival_motion *m)
 {

@@ -44,8 +44,6 @@ struct run {
   struct watch watch;
 };
 
-/* ---- the equation of motion ---- */
-
 static int equation(double t, const double y[], double dydt[], void *params)
 {
   struct run *run = params;
@@ -92,8 +90,6 @@ static int jacobian(double t, const double y[], double *dfdy, double dfdt[], voi
   r->evaluations++;
   return GSL_SUCCESS;
 }
-
-/* ---- one piece, one phase, one period ---- */
 
 static long steps_of(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
 
@@ -215,8 +211,6 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
                      .watch = { crawler, kind, duration, times, count, sampler, context } };
   return run_phase(&run.phases, &s.gait->phase[kind]);
 }
-
-/* ---- memory ---- */
 
 static void smoothed_destroy(struct scallop_rival *self)
 {

@@ -22,8 +22,6 @@ int scallop_width_bits(enum scallop_width width)
   return WIDE_HAS_FLOAT128 || LDBL_MANT_DIG == 113 ? 113 : 0;
 }
 
-/* ---- domain ---- */
-
 static bool is_exact(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++)
@@ -118,8 +116,6 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   return steady_in(width, crawler, guess, out) && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
 }
 
-/* ---- solves ---- */
-
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
                                        enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result)
 {
@@ -169,8 +165,6 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
     *result = answer;
   return !found ? SCALLOP_ECONVERGE : finite ? SCALLOP_OK : SCALLOP_ERANGE;
 }
-
-/* ---- value and error ---- */
 
 static enum scallop_width widest(void)
 {
