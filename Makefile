@@ -22,7 +22,7 @@ LDLIBS   ?= $(foreach l,gsl gslcblas config,$(call linked,$(l))) -lm
 # FLINT: derived series, certified numbers and the ledger, in a program of their own that the command hands over to
 # (compare/command/with_flint.h).
 flint_parts := $(addprefix model/,ball fractions exact_gaits) $(basename $(wildcard asymptotics/derived/*.c)) \
-               $(addprefix numerics/,certified certified_steady march enclose) \
+               $(addprefix numerics/,certified certified_steady march march_mode enclose) \
                $(filter-out compare/workprec/stopwatch,$(basename $(wildcard compare/*/*flint.c $(patsubst %,compare/%/*.c,claims breakdown maps stress workprec))))
 flint_tests := certified friction written_gaits rises certified_edges certified_laws claims claims_check claims_figures claims_words series series_terms formula_series derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits branch out_of_memory range wide stress breakdown map map_curves singularity
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3

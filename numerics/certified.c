@@ -90,9 +90,9 @@ static bool phase_result(struct scallop_certified_phase *r, struct scallop_march
   arb_sub_ui(r->dT, m->last, 1, p);
   arb_neg(r->dT, r->dT);
   arb_set(r->v_end, m->v_end);
-  arb_set(r->dx1, m->x1);
-  arb_set(r->dx2, m->x2);
-  arb_add(r->dxC, m->x1, m->x2, p);
+  arb_set(r->dx1, m->x[0]);
+  arb_set(r->dx2, m->x[1]);
+  arb_add(r->dxC, m->x[0], m->x[1], p);
   arb_mul_2exp_si(r->dxC, r->dxC, -1);
   arb_set(r->at_first, m->at_first);
   arb_set(r->at_last, m->at_last);
