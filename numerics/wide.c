@@ -65,29 +65,7 @@ static bool choose_width(const struct scallop_gait *gait, double left, enum scal
   return is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
 }
 
-static void phase_in(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                     double v0, struct scallop_wide_phase *out)
-{
-  if (width == SCALLOP_LONG_DOUBLE)
-    wide_long_phase(crawler, kind, v0, out);
-  else
-    wide_quad_phase(crawler, kind, v0, out);
-}
-
-static void period_in(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
-                      struct scallop_wide_period *out)
-{
-  if (width == SCALLOP_LONG_DOUBLE)
-    wide_long_period(crawler, v0, out);
-  else
-    wide_quad_period(crawler, v0, out);
-}
-
-static bool steady_in(enum scallop_width width, const struct scallop_crawler *crawler, double guess,
-                      struct scallop_wide_steady *out)
-{
-  return width == SCALLOP_LONG_DOUBLE ? wide_long_steady(crawler, guess, out) : wide_quad_steady(crawler, guess, out);
-}
+static const struct wide_solver *const solvers[] = { [SCALLOP_LONG_DOUBLE] = &wide_long, [SCALLOP_BINARY128] = &wide_quad };
 
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out)
@@ -95,7 +73,7 @@ bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  phase_in(width, crawler, kind, v0, out);
+  solvers[width]->phase(crawler, kind, v0, out);
   return is_kept(out->dx1.high) && is_kept(out->dx2.high) && is_kept(out->dxC.high);
 }
 
@@ -104,7 +82,7 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  period_in(width, crawler, v0, out);
+  solvers[width]->period(crawler, v0, out);
   return is_kept(out->displacement.high);
 }
 
@@ -113,7 +91,8 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  return steady_in(width, crawler, guess, out) && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
+  return solvers[width]->steady(crawler, guess, out) && is_kept(out->period.displacement.high)
+         && is_kept(out->mean_velocity.high);
 }
 
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
@@ -125,7 +104,7 @@ enum scallop_status scallop_wide_phase(enum scallop_width width, const struct sc
   enum scallop_status status = check(width, crawler, solve_phase(crawler, kind, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  phase_in(width, crawler, kind, v0, &answer);
+  solvers[width]->phase(crawler, kind, v0, &answer);
   const struct scallop_wide *const numbers[] = { &answer.v_end, &answer.dx1, &answer.dx2, &answer.dxC };
   bool finite = are_finite(numbers, 4);
   if (finite)
@@ -142,7 +121,7 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
   enum scallop_status status = check(width, crawler, solve_period(crawler, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  period_in(width, crawler, v0, &answer);
+  solvers[width]->period(crawler, v0, &answer);
   if (!period_is_finite(&answer))
     return SCALLOP_ERANGE;
   *result = answer;
@@ -159,7 +138,7 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
   if (status != SCALLOP_OK)
     return status;
   double guess = plain.period.v_start;
-  bool found = steady_in(width, crawler, guess, &answer);
+  bool found = solvers[width]->steady(crawler, guess, &answer);
   bool finite = period_is_finite(&answer.period) && isfinite(answer.mean_velocity.high);
   if (found && finite)
     *result = answer;

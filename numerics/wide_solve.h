@@ -2,7 +2,7 @@
  *
  *     real          the type
  *     REAL_BITS     of its significand
- *     WIDE(name)    what the three functions at the end are called
+ *     WIDE          what the solver at the end is called
  *
  *     real_sine, real_cosine     of 0 <= x < 1
  *
@@ -158,7 +158,8 @@ static real best_way(const struct walk_result *r, const real beyond[3], real *si
   return r->way[best] + beyond[best];
 }
 
-void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *out)
+static void wide_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+                       struct scallop_wide_phase *out)
 {
   struct wide_scaled s;
   struct walk_result r;
@@ -236,7 +237,7 @@ static void period_out(const struct scallop_crawler *c, const struct wide_scaled
   out->regime = never ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
 
-void WIDE(period)(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
+static void wide_period(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
 {
   struct wide_scaled s;
   struct wide_period p;
@@ -316,7 +317,7 @@ static void find_from_level(const struct wide_scaled *s, struct scallop_modes mo
   }
 }
 
-bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
+static bool wide_steady(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
 {
   struct wide_scaled s;
   struct wide_period p;
@@ -331,3 +332,5 @@ bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_
   out->cost_of_transport = split(travel == 0 ? NAN : work / (((real)c->F1 + c->F2) * (magnitude(travel) * c->L)));
   return found;
 }
+
+const struct wide_solver WIDE = { wide_phase, wide_period, wide_steady };
