@@ -31,7 +31,7 @@ refuse 2 "below 1" steady --gait skewed:1
 refuse 2 "'x' is not a number" trajectory --gait skewed:x
 refuse 2 "l' not at the end" steady --gait polynomial:0,3,-2.1
 refuse 2 "so near to 0" steady --gait polynomial:0,0.125,-0.4166666666666667,0.5,-0.2
-refuse 4 "nowhere.tsv: cannot be read" steady --gait measured:nowhere.tsv
+refuse 4 "cannot read nowhere.tsv: No such file" steady --gait measured:nowhere.tsv
 printf 't\tl\n0\t0\n1\t1\n1\t0.5\n3\t0\n' >bad.tsv
 refuse 2 "bad.tsv:4: t = 1 does not come after 1 of line 3" steady --gait measured:bad.tsv
 printf '0 0\n1 1\n2 0.5\n3 0.1\n' >bad.tsv

@@ -37,7 +37,7 @@ static void cells_follow_the_format(void **state)
   }
 }
 
-/* More than the text buffer holds, in turn with notes, which go past it */
+/* More than a buffer holds, in turn with notes */
 static void rows_and_notes_keep_their_order(void **state)
 {
   (void)state;

@@ -151,20 +151,27 @@ static void a_table_of_doubles(void **state)
 static void own_numbers(void **state)
 {
   (void)state;
-  fmpq_t x[3], wanted;
-  for (int i = 0; i < 3; i++)
-    fmpq_init(x[i]);
+  struct scallop_rational_crawler exact;
+  struct point p = point_initial(NULL);
+  fmpq_t wanted;
+  scallop_rational_init(&exact);
   fmpq_init(wanted);
   write_text("own.txt", "0.1 0.5\n0.15 1\n0.2 1.2\n0.3 1\n0.4 0.5\n");
-  assert_true(written_gait_has_own(gait_of("measured:own.txt"), x[0], x[1], x[2]));
+  p.crawler.gait = gait_of("measured:own.txt");
+  point_complete(&p);
+  rational_point(&exact, NULL, &p);
+  const fmpq *const own[3] = { exact.L, exact.T, exact.alpha };
   const long numbers[3][2] = { { 7, 10 }, { 3, 10 }, { 1, 3 } };
   for (int i = 0; i < 3; i++) {
     fmpq_set_si(wanted, numbers[i][0], (ulong)numbers[i][1]);
-    assert_true(fmpq_equal(x[i], wanted));
-    fmpq_clear(x[i]);
+    assert_true(fmpq_equal(own[i], wanted));
   }
+  p.crawler.alpha = 0.375;
+  rational_point(&exact, NULL, &p);
+  fmpq_set_si(wanted, 3, 8);
+  assert_true(fmpq_equal(exact.alpha, wanted));
   fmpq_clear(wanted);
-  assert_false(written_gait_has_own(gait_of("skewed:0.3"), x[0], x[1], x[2]));
+  scallop_rational_clear(&exact);
 }
 
 /* Whose doubles stand for them */

@@ -1,6 +1,7 @@
 #include "compare/answers/answer.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -21,58 +22,73 @@ static void forget(struct answer *a, enum scallop_status status)
     a->value[q].high = NAN;
 }
 
-static void take_period_modes(struct answer *a, enum scallop_regime regime, const struct scallop_modes modes[2])
-{
-  a->regime = regime;
-  a->modes[0] = modes[0];
-  a->modes[1] = modes[1];
-}
-
-static void take_steady(struct answer *a, const struct scallop_steady_result *r)
-{
-  a->value[Q_FROUDE].high = r->froude;
-  a->value[Q_V_START].high = r->period.v_start;
-  a->value[Q_V_MID].high = r->period.v_mid;
-  a->value[Q_DISPLACEMENT].high = r->period.displacement;
-  a->value[Q_MEAN_VELOCITY].high = r->mean_velocity;
-  a->value[Q_MULTIPLIER].high = r->period.multiplier;
-  a->v_low = r->v_low;
-  a->v_high = r->v_high;
-  a->work = r->work;
-  take_period_modes(a, r->period.regime, r->period.modes);
-}
-
-static void take_phase(struct answer *a, double v0, const struct scallop_phase_result *r)
-{
-  a->value[Q_T1].high = r->t1;
-  a->value[Q_DT].high = r->dT;
-  a->value[Q_V_END].high = r->v_end;
-  a->value[Q_DX1].high = r->dx1;
-  a->value[Q_DX2].high = r->dx2;
-  a->value[Q_DXC].high = r->dxC;
-  a->value[Q_CHANGE].high = r->v_end - v0;
-  a->value[Q_TURNING].high = isnan(r->dT) ? NAN : 0;
-  a->work = r->work;
-  a->regime = r->regime;
-  a->modes[0] = r->modes;
-}
-
-/* The solver's results, which its error estimates start from */
+/* What the solver gives, what the wider walk gives, and the estimates of the error: of a motion one of the two is filled in. */
 struct solved {
   struct scallop_steady_result steady;
   struct scallop_phase_result phase;
 };
+struct solved_wide {
+  struct scallop_wide_steady steady;
+  struct scallop_wide_phase phase;
+};
+struct solved_errors {
+  struct scallop_steady_error steady;
+  struct scallop_phase_error phase;
+};
+
+#define PLACES(member, error) \
+  { \
+    offsetof(struct solved, member), offsetof(struct solved_wide, member), offsetof(struct solved_errors, error) \
+  }
+/* Where the quantities stand in them */
+static const struct {
+  size_t solved, wide, error;
+} places[QUANTITIES] = {
+  [Q_FROUDE] = PLACES(steady.froude, steady.froude),
+  [Q_V_START] = PLACES(steady.period.v_start, steady.v_start),
+  [Q_V_MID] = PLACES(steady.period.v_mid, steady.v_mid),
+  [Q_DISPLACEMENT] = PLACES(steady.period.displacement, steady.displacement),
+  [Q_MEAN_VELOCITY] = PLACES(steady.mean_velocity, steady.mean_velocity),
+  [Q_MULTIPLIER] = PLACES(steady.period.multiplier, steady.multiplier),
+  [Q_T1] = PLACES(phase.t1, phase.t1),
+  [Q_DT] = PLACES(phase.dT, phase.dT),
+  [Q_V_END] = PLACES(phase.v_end, phase.v_end),
+  [Q_DX1] = PLACES(phase.dx1, phase.dx1),
+  [Q_DX2] = PLACES(phase.dx2, phase.dx2),
+  [Q_DXC] = PLACES(phase.dxC, phase.dxC),
+};
+
+static void copy_from(const void *results, size_t place, void *number, size_t size)
+{
+  memcpy(number, (const char *)results + place, size);
+}
+
+static void take_modes(struct answer *a, enum scallop_regime regime, const struct scallop_modes *modes, int phases)
+{
+  a->regime = regime;
+  memcpy(a->modes, modes, (size_t)phases * sizeof *modes);
+}
 
 static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 {
+  const struct scallop_period_result *period = &s->steady.period;
   bool steady = m->of == OF_STEADY;
   forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
-  if (steady)
-    take_steady(a, &s->steady);
-  else
-    take_phase(a, m->v0, &s->phase);
+  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
+    copy_from(s, places[q].solved, &a->value[q].high, sizeof a->value[q].high);
+  if (steady) {
+    a->v_low = s->steady.v_low;
+    a->v_high = s->steady.v_high;
+    a->work = s->steady.work;
+    take_modes(a, period->regime, period->modes, 2);
+  } else {
+    a->value[Q_CHANGE].high = s->phase.v_end - m->v0;
+    a->value[Q_TURNING].high = isnan(s->phase.dT) ? NAN : 0;
+    a->work = s->phase.work;
+    take_modes(a, s->phase.regime, &s->phase.modes, 1);
+  }
   return true;
 }
 
@@ -161,66 +177,36 @@ double published_value(const struct scallop_formula *formula, const struct scall
 bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])
 {
   struct solved s;
-  for (int q = 0; q < QUANTITIES; q++)
+  struct solved_errors e;
+  bool solved = solve(a, m, &s);
+  enum scallop_status status = !solved              ? a->status
+                               : m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
+                                                    : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
+  for (int q = 0; q < QUANTITIES; q++) {
     errors[q] = NAN;
-  if (!solve(a, m, &s))
-    return false;
-  if (m->of == OF_STEADY) {
-    struct scallop_steady_error e = { NAN, NAN, NAN, NAN, NAN, NAN };
-    scallop_steady_error(&m->crawler, &s.steady, &e);
-    errors[Q_FROUDE] = e.froude;
-    errors[Q_V_START] = e.v_start;
-    errors[Q_V_MID] = e.v_mid;
-    errors[Q_DISPLACEMENT] = e.displacement;
-    errors[Q_MEAN_VELOCITY] = e.mean_velocity;
-    errors[Q_MULTIPLIER] = e.multiplier;
-    return true;
+    if (status >= 0 && quantity_rows[q].of == m->of)
+      copy_from(&e, places[q].error, &errors[q], sizeof errors[q]);
   }
-  struct scallop_phase_error e = { NAN, NAN, NAN, NAN, NAN, NAN };
-  scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e);
-  errors[Q_T1] = e.t1;
-  errors[Q_DT] = e.dT;
-  errors[Q_V_END] = e.v_end;
-  errors[Q_DX1] = e.dx1;
-  errors[Q_DX2] = e.dx2;
-  errors[Q_DXC] = e.dxC;
-  return true;
-}
-
-static bool steady_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
-{
-  struct scallop_wide_steady r;
-  forget(a, scallop_wide_steady(width, &m->crawler, &r));
-  if (a->status < 0)
-    return false;
-  a->value[Q_FROUDE] = r.froude;
-  a->value[Q_V_START] = r.period.v_start;
-  a->value[Q_V_MID] = r.period.v_mid;
-  a->value[Q_DISPLACEMENT] = r.period.displacement;
-  a->value[Q_MEAN_VELOCITY] = r.mean_velocity;
-  a->value[Q_MULTIPLIER] = r.period.multiplier;
-  a->value[Q_FRICTION_WORK] = r.friction_work;
-  a->value[Q_COST_OF_TRANSPORT] = r.cost_of_transport;
-  take_period_modes(a, r.period.regime, r.period.modes);
-  return true;
+  return solved;
 }
 
 bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
 {
-  if (m->of == OF_STEADY)
-    return steady_in_wide(a, m, width);
-  struct scallop_wide_phase r;
-  forget(a, scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &r));
+  struct solved_wide s;
+  const struct scallop_wide_period *period = &s.steady.period;
+  bool steady = m->of == OF_STEADY;
+  forget(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
+                   : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
   if (a->status < 0)
     return false;
-  a->value[Q_T1] = r.t1;
-  a->value[Q_DT] = r.dT;
-  a->value[Q_V_END] = r.v_end;
-  a->value[Q_DX1] = r.dx1;
-  a->value[Q_DX2] = r.dx2;
-  a->value[Q_DXC] = r.dxC;
-  a->regime = r.regime;
-  a->modes[0] = r.modes;
+  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
+    copy_from(&s, places[q].wide, &a->value[q], sizeof a->value[q]);
+  if (steady) {
+    a->value[Q_FRICTION_WORK] = s.steady.friction_work;
+    a->value[Q_COST_OF_TRANSPORT] = s.steady.cost_of_transport;
+    take_modes(a, period->regime, period->modes, 2);
+  } else
+    take_modes(a, s.phase.regime, &s.phase.modes, 1);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include "compare/answers/answer_flint.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "asymptotics/derived/evaluate.h"
@@ -41,55 +42,62 @@ static const arb_struct *cost_of_transport(struct ball_answer *a, const struct s
   return arb_contains_zero(a->steady.displacement) ? NULL : a->cost;
 }
 
-static void take_steady(struct ball_answer *a, const struct scallop_rational_crawler *c, long digits)
-{
-  const struct scallop_certified_steady *s = &a->steady;
-  a->value[Q_FROUDE] = s->froude;
-  a->value[Q_V_START] = s->v_start;
-  a->value[Q_V_MID] = s->v_mid;
-  a->value[Q_DISPLACEMENT] = s->displacement;
-  a->value[Q_MEAN_VELOCITY] = s->mean_velocity;
-  a->value[Q_MULTIPLIER] = s->multiplier;
-  a->value[Q_FRICTION_WORK] = s->friction_work;
-  a->value[Q_COST_OF_TRANSPORT] = cost_of_transport(a, c, bits_of(digits));
-  a->regime = s->regime;
-  a->modes[0] = s->modes[0];
-  a->modes[1] = s->modes[1];
-}
+#define BALL(member) offsetof(struct ball_answer, member)
+#define BOTH(member) BALL(member), offsetof(struct series_answer, member)
+/* Where the quantities stand in the answers, 0 where they do not, and whether only if the mode changes */
+static const struct {
+  enum quantity_of of;
+  bool if_switches;
+  size_t ball, series;
+} places[ALL_QUANTITIES] = {
+  [Q_FROUDE] = { OF_STEADY, false, BALL(steady.froude), 0 },
+  [Q_V_START] = { OF_STEADY, false, BOTH(steady.v_start) },
+  [Q_V_MID] = { OF_STEADY, false, BOTH(steady.v_mid) },
+  [Q_DISPLACEMENT] = { OF_STEADY, false, BOTH(steady.displacement) },
+  [Q_MEAN_VELOCITY] = { OF_STEADY, false, BOTH(steady.mean_velocity) },
+  [Q_MULTIPLIER] = { OF_STEADY, false, BALL(steady.multiplier), 0 },
+  [Q_FRICTION_WORK] = { OF_STEADY, false, BOTH(steady.friction_work) },
+  [Q_T1] = { OF_PHASE, true, BOTH(phase.t1) },
+  [Q_DT] = { OF_PHASE, true, BOTH(phase.dT) },
+  [Q_V_END] = { OF_PHASE, false, BOTH(phase.v_end) },
+  [Q_DX1] = { OF_PHASE, false, BOTH(phase.dx1) },
+  [Q_DX2] = { OF_PHASE, false, BOTH(phase.dx2) },
+  [Q_DXC] = { OF_PHASE, false, BOTH(phase.dxC) },
+  [Q_AT_FIRST] = { OF_PHASE, true, BOTH(phase.at_first) },
+  [Q_AT_LAST] = { OF_PHASE, true, BOTH(phase.at_last) },
+  [Q_CHANGE] = { OF_PHASE, false, BALL(change), 0 },
+  [Q_TURNING] = { OF_PHASE, true, BALL(turning), offsetof(struct series_answer, phase.turning_velocity) },
+};
 
-static void take_phase(struct ball_answer *a, const fmpq_t v0, long digits)
+/* The value at this place of an answer, or NULL: a motion of this kind, with or without changes of mode, has none. */
+static const void *value_at(const void *answer, int q, size_t place, enum quantity_of of, bool switches)
 {
-  const struct scallop_certified_phase *p = &a->phase;
-  a->value[Q_T1] = p->switches ? p->t1 : NULL;
-  a->value[Q_DT] = p->switches ? p->dT : NULL;
-  a->value[Q_V_END] = p->v_end;
-  a->value[Q_DX1] = p->dx1;
-  a->value[Q_DX2] = p->dx2;
-  a->value[Q_DXC] = p->dxC;
-  a->value[Q_AT_FIRST] = p->switches ? p->at_first : NULL;
-  a->value[Q_AT_LAST] = p->switches ? p->at_last : NULL;
-  a->value[Q_TURNING] = p->switches ? a->turning : NULL;
-  a->value[Q_CHANGE] = a->change;
-  slong bits = bits_of(digits);
-  arb_set_fmpq(a->change, v0, bits);
-  arb_sub(a->change, p->v_end, a->change, bits);
-  a->regime = p->regime;
-  a->modes[0] = p->modes;
+  bool has = place > 0 && places[q].of == of && (switches || !places[q].if_switches);
+  return has ? (const char *)answer + place : NULL;
 }
 
 bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
                      enum scallop_phase_kind phase, const fmpq_t v0, long digits)
 {
+  const slong bits = bits_of(digits);
   memset(a->value, 0, sizeof a->value);
   a->why = NULL;
   a->status = of == OF_STEADY ? scallop_certified_steady(c, digits, &a->steady, &a->why)
                               : scallop_certified_phase(c, phase, v0, digits, &a->phase, &a->why);
   if (a->status != SCALLOP_OK)
     return false;
-  if (of == OF_STEADY)
-    take_steady(a, c, digits);
-  else
-    take_phase(a, v0, digits);
+  for (int q = 0; q < ALL_QUANTITIES; q++)
+    a->value[q] = value_at(a, q, places[q].ball, of, a->phase.switches);
+  if (of == OF_STEADY) {
+    a->value[Q_COST_OF_TRANSPORT] = cost_of_transport(a, c, bits);
+    a->regime = a->steady.regime;
+    memcpy(a->modes, a->steady.modes, sizeof a->modes);
+  } else {
+    arb_set_fmpq(a->change, v0, bits);
+    arb_sub(a->change, a->phase.v_end, a->change, bits);
+    a->regime = a->phase.regime;
+    a->modes[0] = a->phase.modes;
+  }
   return true;
 }
 
@@ -208,35 +216,15 @@ static const struct series *cost_series(struct series_answer *a, const struct sc
   return a->cost.known >= order ? &a->cost : NULL;
 }
 
-static void take_expansions(struct series_answer *a, enum quantity_of of)
-{
-  const struct scallop_steady_expansion *s = &a->steady;
-  const struct scallop_phase_expansion *p = &a->phase;
-  bool steady = of == OF_STEADY, switches = !steady && p->switches;
-  a->modes = steady ? s->modes : p->modes;
-  a->value[Q_V_START] = steady ? &s->v_start : NULL;
-  a->value[Q_V_MID] = steady ? &s->v_mid : NULL;
-  a->value[Q_DISPLACEMENT] = steady ? &s->displacement : NULL;
-  a->value[Q_MEAN_VELOCITY] = steady ? &s->mean_velocity : NULL;
-  a->value[Q_FRICTION_WORK] = steady ? &s->friction_work : NULL;
-  a->value[Q_T1] = switches ? &p->t1 : NULL;
-  a->value[Q_DT] = switches ? &p->dT : NULL;
-  a->value[Q_V_END] = steady ? NULL : &p->v_end;
-  a->value[Q_DX1] = steady ? NULL : &p->dx1;
-  a->value[Q_DX2] = steady ? NULL : &p->dx2;
-  a->value[Q_DXC] = steady ? NULL : &p->dxC;
-  a->value[Q_AT_FIRST] = switches ? &p->at_first : NULL;
-  a->value[Q_AT_LAST] = switches ? &p->at_last : NULL;
-  a->value[Q_TURNING] = switches ? &p->turning_velocity : NULL;
-}
-
 bool answer_in_series(struct series_answer *a, const struct scallop_rational_crawler *c, enum quantity_of of,
                       enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision)
 {
   a->why = NULL;
   a->status = of == OF_STEADY ? scallop_expand_steady(c, order + order % 2, precision, &a->steady, &a->why)
                               : scallop_expand_phase(c, phase, v0, order, precision, NULL, &a->phase, &a->why);
-  take_expansions(a, of);
+  for (int q = 0; q < ALL_QUANTITIES; q++)
+    a->value[q] = value_at(a, q, places[q].series, of, a->phase.switches);
+  a->modes = of == OF_STEADY ? a->steady.modes : a->phase.modes;
   a->value[Q_COST_OF_TRANSPORT] = of == OF_STEADY && a->status == SCALLOP_OK ? cost_series(a, c, order, precision) : NULL;
   return a->status == SCALLOP_OK;
 }

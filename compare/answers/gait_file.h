@@ -7,17 +7,19 @@
 
 #include "model/gaits.h"
 
-struct gait_row { /* as it is written, in texts: where its two words begin */
-  size_t t, l;
+struct gait_row {
+  double t, l;
+  char *written[2]; /* the same as they are written */
+  long line;
 };
 struct gait_file {
   struct scallop_spline spline;
-  double L, T, alpha; /* of the table itself                                                    */
-  uint32_t checksum;  /* of the knots                                                           */
-  char *texts;
-  struct gait_row *rows; /* 0 to last: the last one is the first one, a period later               */
-  long last, least,
-      most; /* the first row with the smallest l; the first after it with the largest, from `last` on a period later */
+  double L, T, alpha;    /* of the table itself */
+  uint32_t checksum;     /* of the knots */
+  struct gait_row *rows; /* 0 to last: the last one is the first one, a period later */
+  long last;
+  long least; /* the first row with the smallest l */
+  long most;  /* the first one after it with the largest, from last on a period later */
 };
 
 /* Reads a table of t and l from file, which is called name in messages, and lays the spline through it. NULL, or what is wrong with it: it

@@ -23,12 +23,14 @@ static char message[MESSAGE];
 
 struct made {
   struct made *next;
-  char *text;
-  const char *kind, *parameters;
+  char *text, *parameters;
+  const struct kind *kind;
+  const char *number[MOST_NUMBERS]; /* in parameters */
+  int count;
   void *kept;
   void (*discard)(void *);
   const struct scallop_gait *gait;
-  bool is_measured, is_unreadable;
+  bool is_unreadable; /* the file of a measured one */
   union {
     struct scallop_straight straight;
     struct scallop_polynomial polynomial;
@@ -36,17 +38,33 @@ struct made {
   };
 };
 
+struct kind {
+  const char *name;
+  const char *usual;   /* its parameters where none are given, or NULL */
+  const char *allowed; /* its parameters in words; NULL: it takes none */
+  /* x: made->count numbers. NULL, or what is wrong; "": not as allowed */
+  const char *(*make)(struct made *made, const double *x);
+  int numbers;        /* it takes, or half of them, which then hold for the contraction too; 0: any number */
+  const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
+};
+
 static struct made *buckets[BUCKETS];
 static int made_count;
 
+static const char *make_measured(struct made *m, const double *none);
+
+static struct gait_file *file_of(struct made *made) { return made->kind->make == make_measured ? &made->file : NULL; }
+
 static void discard(struct made *made)
 {
-  if (made && made->kept)
+  if (!made)
+    return;
+  if (made->kept)
     made->discard(made->kept);
-  if (made && made->is_measured)
+  if (file_of(made))
     gait_file_free(&made->file);
-  if (made)
-    free(made->text);
+  free(made->text);
+  free(made->parameters);
   free(made);
 }
 
@@ -80,104 +98,80 @@ static void keep(struct made *made)
   *bucket = made;
 }
 
-/* Numbers between commas, at most `most`. Returns how many there are, or -1 where one is none: message says so. */
-static int numbers_of(const char *text, double *numbers, int most)
+/* Reads numbers between commas, and repeats them for the contraction. NULL, or what is wrong; "": there are too many or too few. */
+static const char *read_numbers(struct made *m, double x[MOST_NUMBERS])
 {
-  int count = 0;
-  for (const char *end; text; text = *end ? end + 1 : NULL) {
-    char word[400];
-    end = text + strcspn(text, ",");
-    size_t length = (size_t)(end - text);
-    snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : 0, text);
-    double value;
-    if (!read_number(word, &value)) {
-      snprintf(message, sizeof message, "'%.80s' is not a number", word);
-      return -1;
+  static char not_one[120];
+  for (char *next = m->parameters; next; m->count++) {
+    char *text = next;
+    next = strchr(text, ',');
+    if (next)
+      *next++ = '\0';
+    if (m->count == MOST_NUMBERS)
+      return "";
+    if (!read_number(text, &x[m->count])) {
+      snprintf(not_one, sizeof not_one, "'%.80s' is not a number", text);
+      return not_one;
     }
-    if (count < most)
-      numbers[count] = value;
-    count++;
-    if (!*end)
-      break;
+    m->number[m->count] = text;
   }
-  return count;
+  int half = m->kind->numbers / 2;
+  for (int i = 0; m->count == half + i && i < half; i++, m->count++) {
+    x[m->count] = x[i];
+    m->number[m->count] = m->number[i];
+  }
+  return half == 0 || m->count == 2 * half ? NULL : "";
 }
 
-struct kind {
-  const char *name;
-  const char *usual; /* its parameters where none are given, or NULL                                */
-  const char *allowed;
-  bool (*make)(struct made *made, const char *parameters); /* false: message says why, or is empty: not as allowed */
-  const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
-};
-
-static bool make_trapezoidal(struct made *m, const char *parameters)
+static const char *make_trapezoidal(struct made *m, const double *x)
 {
-  double x[4];
-  int count = numbers_of(parameters, x, 4);
-  if (count == 2) {
-    x[2] = x[0];
-    x[3] = x[1];
-  }
   const double up[2] = { x[0], x[2] }, down[2] = { x[1], x[3] };
   m->gait = &m->straight.gait;
-  return (count == 2 || count == 4) && scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK;
+  return scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK ? NULL : "";
 }
 
-static bool make_skewed(struct made *m, const char *parameters)
+static const char *make_skewed(struct made *m, const double *beta)
 {
-  double beta[2];
-  int count = numbers_of(parameters, beta, 2);
-  if (count == 1)
-    beta[1] = beta[0];
   m->gait = &m->straight.gait;
-  return (count == 1 || count == 2) && scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK;
+  return scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK ? NULL : "";
 }
 
-static bool make_polynomial(struct made *m, const char *parameters)
+static const char *make_polynomial(struct made *m, const double *x)
 {
-  double c[MOST_NUMBERS + 1] = { 0 };
+  double c[MOST_NUMBERS + 1] = { 0 }; /* c[0] of s^0 */
   const char *why = "";
-  int count = numbers_of(parameters, c + 1, MOST_NUMBERS);
+  memcpy(c + 1, x, (size_t)m->count * sizeof *x);
   m->gait = &m->polynomial.gait;
-  if (count > MOST_NUMBERS)
-    why = "the degree is not from 3 to 16";
-  else if (count >= 0 && scallop_make_polynomial(&m->polynomial, m->text, c, count, &why) == SCALLOP_OK)
-    return true;
-  if (*why)
-    snprintf(message, sizeof message, "%s", why);
-  return false;
+  return scallop_make_polynomial(&m->polynomial, m->text, c, m->count, &why) == SCALLOP_OK ? NULL : why;
 }
 
-static bool make_measured(struct made *m, const char *file)
+/* A name with control characters could not be printed in a table. */
+static const char *make_measured(struct made *m, const double *none)
 {
-  for (const char *c = file; *c; c++)
-    if ((unsigned char)*c < ' ')
-      return false; /* it could not be printed in a table */
-  const char *wrong = *file ? gait_file_read(&m->file, file, m->text, &m->is_unreadable) : "";
+  const char *c = m->parameters;
+  (void)none;
+  while ((unsigned char)*c >= ' ')
+    c++;
   m->gait = &m->file.spline.gait;
-  m->is_measured = !wrong;
-  if (wrong)
-    snprintf(message, sizeof message, "%s", wrong);
-  return !wrong;
+  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
 }
 
 static const struct kind kinds[] = {
-  { "quadratic", NULL, NULL, NULL, "quadratic" },
-  { "sinusoidal", NULL, NULL, NULL, "sinusoidal" },
+  { "quadratic", NULL, NULL, NULL, 0, "quadratic" },
+  { "sinusoidal", NULL, NULL, NULL, 0, "sinusoidal" },
   { "trapezoidal", "0.25,0.25",
     "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which |l'| "
     "rises and falls: "
     "from 2^-100, UP + DOWN at most 1",
-    make_trapezoidal, "trapezoidal:0.2,0.3" },
+    make_trapezoidal, 4, "trapezoidal:0.2,0.3" },
   { "skewed", "0.25",
     "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from 2^-100, "
     "below 1",
-    make_skewed, "skewed:0.3" },
+    make_skewed, 2, "skewed:0.3" },
   { "polynomial", NULL, "polynomial:C1,C2,... of degree 3 to 16 with l' = 0 at both ends and C1 + C2 + ... > 0",
-    make_polynomial, "polynomial:0,0,0,35,-84,70,-20" },
-  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial, "minimum-jerk" },
-  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured, NULL },
+    make_polynomial, 0, "polynomial:0,0,0,35,-84,70,-20" },
+  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial, 0, "minimum-jerk" },
+  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured, 0, NULL },
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -218,25 +212,26 @@ static struct gait_answer unknown(const char *text)
 static struct gait_answer make(const struct kind *kind, const char *text, const char *parameters)
 {
   struct made *m = made_count < MOST_GAITS ? calloc(1, sizeof *m) : NULL;
-  *message = '\0';
+  double x[MOST_NUMBERS];
   if (m)
-    m->text = strdup(text);
-  if (!m || !m->text) {
+    *m = (struct made){ .kind = kind, .text = strdup(text), .parameters = strdup(parameters) };
+  if (!m || !m->text || !m->parameters) {
     snprintf(message, sizeof message,
              m ? "out of memory" : "'%.80s' is one gait too many: 65536 different ones are the most", text);
     discard(m);
     return refused(GAIT_UNKNOWN);
   }
-  m->kind = kind->name;
-  m->parameters = strchr(m->text, ':') ? strchr(m->text, ':') + 1 : parameters;
-  if (kind->make(m, parameters)) {
+  const char *why = file_of(m) ? NULL : read_numbers(m, x);
+  if (!why)
+    why = kind->make(m, x);
+  if (!why) {
     keep(m);
     return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
   }
-  char why[MESSAGE];
-  snprintf(why, sizeof why, "%s", message);
   enum gait_fault fault = m->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
-  if (*why == '\0' || kind->make != make_measured)
+  if (*why && file_of(m))
+    snprintf(message, sizeof message, "%s", why);
+  else
     snprintf(message, sizeof message, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "",
              kind->allowed);
   discard(m);
@@ -281,11 +276,10 @@ static struct made *made_of(const struct scallop_gait *gait)
   return made && made->gait == gait ? made : NULL;
 }
 
-static bool is_from(const struct made *made, const struct stat *there)
+static bool is_from(struct made *made, const struct stat *there)
 {
   struct stat file;
-  return made->is_measured && stat(made->text + strlen("measured:"), &file) == 0 && file.st_dev == there->st_dev
-         && file.st_ino == there->st_ino;
+  return file_of(made) && stat(made->parameters, &file) == 0 && file.st_dev == there->st_dev && file.st_ino == there->st_ino;
 }
 
 bool gait_is_from(const char *path)
@@ -294,32 +288,35 @@ bool gait_is_from(const char *path)
   bool found = false;
   if (stat(path, &there) == 0)
     for (int i = 0; i < BUCKETS; i++)
-      for (const struct made *m = buckets[i]; m; m = m->next)
+      for (struct made *m = buckets[i]; m; m = m->next)
         found = found || is_from(m, &there);
   return found;
 }
 
 uint32_t gait_checksum(const struct scallop_gait *gait)
 {
-  const struct made *made = made_of(gait);
-  uint32_t knots = made && made->is_measured ? made->file.checksum : CHECKSUM_OF_NOTHING;
+  struct made *made = made_of(gait);
+  uint32_t knots = made && file_of(made) ? made->file.checksum : CHECKSUM_OF_NOTHING;
   return checksum_after(knots, gait->name, strlen(gait->name));
 }
 
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
   struct made *made = made_of(gait);
-  if (!made)
-    return false;
-  *source = (struct gait_source){ made->kind, made->parameters, made->is_measured ? &made->file : NULL, &made->kept,
-                                  &made->discard };
-  return true;
+  if (made)
+    *source = (struct gait_source){ .kind = made->kind->name,
+                                    .number = made->number,
+                                    .count = made->count,
+                                    .file = file_of(made),
+                                    .kept = &made->kept,
+                                    .discard = &made->discard };
+  return made != NULL;
 }
 
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
 {
-  const struct made *made = made_of(gait);
-  if (!made || !made->is_measured)
+  struct made *made = made_of(gait);
+  if (!made || !file_of(made))
     return false;
   *L = made->file.L;
   *T = made->file.T;

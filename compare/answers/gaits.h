@@ -44,10 +44,12 @@ uint32_t gait_checksum(const struct scallop_gait *gait);
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_file;
 struct gait_source {
-  const char *kind, *parameters; /* as they were written: "trapezoidal", "0.2,0.3"                                 */
-  const struct gait_file *file;  /* of a measured gait, or NULL                                                    */
-  void **kept;                   /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
-  void (**discard)(void *);      /* this, when the program ends                                                   */
+  const char *kind;             /* "trapezoidal"                                                                   */
+  const char *const *number;    /* its numbers as they were written, with the default ones                          */
+  int count;                    /* of them: 4 of a trapezoidal gait, 2 of a skewed one                              */
+  const struct gait_file *file; /* of a measured gait, which has no other numbers, or NULL                          */
+  void **kept;                  /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
+  void (**discard)(void *);     /* this, when the program ends                                                   */
 };
 /* False: it is none of those that were made of numbers. */
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source);

@@ -2,7 +2,6 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 static const char *const phase_names[] = { "extension", "contraction" };
 
@@ -11,20 +10,15 @@ struct told {
   size_t used;
 };
 
+/* There are four causes at most, of 60 characters at most: the text has room for them. */
 static void tell(struct told *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static void tell(struct told *t, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
-  if (t->used > 0 && t->used + 2 < MODE_CHANGE_TEXT) {
-    memcpy(t->text + t->used, "; ", 3);
-    t->used += 2;
-  }
-  int length = vsnprintf(t->text + t->used, MODE_CHANGE_TEXT - t->used, format, arguments);
+  t->used += (size_t)snprintf(t->text + t->used, MODE_CHANGE_TEXT - t->used, "%s", t->used > 0 ? "; " : "");
+  t->used += (size_t)vsnprintf(t->text + t->used, MODE_CHANGE_TEXT - t->used, format, arguments);
   va_end(arguments);
-  t->used += length > 0 ? (size_t)length : 0;
-  if (t->used >= MODE_CHANGE_TEXT)
-    t->used = MODE_CHANGE_TEXT - 1;
 }
 
 static int kept(const struct scallop_modes *m) { return m->count < SCALLOP_MODES_KEPT ? m->count : SCALLOP_MODES_KEPT; }

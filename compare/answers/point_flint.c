@@ -9,7 +9,7 @@
 #include "compare/text/table.h"
 #include "model/fractions.h"
 
-enum { MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE, OWN = 3 };
+enum { OWN = 3 };
 
 struct written {
   struct scallop_exact_gait exact;
@@ -26,83 +26,41 @@ static void discard(void *kept)
   flint_free(w);
 }
 
-/* Numbers between commas. Returns how many there are; 0: one of them cannot be read. */
-static int read_numbers(fmpq *numbers, const char *text)
-{
-  int count = 0;
-  for (;; text += strcspn(text, ",") + 1) {
-    char word[400];
-    size_t length = strcspn(text, ",");
-    if (count == MOST_NUMBERS || length >= sizeof word)
-      return 0;
-    memcpy(word, text, length);
-    word[length] = '\0';
-    if (!scallop_rational_parse(numbers + count, word))
-      return 0;
-    count++;
-    if (text[length] == '\0')
-      return count;
-  }
-}
-
 static bool of_numbers(struct written *w, const struct scallop_gait *gait, const struct gait_source *source)
 {
-  fmpq *x = _fmpq_vec_init(MOST_NUMBERS), *y = _fmpq_vec_init(4);
-  int count = read_numbers(x, source->parameters);
-  bool right = count > 0;
+  fmpq *x = _fmpq_vec_init(source->count);
+  bool right = true;
+  for (int i = 0; i < source->count; i++)
+    right = right && scallop_rational_parse(x + i, source->number[i]);
   if (right && strcmp(source->kind, "trapezoidal") == 0) {
-    for (int i = 0; i < 4; i++) /* up, up, down, down */
-      fmpq_set(y + i, x + (i < 2 ? 0 : 1) + (count == 4 && i % 2 ? 2 : 0));
-    scallop_exact_trapezoidal(&w->exact, gait, y, y + 2);
-  } else if (right && strcmp(source->kind, "skewed") == 0) {
-    fmpq_set(y, x);
-    fmpq_set(y + 1, x + count - 1);
-    scallop_exact_skewed(&w->exact, gait, y);
-  } else
-    right = right && scallop_exact_polynomial(&w->exact, gait, x, count);
-  _fmpq_vec_clear(x, MOST_NUMBERS);
-  _fmpq_vec_clear(y, 4);
+    fmpq_swap(x + 1, x + 2); /* up, down, up, down: to up, up, down, down */
+    scallop_exact_trapezoidal(&w->exact, gait, x, x + 2);
+  } else if (right && strcmp(source->kind, "skewed") == 0)
+    scallop_exact_skewed(&w->exact, gait, x);
+  else
+    right = right && scallop_exact_polynomial(&w->exact, gait, x, source->count);
+  _fmpq_vec_clear(x, source->count);
   return right;
 }
 
-struct table_of { /* a period of it, from the least row on: 0 to last, and the same as fractions                      */
-  fmpq *t, *l;
-  long last, most;
-};
-
-/* Of row i from the least row on; what is beyond the last row comes a period later. */
-static bool read_row(struct table_of *table, const struct gait_file *file, long i)
+/* Times and lengths of the rows of a period, from the least row on: 0 to file->last. Rows before that one come a period later. */
+static bool read_period(fmpq *t, fmpq *l, const struct gait_file *file)
 {
-  long at = file->least + i, turn = at >= file->last ? file->last : 0;
-  fmpq_t first, last;
+  const struct gait_row *rows = file->rows;
+  fmpq_t first, period;
   fmpq_init(first);
-  fmpq_init(last);
-  bool right = scallop_rational_parse(table->t + i, file->texts + file->rows[at - turn].t)
-               && scallop_rational_parse(table->l + i, file->texts + file->rows[at - turn].l)
-               && scallop_rational_parse(first, file->texts + file->rows[0].t)
-               && scallop_rational_parse(last, file->texts + file->rows[file->last].t);
-  if (turn > 0) {
-    fmpq_add(table->t + i, table->t + i, last);
-    fmpq_sub(table->t + i, table->t + i, first);
+  fmpq_init(period);
+  bool right = scallop_rational_parse(first, rows[0].written[0])
+               && scallop_rational_parse(period, rows[file->last].written[0]);
+  fmpq_sub(period, period, first);
+  for (long i = 0; right && i <= file->last; i++) {
+    const struct gait_row *row = &rows[(file->least + i) % file->last];
+    right = scallop_rational_parse(t + i, row->written[0]) && scallop_rational_parse(l + i, row->written[1]);
+    if (file->least + i >= file->last)
+      fmpq_add(t + i, t + i, period);
   }
   fmpq_clear(first);
-  fmpq_clear(last);
-  return right;
-}
-
-static void table_clear(struct table_of *table)
-{
-  _fmpq_vec_clear(table->t, table->last + 1);
-  _fmpq_vec_clear(table->l, table->last + 1);
-}
-
-static bool table_read(struct table_of *table, const struct gait_file *file)
-{
-  *table = (struct table_of){ .t = _fmpq_vec_init(file->last + 1), .l = _fmpq_vec_init(file->last + 1), .last = file->last };
-  table->most = file->most - file->least;
-  bool right = true;
-  for (long i = 0; right && i <= table->last; i++)
-    right = read_row(table, file, i);
+  fmpq_clear(period);
   return right;
 }
 
@@ -119,33 +77,37 @@ static void scale(fmpq *scaled, const fmpq *x, long first, long count, long from
   fmpq_clear(range);
 }
 
-static void set_own(struct written *w, const struct table_of *table)
+/* L, T and alpha: l and t of a period, its first row the least one, `most` the largest and `last` its end */
+static fmpq *own_of(const fmpq *t, const fmpq *l, long most, long last)
 {
-  w->own = _fmpq_vec_init(OWN);
-  fmpq_sub(w->own, table->l + table->most, table->l);
-  fmpq_sub(w->own + 1, table->t + table->last, table->t);
-  fmpq_sub(w->own + 2, table->t + table->most, table->t);
-  fmpq_div(w->own + 2, w->own + 2, w->own + 1);
+  fmpq *own = _fmpq_vec_init(OWN);
+  fmpq_sub(own, l + most, l);
+  fmpq_sub(own + 1, t + last, t);
+  fmpq_sub(own + 2, t + most, t);
+  fmpq_div(own + 2, own + 2, own + 1);
+  return own;
 }
 
 static bool of_table(struct written *w, const struct scallop_gait *gait, const struct gait_file *file)
 {
-  struct table_of table;
-  bool right = table_read(&table, file);
-  const long first[2] = { 0, table.most }, last[2] = { table.most, table.last };
-  fmpq *times = _fmpq_vec_init(table.last + 2), *lengths = _fmpq_vec_init(table.last + 2);
-  const fmpq *const t[2] = { times, times + table.most + 1 }, *const l[2] = { lengths, lengths + table.most + 1 };
-  const int count[2] = { (int)table.most + 1, (int)(table.last - table.most) + 1 };
+  const long n = file->last, most = file->most - file->least, first[2] = { 0, most }, last[2] = { most, n };
+  const int count[2] = { (int)most + 1, (int)(n - most) + 1 };
+  fmpq *t = _fmpq_vec_init(n + 1), *l = _fmpq_vec_init(n + 1);
+  fmpq *times = _fmpq_vec_init(n + 2), *lengths = _fmpq_vec_init(n + 2);
+  const fmpq *const scaled_times[2] = { times, times + count[0] }, *const scaled_lengths[2] = { lengths,
+                                                                                                lengths + count[0] };
+  bool right = read_period(t, l, file);
   for (int kind = 0; right && kind < 2; kind++) {
-    scale(times + (t[kind] - times), table.t, first[kind], count[kind], first[kind], last[kind]);
-    scale(lengths + (l[kind] - lengths), table.l, first[kind], count[kind], 0, table.most);
+    scale(times + (kind == 0 ? 0 : count[0]), t, first[kind], count[kind], first[kind], last[kind]);
+    scale(lengths + (kind == 0 ? 0 : count[0]), l, first[kind], count[kind], 0, most);
   }
   if (right)
-    set_own(w, &table);
-  right = right && scallop_exact_spline(&w->exact, gait, t, l, count);
-  _fmpq_vec_clear(times, table.last + 2);
-  _fmpq_vec_clear(lengths, table.last + 2);
-  table_clear(&table);
+    w->own = own_of(t, l, most, n);
+  right = right && scallop_exact_spline(&w->exact, gait, scaled_times, scaled_lengths, count);
+  _fmpq_vec_clear(t, n + 1);
+  _fmpq_vec_clear(l, n + 1);
+  _fmpq_vec_clear(times, n + 2);
+  _fmpq_vec_clear(lengths, n + 2);
   return right;
 }
 
@@ -177,17 +139,6 @@ const struct scallop_gait *written_gait(const struct scallop_gait *gait)
   return w && w->is_exact ? &w->exact.gait : gait;
 }
 
-bool written_gait_has_own(const struct scallop_gait *gait, fmpq_t L, fmpq_t T, fmpq_t alpha)
-{
-  const struct written *w = written_of(gait);
-  if (!w || !w->own)
-    return false;
-  fmpq_set(L, w->own);
-  fmpq_set(T, w->own + 1);
-  fmpq_set(alpha, w->own + 2);
-  return true;
-}
-
 static void rational_number(fmpq_t x, double value)
 {
   char text[NUMBER_TEXT];
@@ -196,47 +147,37 @@ static void rational_number(fmpq_t x, double value)
     scallop_rational_set_double(x, value);
 }
 
+static fmpq *field_of(struct scallop_rational_crawler *c, int place)
+{
+  fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  return fields[place];
+}
+
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
 {
-  fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
   double values[CRAWLER_NUMBERS];
   crawler_numbers(c, values);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    rational_number(fields[i], values[i]);
+    rational_number(field_of(exact, i), values[i]);
   exact->gait = written_gait(c->gait);
-}
-
-/* L, T and alpha that come of the table of a measured gait are those of its decimals. */
-static void take_own(struct scallop_rational_crawler *exact, const struct point *p)
-{
-  enum { FIRST = 4 }; /* of L, T and alpha among the crawler's numbers */
-  fmpq_t own[OWN];
-  double L, T, alpha;
-  for (int i = 0; i < OWN; i++)
-    fmpq_init(own[i]);
-  if (gait_has_own(p->crawler.gait, &L, &T, &alpha) && written_gait_has_own(p->crawler.gait, own[0], own[1], own[2])) {
-    const double is[OWN] = { p->crawler.L, p->crawler.T, p->crawler.alpha }, was[OWN] = { L, T, alpha };
-    fmpq *const fields[OWN] = { exact->L, exact->T, exact->alpha };
-    for (int i = 0; i < OWN; i++)
-      if (!p->written[FIRST + i] && is[i] == was[i])
-        fmpq_set(fields[i], own[i]);
-  }
-  for (int i = 0; i < OWN; i++)
-    fmpq_clear(own[i]);
 }
 
 void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *p)
 {
-  fmpq *const fields[] = { exact->m1, exact->m2, exact->F1, exact->F2, exact->L, exact->T, exact->alpha };
+  enum { FIRST = CRAWLER_NUMBERS - OWN }; /* of L, T and alpha */
+  const struct written *w = written_of(p->crawler.gait);
+  double values[CRAWLER_NUMBERS], own[OWN];
+  bool has_own = gait_has_own(p->crawler.gait, &own[0], &own[1], &own[2]) && w && w->own;
+  crawler_numbers(&p->crawler, values);
   rational_crawler(exact, &p->crawler);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     if (p->written[i])
-      scallop_rational_parse(fields[i], p->written[i]);
-  take_own(exact, p);
-  if (!v0)
-    return;
-  rational_number(v0, p->v0);
-  if (p->written_v0)
+      scallop_rational_parse(field_of(exact, i), p->written[i]);
+    else if (has_own && i >= FIRST && values[i] == own[i - FIRST])
+      fmpq_set(field_of(exact, i), w->own + i - FIRST);
+  if (v0)
+    rational_number(v0, p->v0);
+  if (v0 && p->written_v0)
     scallop_rational_parse(v0, p->written_v0);
 }
 

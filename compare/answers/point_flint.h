@@ -11,13 +11,12 @@
  * has no numbers (quadratic, sinusoidal), and where its doubles stand for it: polynomials whose l' is not exactly 0 at the ends, or changes
  * its sign within a phase, and tables with two lengths that differ and are the same double. */
 const struct scallop_gait *written_gait(const struct scallop_gait *gait);
-/* What a measured gait has of its own, as fractions. False: this is none. */
-bool written_gait_has_own(const struct scallop_gait *gait, fmpq_t L, fmpq_t T, fmpq_t alpha);
 
 /* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. The gait is the
  * written one. */
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);
-/* The crawler of the point as it was written: every digit that was given counts. v0 likewise (may be NULL). */
+/* The crawler of the point as it was written: every digit that was given counts. v0 likewise (may be NULL). L, T and alpha that come
+ * of the table of a measured gait are those of its decimals. */
 void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *point);
 
 /* The middle of a ball with so many digits, or as many as it has, wrong by less than one unit of the last one; "0" for an exact

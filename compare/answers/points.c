@@ -153,7 +153,7 @@ static enum exit_code read_header(struct reader *r, const char *const *extra)
     complain(r->command, "%s", wrong);
   else if (!found)
     complain(r->command, "%s: no header line: a TSV file with the names of its columns is wanted", r->tsv.name);
-  return found && !wrong ? EXIT_DONE : r->tsv.lines.error ? EXIT_FILE : EXIT_USAGE;
+  return found && !wrong ? EXIT_DONE : r->tsv.error ? EXIT_FILE : EXIT_USAGE;
 }
 
 /* Returns NULL, or what is wrong with the cell. */
@@ -180,7 +180,7 @@ static const char *read_row(struct reader *r, struct point *point, char *status)
     point_complete(point);
   if (!wrong && t->count == t->columns)
     return NULL;
-  int used = snprintf(status, POINT_STATUS, "line %ld: ", t->lines.number);
+  int used = snprintf(status, POINT_STATUS, "line %ld: ", t->number);
   if (!wrong)
     snprintf(status + used, POINT_STATUS - (size_t)used, "%d columns where the header has %d", t->count, t->columns);
   else
@@ -255,7 +255,7 @@ static enum exit_code one_point(const struct request *request, const struct poin
 static bool feeds_itself(const struct reader *r, const struct style *style)
 {
   struct stat in, out;
-  bool same = !style->output && fstat(fileno(r->tsv.lines.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
+  bool same = !style->output && fstat(fileno(r->tsv.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
               && S_ISREG(in.st_mode) && in.st_dev == out.st_dev && in.st_ino == out.st_ino;
   if (same)
     complain(r->command, "standard output goes to %s, which is read at the same time: use -o for another file", r->tsv.name);

@@ -29,21 +29,8 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
                             "friction_work / ((F1 + F2) |displacement|); nan: the displacement is 0", OF_STEADY, true },
 };
 
-enum quantity_id quantity_first(enum quantity_of of)
-{
-  int q = 0;
-  while (quantity_rows[q].of != of)
-    q++;
-  return (enum quantity_id)q;
-}
-
-enum quantity_id quantity_end(enum quantity_of of)
-{
-  int q = QUANTITIES;
-  while (quantity_rows[q - 1].of != of)
-    q--;
-  return (enum quantity_id)q;
-}
+enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
+enum quantity_id quantity_end(enum quantity_of of) { return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES; }
 
 enum quantity_id quantity_of_name(const char *name)
 {
@@ -53,39 +40,34 @@ enum quantity_id quantity_of_name(const char *name)
   return (enum quantity_id)q;
 }
 
+/* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
+static const struct {
+  enum quantity_id id[2];
+  const char *text[2];
+} about[] = {
+  [SCALLOP_LAG] = { { Q_DT, Q_DT }, { "dT", "dT" } },
+  [SCALLOP_FIRST_SWITCH] = { { Q_T1, Q_T1 }, { "t1", "t1" } },
+  [SCALLOP_REAR_AT_FIRST] = { { Q_AT_FIRST, Q_AT_FIRST }, { "x1(t1)", "x2(t1)" } },
+  [SCALLOP_REAR_AT_LAST] = { { Q_AT_LAST, Q_AT_LAST }, { "x1(T-dT)", "x2(T-dT)" } },
+  [SCALLOP_REAR_AT_END] = { { Q_DX1, Q_DX2 }, { "x1(T)", "x2(T)" } },
+  [SCALLOP_FRONT_AT_END] = { { Q_DX2, Q_DX1 }, { "x2(T)", "x1(T)" } },
+  [SCALLOP_CENTRE_AT_END] = { { Q_DXC, Q_DXC }, { "x_C(T)", "x_C(T)" } },
+  [SCALLOP_VELOCITY_AT_END] = { { Q_V_END, Q_V_END }, { "v(T)", "v(T)" } },
+  [SCALLOP_VELOCITY_CHANGE] = { { Q_CHANGE, Q_CHANGE }, { "v(T)-v0", "v(T)-v0" } },
+  [SCALLOP_STEADY_VELOCITY] = { { Q_V_START, Q_V_START }, { "v_start", "v_start" } },
+  [SCALLOP_STEADY_DISPLACEMENT] = { { Q_DISPLACEMENT, Q_DISPLACEMENT }, { "displacement", "displacement" } },
+  [SCALLOP_VELOCITY_AT_FIRST] = { { Q_TURNING, Q_TURNING }, { "v(t1)", "v(t1)" } },
+  [SCALLOP_VELOCITY_AT_LAST] = { { Q_TURNING, Q_TURNING }, { "v(T-dT)", "v(T-dT)" } },
+};
+
 enum quantity_id quantity_of_formula(const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  bool extension = kind == SCALLOP_EXTENSION;
-  switch (f->quantity) {
-  case SCALLOP_LAG: return Q_DT;
-  case SCALLOP_FIRST_SWITCH: return Q_T1;
-  case SCALLOP_REAR_AT_FIRST: return Q_AT_FIRST;
-  case SCALLOP_REAR_AT_LAST: return Q_AT_LAST;
-  case SCALLOP_REAR_AT_END: return extension ? Q_DX1 : Q_DX2;
-  case SCALLOP_FRONT_AT_END: return extension ? Q_DX2 : Q_DX1;
-  case SCALLOP_CENTRE_AT_END: return Q_DXC;
-  case SCALLOP_VELOCITY_AT_END: return Q_V_END;
-  case SCALLOP_VELOCITY_CHANGE: return Q_CHANGE;
-  case SCALLOP_STEADY_VELOCITY: return Q_V_START;
-  case SCALLOP_STEADY_DISPLACEMENT: return Q_DISPLACEMENT;
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: break;
-  }
-  return Q_TURNING;
+  return about[f->quantity].id[kind];
 }
 
 const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  static const char *const of_contraction[] = { "dT",    "t1",     "x2(t1)", "x2(T-dT)", "x2(T)",
-                                                "x1(T)", "x_C(T)", "v(T)",   "v(T)-v0" };
-  static const char *const of_extension[] = {
-    "dT", "t1", "x1(t1)", "x1(T-dT)", "x1(T)", "x2(T)", "x_C(T)", "v(T)", "v(T)-v0"
-  };
-  if (f->quantity == SCALLOP_VELOCITY_AT_FIRST || f->quantity == SCALLOP_VELOCITY_AT_LAST)
-    return f->quantity == SCALLOP_VELOCITY_AT_FIRST ? "v(t1)" : "v(T-dT)";
-  if (f->setting == SCALLOP_STEADY)
-    return f->quantity == SCALLOP_STEADY_VELOCITY ? "v_start" : "displacement";
-  return (kind == SCALLOP_EXTENSION ? of_extension : of_contraction)[f->quantity];
+  return about[f->quantity].text[kind];
 }
 
 bool formula_takes_given(const struct scallop_formula *f)
@@ -128,31 +110,26 @@ const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC",
  * one counts. */
 static const char *name_at(const struct quantities *all, int i, struct quantity *q)
 {
+  enum { LISTS = 5 };
+  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER, QUANTITY_STATUS, QUANTITY_LABEL, QUANTITY_SAMPLE,
+                                                   QUANTITY_ANSWER };
+  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE, all->labels, SAMPLE_VALUES, NAMED_QUANTITIES };
+  int list = 0;
+  for (; list < LISTS && i >= counts[list]; list++)
+    i -= counts[list];
+  q->kind = list < LISTS ? kinds[list] : QUANTITY_PUBLISHED;
   q->which = i;
-  q->kind = QUANTITY_NUMBER;
-  if (i < CRAWLER_NUMBERS)
-    return crawler_parameters[i];
-  q->which = i -= CRAWLER_NUMBERS;
-  if (i < SINGLE) {
+  switch (list) {
+  case 0: return crawler_parameters[i];
+  case 1:
     q->kind = single[i].kind;
     q->which = single[i].which;
     return single[i].name;
+  case 2: return all->label[i];
+  case 3: return quantity_samples[i];
+  case 4: return quantity_rows[i].name;
+  default: q->formula = &scallop_published[i]; return q->formula->name;
   }
-  q->which = i -= SINGLE;
-  q->kind = QUANTITY_LABEL;
-  if (i < all->labels)
-    return all->label[i];
-  q->which = i -= all->labels;
-  q->kind = QUANTITY_SAMPLE;
-  if (i < SAMPLE_VALUES)
-    return quantity_samples[i];
-  q->which = i -= SAMPLE_VALUES;
-  q->kind = QUANTITY_ANSWER;
-  if (i < NAMED_QUANTITIES)
-    return quantity_rows[i].name;
-  q->kind = QUANTITY_PUBLISHED;
-  q->formula = &scallop_published[i - NAMED_QUANTITIES];
-  return q->formula->name;
 }
 
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)

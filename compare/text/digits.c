@@ -9,22 +9,15 @@
 
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && sizeof(double) == 8, "IEEE doubles");
 
-struct wide { /* high 2^64 + low */
-  uint64_t high, low;
-};
-
-static struct wide product(uint64_t a, uint64_t b)
-{
-  uint64_t a1 = a >> 32, a0 = a & UINT32_MAX, b1 = b >> 32, b0 = b & UINT32_MAX;
-  uint64_t low = a0 * b0, mid = a1 * b0 + (low >> 32), cross = a0 * b1 + (mid & UINT32_MAX);
-  return (struct wide){ a1 * b1 + (mid >> 32) + (cross >> 32), cross << 32 | (low & UINT32_MAX) };
-}
+__extension__ typedef unsigned __int128 wide;
 
 enum { LEAST_POWER = -48, MOST_POWER = 48 };
 
 /* 10^k = 2^(n - 127) g with n = floor(k log2(10)) and 2^127 <= g < 2^128, g rounded up: too large by less than 1.
  * In Python: n = math.floor(k * math.log2(10)); g = -(-Fraction(10)**k // Fraction(2)**(n - 127)) */
-static const struct wide powers[] = {
+static const struct {
+  uint64_t high, low;
+} powers[] = {
   { 0xbb127c53b17ec159, 0x5560c018580d5d53 }, { 0xe9d71b689dde71af, 0xaab8f01e6e10b4a7 },
   { 0x9226712162ab070d, 0xcab3961304ca70e9 }, { 0xb6b00d69bb55c8d1, 0x3d607b97c5fd0d23 },
   { 0xe45c10c42a2b3b05, 0x8cb89a7db77c506b }, { 0x8eb98a7a9a5b04e3, 0x77f3608e92adb243 },
@@ -80,16 +73,11 @@ static const struct wide powers[] = {
 static int power_of_two_in(int k) { return (int)((k * 1741647L + (2048L << 19)) >> 19) - 2048; }
 static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
 
-/* factor 10^k = 2^(power_of_two_in(k) - 63) (high 2^64 + low): too large by less than factor 2^-64, and too small, as what is
- * below low is cut off, by less than 1. */
-static struct wide times_power(uint64_t factor, int k)
+/* factor 10^k = 2^(power_of_two_in(k) - 127) times this: too large by less than factor 2^-64, and too small, as what is below is cut
+ * off, by less than 1. */
+static wide times_power(uint64_t factor, int k)
 {
-  const struct wide *power = &powers[k - LEAST_POWER];
-  struct wide upper = product(power->high, factor);
-  uint64_t carried = product(power->low, factor).high;
-  upper.low += carried;
-  upper.high += upper.low < carried;
-  return upper;
+  return (wide)powers[k - LEAST_POWER].high * factor + ((wide)powers[k - LEAST_POWER].low * factor >> 64);
 }
 
 /* V = x 10^k with 17 or 18 digits before the point, 10^16 <= V < 2 10^17, as whole + 2^-64 fraction: wrong by less than 2^-64. */
@@ -107,12 +95,13 @@ static bool magnify(uint64_t significand, int exponent, struct magnified *m)
   int first = power_of_ten_in(exponent + DBL_MANT_DIG - 1), k = 16 - first;
   if (k < LEAST_POWER || k > MOST_POWER)
     return false;
-  int shift = exponent + power_of_two_in(k) + 1; /* from 2 to 5; with it high is the whole part of V             */
-  struct wide v = times_power(significand << shift, k);
-  bool longer = v.high >= 100000000000000000U;
+  int shift = exponent + power_of_two_in(k) + 1; /* from 2 to 5; with it the whole part of V is 64 bits up       */
+  wide v = times_power(significand << shift, k);
+  uint64_t whole = (uint64_t)(v >> 64);
+  bool longer = whole >= 100000000000000000U;
   uint64_t above = powers[k - LEAST_POWER].high >> (77 - 64 - shift); /* 2^(shift - 1) g 2^-128               */
-  *m = (struct magnified){ .whole = v.high,
-                           .fraction = v.low,
+  *m = (struct magnified){ .whole = whole,
+                           .fraction = (uint64_t)v,
                            .above = above,
                            .below = significand == 1ULL << (DBL_MANT_DIG - 1) ? above / 2 : above,
                            .exponent = first + longer,
@@ -277,16 +266,14 @@ static bool nearest_double(uint64_t w, long k, double *x)
   if (k < LEAST_POWER || k > MOST_POWER)
     return false;
   frexp((double)w, &length);
-  struct wide v = times_power(w << (64 - length), (int)k);
+  wide v = times_power(w << (64 - length), (int)k);
   int exponent = power_of_two_in((int)k) + length; /* of the first of the 128 bits of v  */
-  while (v.high >> 63 == 0) {                      /* twice at most: wrong by less than 4 */
-    v = (struct wide){ v.high << 1 | v.low >> 63, v.low << 1 };
+  for (; !(v >> 127); v <<= 1)                     /* twice at most: wrong by less than 4 */
     exponent--;
-  }
-  uint64_t over = v.high & (2 * half - 1);
-  if ((over == half && v.low < error) || (over == half - 1 && v.low > UINT64_MAX - error))
+  uint64_t high = (uint64_t)(v >> 64), low = (uint64_t)v, over = high & (2 * half - 1);
+  if ((over == half && low < error) || (over == half - 1 && low > UINT64_MAX - error))
     return false;
-  uint64_t bits = ((uint64_t)(exponent + 1022) << 52) + (v.high >> 11) + (over >= half); /* with all carries */
+  uint64_t bits = ((uint64_t)(exponent + 1022) << 52) + (high >> 11) + (over >= half); /* with all carries */
   memcpy(x, &bits, sizeof bits);
   return true;
 }

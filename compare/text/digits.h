@@ -1,7 +1,8 @@
 /* Doubles as decimals that read back exactly, and decimals as doubles.
  *
  * Each way has a quick form, in 128-bit integers, that knows when it cannot tell how C's library would round, and then leaves
- * the answer to it: the same text and the same double for every input. Needs IEEE doubles and rounding to nearest. */
+ * the answer to it: the same text and the same double for every input. Needs IEEE doubles, rounding to nearest and the 128-bit integers
+ * of gcc and clang. */
 #ifndef SCALLOP_DIGITS_H
 #define SCALLOP_DIGITS_H
 

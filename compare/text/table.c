@@ -4,25 +4,20 @@
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "compare/text/message.h"
 
-static const char *where(const struct table *t) { return t->output ? t->output : "standard output"; }
+static bool is_json(const struct table *t) { return t->style->format == FORMAT_JSON; }
 
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
   *t = (struct table){ .style = style, .output = output };
   int error = file_open(&t->out, output);
-  if (error != 0) {
+  if (error != 0)
     complain(style->command, "cannot write %s: %s", output, strerror(error));
-    return false;
-  }
   t->file = t->out.stream;
-  t->watched = isatty(fileno(t->file));
-  return true;
+  return error == 0;
 }
 
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
@@ -34,58 +29,19 @@ static void note_error(struct table *t, bool failed)
     t->error = errno;
 }
 
-static void flush_text(struct table *t)
-{
-  if (t->used > 0)
-    note_error(t, fwrite(t->text, 1, t->used, t->file) < t->used);
-  t->used = 0;
-}
-
-/* Where the next size <= TABLE_TEXT bytes go; what is written there is then counted in t->used. */
-static char *room(struct table *t, size_t size)
-{
-  if (t->used + size > TABLE_TEXT)
-    flush_text(t);
-  return t->text + t->used;
-}
-
-static void put(struct table *t, const char *text, size_t length)
-{
-  while (length > 0) {
-    size_t part = length < TABLE_TEXT ? length : TABLE_TEXT;
-    memcpy(room(t, part), text, part);
-    t->used += part;
-    text += part;
-    length -= part;
-  }
-}
-
-static void put_char(struct table *t, char c)
-{
-  *room(t, 1) = c;
-  t->used++;
-}
-
-static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
-
-static void end_line(struct table *t)
-{
-  put_char(t, '\n');
-  if (t->watched)
-    flush_text(t);
-}
+static void put_text(struct table *t, const char *text) { note_error(t, fputs(text, t->file) == EOF); }
+static void put_char(struct table *t, char c) { note_error(t, putc_unlocked(c, t->file) == EOF); }
 
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
-  if (t->style->format == FORMAT_JSON)
+  if (is_json(t))
     return;
-  put(t, "# ", 2);
-  flush_text(t);
+  put_text(t, "# ");
   va_start(arguments, format);
   note_error(t, vfprintf(t->file, format, arguments) < 0);
   va_end(arguments);
-  end_line(t);
+  put_char(t, '\n');
 }
 
 size_t number_text(char text[NUMBER_TEXT], double x, long digits)
@@ -95,73 +51,18 @@ size_t number_text(char text[NUMBER_TEXT], double x, long digits)
   return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
 }
 
-static void put_number(struct table *t, double x, long digits) { t->used += number_text(room(t, NUMBER_TEXT), x, digits); }
-
 void table_columns(struct table *t, const char *const *names)
 {
   while (*names && t->count < TABLE_COLUMNS)
     t->columns[t->count++] = *names++;
 }
 
-void table_begin_rows(struct table *t)
-{
-  if (t->style->format == FORMAT_JSON)
-    return;
-  for (int i = 0; i < t->count; i++) {
-    if (i > 0)
-      put_char(t, '\t');
-    put_text(t, t->columns[i]);
-  }
-  end_line(t);
-}
-
-static void put_value(struct table *t, double value)
-{
-  if (t->style->format == FORMAT_JSON && !isfinite(value))
-    put_text(t, isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
-  else
-    put_number(t, value, t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits);
-}
-
-/* How many characters at the head of text stand for themselves */
-static size_t plain_length(const char *text, bool json)
-{
-  size_t n = 0;
-  while (text[n] >= 0x20 && text[n] <= 0x7e && !(json && (text[n] == '"' || text[n] == '\\')))
-    n++;
-  return n;
-}
-
-static void put_string(struct table *t, const char *text)
-{
-  bool json = t->style->format == FORMAT_JSON;
-  if (json)
-    put_char(t, '"');
-  for (;;) {
-    size_t plain = plain_length(text, json);
-    put(t, text, plain);
-    text += plain;
-    if (*text == '\0')
-      break;
-    unsigned char c = (unsigned char)*text++;
-    char quoted[] = { '\\', (char)c };
-    if (c < 0x20)
-      put_char(t, ' ');
-    else if (c > 0x7e) /* somebody's bytes in a message: not to make the table unreadable */
-      put_char(t, '?');
-    else
-      put(t, quoted, 2);
-  }
-  if (json)
-    put_char(t, '"');
-}
-
 static void begin_cell(struct table *t)
 {
-  if (t->style->format == FORMAT_JSON) {
+  if (is_json(t)) {
     put_text(t, t->at == 0 ? "{\"" : ", \"");
     put_text(t, t->columns[t->at]);
-    put(t, "\": ", 3);
+    put_text(t, "\": ");
   } else if (t->at > 0)
     put_char(t, '\t');
 }
@@ -170,17 +71,8 @@ static void end_cell(struct table *t)
 {
   if (++t->at < t->count)
     return;
-  if (t->style->format == FORMAT_JSON)
-    put_char(t, '}');
-  end_line(t);
+  put_text(t, is_json(t) ? "}\n" : "\n");
   t->at = 0;
-}
-
-void table_number(struct table *t, double value)
-{
-  begin_cell(t);
-  put_value(t, value);
-  end_cell(t);
 }
 
 void table_digits(struct table *t, const char *number)
@@ -190,24 +82,42 @@ void table_digits(struct table *t, const char *number)
   end_cell(t);
 }
 
+void table_begin_rows(struct table *t)
+{
+  for (int i = 0; i < t->count && !is_json(t); i++)
+    table_digits(t, t->columns[i]);
+}
+
+void table_number(struct table *t, double value)
+{
+  char text[NUMBER_TEXT];
+  number_text(text, value, t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits);
+  table_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
+}
+
 void table_rounded(struct table *t, double value, const char *format)
 {
   char text[40];
   snprintf(text, sizeof text, format, value);
   if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
     memmove(text, text + 1, strlen(text));
-  begin_cell(t);
-  if (t->style->format == FORMAT_JSON && !isfinite(value))
-    put_text(t, "null");
-  else
-    put_text(t, isnan(value) ? "nan" : text);
-  end_cell(t);
+  table_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
 }
 
+/* Bytes that are no plain characters, in a message, must not make the table unreadable. */
 void table_text(struct table *t, const char *text)
 {
   begin_cell(t);
-  put_string(t, text);
+  if (is_json(t))
+    put_char(t, '"');
+  for (; *text; text++) {
+    unsigned char c = (unsigned char)*text;
+    if (is_json(t) && (c == '"' || c == '\\'))
+      put_char(t, '\\');
+    put_char(t, c < 0x20 ? ' ' : c > 0x7e ? '?' : *text);
+  }
+  if (is_json(t))
+    put_char(t, '"');
   end_cell(t);
 }
 
@@ -215,7 +125,6 @@ bool table_failed(const struct table *t) { return t->error != 0; }
 
 bool table_flush(struct table *t)
 {
-  flush_text(t);
   int error = file_flush(&t->out);
   t->error = t->error != 0 ? t->error : error;
   return !table_failed(t);
@@ -223,17 +132,11 @@ bool table_flush(struct table *t)
 
 bool table_close(struct table *t)
 {
-  flush_text(t);
   int error = file_close(&t->out, t->error == 0);
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0)
-    complain(t->style->command, "cannot write %s: %s", where(t), strerror(t->error));
+    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", strerror(t->error));
   return t->error == 0;
 }
 
-void table_abandon(struct table *t)
-{
-  if (!t->out.target)
-    flush_text(t);
-  file_close(&t->out, false);
-}
+void table_abandon(struct table *t) { file_close(&t->out, false); }

@@ -9,7 +9,7 @@
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 
-enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT, TABLE_TEXT = 1 << 15 };
+enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT };
 
 /* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);
@@ -29,14 +29,11 @@ struct style {
 struct table {
   FILE *file;
   const struct style *style;
-  const char *output; /* its name, NULL: standard output                          */
+  const char *output; /* its name, NULL: standard output */
   struct file out;
   const char *columns[TABLE_COLUMNS];
-  int count, at; /* columns; the next one in this row                     */
-  bool watched;  /* on a terminal: a line appears when it is complete     */
-  int error;     /* of the first write that failed                        */
-  size_t used;
-  char text[TABLE_TEXT]; /* what the file has not got yet                         */
+  int count, at; /* columns; the next one in this row */
+  int error;     /* of the first write that failed */
 };
 
 /* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with

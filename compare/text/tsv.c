@@ -9,24 +9,91 @@ bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
 {
   bool standard = strcmp(file, "-") == 0;
   *tsv = (struct tsv){ .name = standard ? "standard input" : file, .style = style };
-  tsv->lines.file = standard ? stdin : fopen(file, "r");
-  tsv->lines.error = tsv->lines.file ? 0 : errno;
-  return tsv->lines.file != NULL;
+  tsv->file = standard ? stdin : fopen(file, "r");
+  if (tsv->file && !standard)
+    setvbuf(tsv->file, NULL, _IOFBF, 1 << 16);
+  tsv->error = tsv->file ? 0 : errno;
+  return tsv->file != NULL;
 }
 
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
 {
-  *tsv = (struct tsv){ .name = name, .style = TSV_TABS };
-  return lines_of_text(&tsv->lines, text);
+  size_t size = strlen(text) + 3;
+  *tsv = (struct tsv){ .name = name, .style = TSV_TABS, .keeps_all = true, .buffer = malloc(size), .size = size };
+  tsv->file = tsv->buffer ? fmemopen((void *)text, size - 3, "r") : NULL;
+  tsv->error = tsv->file ? 0 : errno;
+  return tsv->file != NULL;
 }
 
 void tsv_close(struct tsv *tsv)
 {
-  if (tsv->lines.file && tsv->lines.file != stdin)
-    fclose(tsv->lines.file);
-  lines_free(&tsv->lines);
+  if (tsv->file && tsv->file != stdin)
+    fclose(tsv->file);
+  free(tsv->buffer);
   free(tsv->header);
-  tsv->header = NULL;
+  tsv->buffer = tsv->header = NULL;
+}
+
+static bool fail(struct tsv *tsv, int error)
+{
+  tsv->error = error;
+  return false;
+}
+
+/* Room for one character more and a NUL */
+static bool make_room(struct tsv *tsv)
+{
+  if (tsv->end + 1 < tsv->size)
+    return true;
+  size_t size = 2 * (tsv->end + 128);
+  char *grown = realloc(tsv->buffer, size);
+  if (!grown)
+    return false;
+  tsv->buffer = grown;
+  tsv->size = size;
+  return true;
+}
+
+/* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR alone and then
+ * wait. False: there is none. */
+static bool read_line(struct tsv *tsv)
+{
+  int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
+  if (c != '\n')
+    ungetc(c, tsv->file);
+  if (tsv->too_long)
+    return fail(tsv, EFBIG);
+  tsv->begin = tsv->end = tsv->keeps_all && tsv->number > 0 ? tsv->end + 1 : 0;
+  for (bool more = true; more;) {
+    if (!make_room(tsv))
+      return fail(tsv, ENOMEM);
+    size_t room = tsv->size - 1 - tsv->end, left = tsv->begin + LONGEST_LINE - tsv->end;
+    char *to = tsv->buffer + tsv->end, *stop = to + (room < left ? room : left);
+    while (to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
+      *to++ = (char)c;
+    tsv->end = (size_t)(to - tsv->buffer);
+    tsv->too_long = to == stop && left <= room;
+    more = to == stop && !tsv->too_long;
+  }
+  tsv->ended_by_return = c == '\r';
+  if (c == EOF && ferror(tsv->file))
+    return fail(tsv, errno);
+  tsv->buffer[tsv->end] = '\0';
+  bool found = c != EOF || tsv->end > tsv->begin;
+  tsv->number += found;
+  return found;
+}
+
+/* The line without a byte order mark, which some programs write at the head of a UTF-8 file; and what is wrong with it */
+static char *judged_line(struct tsv *tsv)
+{
+  static const char mark[] = "\xef\xbb\xbf";
+  const size_t size = sizeof mark - 1;
+  char *line = tsv->buffer + tsv->begin;
+  tsv->fault = tsv->too_long ? "this line is too long: more than a million characters" : NULL;
+  if (strlen(line) < tsv->end - tsv->begin)
+    tsv->fault = "this is not a text file";
+  return tsv->number == 1 && strncmp(line, mark, size) == 0 ? line + size : line;
 }
 
 static char *trimmed(char *text, const char *around)
@@ -60,10 +127,10 @@ static void split(struct tsv *tsv, char *rest, const char *separators, bool runs
 bool tsv_next(struct tsv *tsv)
 {
   bool words = tsv->style == TSV_WORDS;
-  struct lines *lines = &tsv->lines;
-  while (next_line(lines)) {
-    tsv->fault = line_fault(lines);
-    char *text = words && !tsv->fault ? trimmed(lines->line, " \t") : lines->line;
+  while (read_line(tsv)) {
+    char *text = judged_line(tsv);
+    if (words && !tsv->fault)
+      text = trimmed(text, " \t");
     if (*text == '#' || (*text == '\0' && !tsv->fault))
       continue;
     tsv->count = 0;
@@ -76,9 +143,10 @@ bool tsv_next(struct tsv *tsv)
 
 const char *tsv_error(struct tsv *tsv)
 {
-  if (!tsv->lines.error)
+  if (!tsv->error)
     return NULL;
-  snprintf(tsv->message, TSV_MESSAGE, "cannot read %.300s: %s", tsv->name, lines_error_text(&tsv->lines));
+  snprintf(tsv->message, TSV_MESSAGE, "cannot read %.300s: %s", tsv->name,
+           tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
   return tsv->message;
 }
 
@@ -105,11 +173,11 @@ int tsv_column(const struct tsv *tsv, const char *name)
   return -1;
 }
 
-const char *tsv_at(struct tsv *tsv, const char *format, ...)
+const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
-  int used = snprintf(tsv->message, TSV_MESSAGE, "%.200s:%ld: ", tsv->name, tsv->lines.number);
+  int used = snprintf(tsv->message, TSV_MESSAGE, line > 0 ? "%.200s:%ld: " : "%.200s: ", tsv->name, line);
   vsnprintf(tsv->message + used, TSV_MESSAGE - (size_t)used, format, arguments);
   va_end(arguments);
   return tsv->message;

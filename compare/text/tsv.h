@@ -1,15 +1,14 @@
 /* Tables as text: TSV files, or columns between blanks, one row at a time.
  *
  * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is
- * dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault. */
+ * dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault; one that is too long is the last. */
 #ifndef SCALLOP_TSV_H
 #define SCALLOP_TSV_H
 
 #include <stdbool.h>
+#include <stdio.h>
 
-#include "compare/text/lines.h"
-
-enum { TSV_CELLS = 256, TSV_MESSAGE = 480 };
+enum { TSV_CELLS = 256, TSV_MESSAGE = 480, LONGEST_LINE = 1 << 20 };
 
 enum tsv_style {
   TSV_TABS, /* each tab ends a cell                                                                            */
@@ -17,21 +16,27 @@ enum tsv_style {
 };
 
 struct tsv {
-  struct lines lines; /* the current line's number                                  */
-  const char *name;   /* of the file, for messages                                   */
+  FILE *file;
+  const char *name; /* of the file, for messages */
   enum tsv_style style;
-  const char *fault; /* of the current row: why it cannot be read, or NULL          */
-  int count;         /* cells of the current row                                    */
+  long number;       /* of the current line, from 1 */
+  int error;         /* why the file cannot be read, where it cannot; else 0 */
+  const char *fault; /* of the current row: why it cannot be read, or NULL */
+  int count;         /* cells of the current row */
   char *cell[TSV_CELLS];
-  int columns; /* of the header, 0: none was read                                   */
+  int columns; /* of the header, 0: none was read */
   char *column[TSV_CELLS];
-  char *header; /* what they point into                                             */
+  char *header; /* what they point into */
+  char *buffer; /* of size bytes; the current line is from begin to end */
+  size_t size, begin, end;
+  bool keeps_all;                 /* lines stand one after another in the buffer */
+  bool too_long, ended_by_return; /* the current line */
   char message[TSV_MESSAGE];
 };
 
 /* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style);
-/* The same for a text, of which a copy is kept, with all cells until tsv_close; name is for messages. False: out of memory. */
+/* The same for a text, with all cells until tsv_close; name is for messages. */
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text);
 void tsv_close(struct tsv *tsv);
 
@@ -45,7 +50,10 @@ bool tsv_take_header(struct tsv *tsv);
 /* The place of a column, or -1. */
 int tsv_column(const struct tsv *tsv, const char *name);
 
-/* "FILE:LINE: text", of the current row. It lives until the next call. */
-const char *tsv_at(struct tsv *tsv, const char *format, ...) __attribute__((format(printf, 2, 3), returns_nonnull));
+/* "FILE:LINE: text", or "FILE: text" for line 0. It lives until the next call. */
+const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)
+    __attribute__((format(printf, 3, 4), returns_nonnull));
+/* The same of the current row. */
+#define tsv_at(tsv, ...) tsv_at_line((tsv), (tsv)->number, __VA_ARGS__)
 
 #endif

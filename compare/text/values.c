@@ -23,9 +23,7 @@ bool read_number(const char *text, double *value)
     return false;
   errno = 0;
   double x = strtod(text, &end);
-  if (*end != '\0' || !isfinite(x) || (errno == ERANGE && x != 0 && !isnormal(x)))
-    return false;
-  if (errno == ERANGE && x == 0)
+  if (*end != '\0' || !isfinite(x) || (errno == ERANGE && !isnormal(x)))
     return false;
   *value = x;
   return true;

@@ -1,16 +1,17 @@
 #!/bin/sh
-# Runs fuzz targets one after another: scripts/dev/fuzz.sh FOLDER SECONDS TARGET... The programs are FOLDER/fuzz_TARGET. Each starts from
-# what it has found before, in FOLDER/TARGET, and from tests/corpus/TARGET, which stays as it is. What breaks one is left as a file in
-# FOLDER/found, with the command that replays it; then the exit code is 1.
+# Builds the fuzz targets with libFuzzer (needs clang) and runs them one after another: fuzz.sh BUILD, MAKE being set. FUZZ_SECONDS (60) for
+# each of FUZZ_TARGETS (all). Each starts from what it has found before, in BUILD/fuzz/TARGET, and from tests/corpus/TARGET, which stays as
+# it is. What breaks one is left as a file in BUILD/fuzz/found, with the command that replays it; then the exit code is 1.
 set -u
-folder=$1 seconds=$2
-shift 2
-failed=0
+folder=$1/fuzz seconds=${FUZZ_SECONDS:-60} failed=0
+"${MAKE:-make}" fuzz-programs CC=clang B="$folder" WITH_OPENMP=0 FUZZER=-fsanitize=fuzzer \
+  CFLAGS="-O1 -g -fno-omit-frame-pointer -Wno-pass-failed -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" || exit 2
 LSAN_OPTIONS=suppressions=tests/lsan.supp:print_suppressions=0
 export LSAN_OPTIONS
 mkdir -p "$folder/found"
-for target in "$@"; do
+for target in ${FUZZ_TARGETS:-$(cd tests/fuzz && ls fuzz_*.c | sed 's/fuzz_\(.*\)\.c/\1/')}; do
   program=$folder/fuzz_$target log=$folder/$target.log
+  [ -x "$program" ] || continue # a build without FLINT
   mkdir -p "$folder/$target"
   cp tests/corpus/"$target"/* "$folder/$target"
   "$program" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -dict=tests/fuzz/words.dict \

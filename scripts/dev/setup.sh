@@ -1,15 +1,26 @@
 #!/bin/sh
 # Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/dev/setup.sh build|plots|tests|report|lint|fuzz|coverage|valgrind|matrix ...
+# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/dev/setup.sh GOAL..., make's goals
 set -eu
 
 has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
 
 need() { missing="$missing $1"; }
-look() { # PURPOSE...: what is missing
+purposes() { # GOAL...
+  echo build
+  for goal in "$@"; do
+    case $goal in
+      check | asan) echo tests ;;
+      fuzz | lint | valgrind | matrix | coverage) echo "tests $goal" ;;
+      reproduce) echo plots ;;
+      check-report) echo "plots report" ;;
+    esac
+  done
+}
+look() { # GOAL...: what is missing
   missing=""
   command -v cc >/dev/null 2>&1 || need "gcc libc6-dev"
-  for purpose in "$@"; do
+  for purpose in $(purposes "$@"); do
     case $purpose in
       build)    has_header gsl/gsl_roots.h || need libgsl-dev
                 has_header libconfig.h || need libconfig-dev
@@ -37,7 +48,6 @@ look() { # PURPOSE...: what is missing
       valgrind) command -v valgrind >/dev/null 2>&1 || need valgrind ;;
       matrix)   command -v clang >/dev/null 2>&1 || need clang ;;
       coverage) command -v gcovr >/dev/null 2>&1 || need gcovr ;;
-      *)        echo "setup.sh: unknown purpose '$purpose'" >&2; exit 2 ;;
     esac
   done
 }

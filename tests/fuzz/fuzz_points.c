@@ -5,7 +5,7 @@
 
 #include "tests/fuzz/target.h"
 
-/* The lines of a file that are neither empty nor comments, counted apart from lines.c; a header is one of them. */
+/* The lines of a file that are neither empty nor comments, counted apart from tsv.c; a header is one of them. */
 static long data_lines(const uint8_t *data, size_t size)
 {
   const uint8_t mark[] = { 0xef, 0xbb, 0xbf };

@@ -1,0 +1,47 @@
+#!/bin/sh
+# What `make install` puts where, and `make uninstall` takes away: install.sh install|uninstall BUILD VERSION ABI "HEADERS" "PROGRAMS".
+# From the environment: INSTALL, DESTDIR and the folders of config.mk.
+set -eu
+what=$1 build=$2 version=$3 abi=$4 headers=$5 programs=$6
+data=$DESTDIR$datadir/scallop
+
+put() { # FOLDER FILE...
+  folder=$1
+  shift
+  "$INSTALL" -d "$DESTDIR$folder"
+  "$INSTALL" -m 644 "$@" "$DESTDIR$folder"
+}
+if [ "$what" = uninstall ]; then
+  rm -f "$DESTDIR$bindir/scallop" "$DESTDIR$bindir/scallop-flint" "$DESTDIR$completionsdir/scallop" \
+    "$DESTDIR$mandir"/man1/scallop.1 "$DESTDIR$mandir"/man1/scallop-*.1
+  for name in scallop-core scallop; do
+    rm -f "$DESTDIR$pkgconfigdir/$name.pc" "$DESTDIR$libdir/lib$name".a "$DESTDIR$libdir/lib$name".so*
+  done
+  rm -rf "$DESTDIR$includedir/scallop" "$data" "$DESTDIR$datadir/doc/scallop"
+  exit 0
+fi
+"$INSTALL" -d "$DESTDIR$bindir"
+# shellcheck disable=SC2086
+"$INSTALL" $programs "$DESTDIR$bindir"
+for name in scallop-core scallop; do
+  put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$version"
+  ln -sf "lib$name.so.$version" "$DESTDIR$libdir/lib$name.so.$abi"
+  ln -sf "lib$name.so.$abi" "$DESTDIR$libdir/lib$name.so"
+  put "$pkgconfigdir" "$build/$name.pc"
+  sed -i -e "s|@PREFIX@|$PREFIX|" -e "s|@libdir@|$libdir|" -e "s|@includedir@|$includedir|" "$DESTDIR$pkgconfigdir/$name.pc"
+done
+for header in $headers; do
+  "$INSTALL" -m 644 -D "$header" "$DESTDIR$includedir/scallop/$header"
+done
+put "$mandir/man1" "$build"/man/*.1
+put "$completionsdir" scripts/dev/completion.bash
+mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
+put "$datadir/scallop/python" scripts/python/scallop.py
+# The Python module finds the library from its own place
+sed "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
+  >"$data/python/scallop_library.py"
+chmod 644 "$data/python/scallop_library.py"
+put "$datadir/doc/scallop" docs/*.md
+put "$datadir/scallop/scenes" data/scenes/*.cfg
+put "$datadir/scallop/plots" scripts/plots/common.gp scripts/plots/curves.gp scripts/plots/figure*.gp
+put "$datadir/scallop" scripts/plots/cheapest.awk

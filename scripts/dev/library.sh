@@ -1,0 +1,35 @@
+#!/bin/sh
+# Makes the library BUILD/libNAME.a, .so and NAME.pc: library.sh BUILD NAME DESCRIPTION VERSION ABI "NEEDED LIBRARIES" "HEADERS" OBJECT...
+# Visible are the functions and tables that the headers declare, and nothing else, in the static library too: it is one object, in which
+# the rest was made local. NAME.pc is a draft: `make install` puts the
+# folders into it. From the environment: CC, AR, NM, OBJCOPY, LDFLAGS.
+set -eu
+name=$2 description=$3 version=$4 abi=$5 needed=$6 headers=$7 file=$1/lib$2
+pc=$1/$2.pc
+shift 7
+echo "  LD $file"
+"$NM" -g --defined-only "$@" | awk 'NF == 3 { print $3 }' | LC_ALL=C sort -u >"$file.defined"
+# shellcheck disable=SC2086
+cat $headers | tr -c 'A-Za-z0-9_' '\n' | LC_ALL=C sort -u | LC_ALL=C comm -12 - "$file.defined" >"$file.names"
+{ echo "SCALLOP_$abi { global:"; sed 's/$/;/' "$file.names"; echo 'local: *; };'; } >"$file.map"
+# shellcheck disable=SC2086
+$CC $LDFLAGS -shared -Wl,-soname,"lib$name.so.$abi" -Wl,--version-script="$file.map" -Wl,-Bsymbolic-functions -o "$file.so.$version" "$@" $needed
+ln -sf "lib$name.so.$version" "$file.so.$abi"
+ln -sf "lib$name.so.$abi" "$file.so"
+# shellcheck disable=SC2086
+$CC -r -nostdlib -o "$file.o" "$@"
+"$OBJCOPY" --keep-global-symbols="$file.names" "$file.o"
+rm -f "$file.a" "$file.defined"
+"$AR" rcs "$file.a" "$file.o"
+cat >"$pc" <<END
+prefix=@PREFIX@
+libdir=@libdir@
+includedir=@includedir@
+
+Name: $name
+Description: $description
+Version: $version
+Cflags: -I\${includedir}/scallop
+Libs: -L\${libdir} -l$name
+Libs.private: $needed
+END
