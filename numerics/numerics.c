@@ -56,13 +56,12 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
 static void mend(const struct scallop_crawler *crawler, const struct doubt *doubt, struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  if (!wide_enough_steady(crawler, result->period.v_start, doubt->left, &wider))
-    return;
-  if (doubt->left < 1) {
+  bool told = wide_enough_steady(crawler, result->period.v_start, doubt->left, &wider);
+  if (told && doubt->left < 1) {
     result->period.displacement = wider.period.displacement.high;
     result->mean_velocity = wider.mean_velocity.high;
   }
-  if (doubt->delicate)
+  if (told && doubt->delicate)
     result->period.multiplier = wider.period.multiplier.high;
 }
 

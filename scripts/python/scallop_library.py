@@ -22,8 +22,9 @@ _double, _int, _pointer, _text = ctypes.c_double, ctypes.c_int, ctypes.c_void_p,
 
 # model/model.h
 DEGREE = 16  # SCALLOP_POLYNOMIAL_DEGREE
-Law = _structure("scallop_law", (_int, "kind degree"), (_double * (DEGREE + 3), "numbers"), (_int, "implied more_count"),
-                 (_pointer, "more"), (_double, "base"))  # of its union the largest
+BernsteinLaw = _structure("scallop_bernstein_law", (_double * DEGREE, "b"), (_double, "near far way"), (_int, "implied more_count"),
+                          (_pointer, "more"))
+Law = _structure("scallop_law", (_int, "kind degree"), (BernsteinLaw, "bernstein"), (_double, "base"))  # of its union the largest
 Piece = _structure("scallop_piece", (_double, "begin end"), (_int, "anchor direction"), (ctypes.c_bool, "jump linear"),
                    (_double, "velocity acceleration"), (_pointer, "curve law exact"))
 Shape = _structure("scallop_shape", (_pointer, "pieces"), (_int, "count"), (_double, "l0 lT peak net"),
