@@ -700,7 +700,7 @@ static void laws_are_compared(void **state)
     { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 1, 2, 3, 4 }, 5 } },
     { SCALLOP_LAW_RAMP, 1, .ramp = { 1, 2, 3, { 4, 5, 6 } } },
     { SCALLOP_LAW_BERNSTEIN, 2, .bernstein = { { 1, 2, 3, 4 }, 5, 6, 7, .implied = 1, .more_count = 2, .more = more } },
-    { SCALLOP_LAW_SINE },
+    { .kind = SCALLOP_LAW_SINE },
   };
   struct scallop_law p = laws[0], r = laws[1], b = laws[2];
   for (int i = 0; i < 4; i++)
@@ -720,7 +720,7 @@ static void laws_are_compared(void **state)
                     (double *[]){ &b.bernstein.b[0], &b.bernstein.b[1], &b.bernstein.b[2], &b.bernstein.near,
                                   &b.bernstein.far, &b.bernstein.way, &copy[0], &copy[1] },
                     8);
-  assert_true(law_same(&laws[3], &(struct scallop_law){ SCALLOP_LAW_SINE }));
+  assert_true(law_same(&laws[3], &(struct scallop_law){ .kind = SCALLOP_LAW_SINE }));
   b = laws[2];
   b.bernstein.implied = 2;
   assert_false(law_same(&laws[2], &b));
