@@ -95,7 +95,7 @@ map 0 whole
 [ ! -e whole.rows ] || note "the journal is still there"
 killed=0 longest=0
 for delay in 0.005 0.01 0.015 0.02 0.03 0.05 0.08 0.12; do
-  (keep_counts_apart && exec timeout -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part) >/dev/null 2>&1 && break
+  (keep_counts_apart && exec timeout --foreground -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part) >/dev/null 2>&1 && break
   [ ! -e part ] || note "a part of a map has its name"
   [ -e part.rows ] || continue
   lines=$(wc -l <part.rows)

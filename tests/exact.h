@@ -3,11 +3,8 @@
 #ifndef EXACT_H
 #define EXACT_H
 
-#include "asymptotics/derived/series.h"
-#include "model/ball.h"
 #include "tests/random_crawler.h"
-
-/* ---- fractions ---- */
+#include "tests/scoped.h"
 
 /* A fraction of small numbers, in (0, 10) or with either sign */
 static inline void random_positive(fmpq_t x, struct random *r)
@@ -71,56 +68,40 @@ static inline void print_exact_crawler(const struct scallop_rational_crawler *c)
     flint_free(text[i]);
 }
 
-/* ---- balls ---- */
-
 static inline double nearest(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 /* The largest and the smallest that |x| can be */
 static inline double at_most(const arb_t x)
 {
-  arf_t bound;
-  arf_init(bound);
+  SCOPED(arf, bound);
   arb_get_abs_ubound_arf(bound, x, 53);
-  double value = arf_get_d(bound, ARF_RND_UP);
-  arf_clear(bound);
-  return value;
+  return arf_get_d(bound, ARF_RND_UP);
 }
 
 static inline double at_least(const arb_t x)
 {
-  arf_t bound;
-  arf_init(bound);
+  SCOPED(arf, bound);
   arb_get_abs_lbound_arf(bound, x, 53);
-  double value = arf_get_d(bound, ARF_RND_DOWN);
-  arf_clear(bound);
-  return value;
+  return arf_get_d(bound, ARF_RND_DOWN);
 }
-
-/* ---- series ---- */
 
 /* The first power from `from` on, below `to`, whose coefficient is not 0 for certain; `to` if there is none */
 static inline slong next_nonzero(const struct series *s, slong from, slong to)
 {
-  arb_t c;
-  arb_init(c);
+  SCOPED(arb, c);
   for (; from < to; from++) {
     series_coefficient(c, s, from, 64);
     if (!arb_contains_zero(c))
       break;
   }
-  arb_clear(c);
   return from;
 }
 
 /* Both coefficients of x^power, as fractions if both are, and as balls that overlap otherwise */
 static inline bool same_coefficient(const struct series *a, const struct series *b, slong power, slong precision)
 {
-  fmpq_t p, q;
-  arb_t x, y;
-  fmpq_init(p);
-  fmpq_init(q);
-  arb_init(x);
-  arb_init(y);
+  SCOPED(fmpq, p, q);
+  SCOPED(arb, x, y);
   bool same;
   if (series_rational_coefficient(p, a, power) && series_rational_coefficient(q, b, power))
     same = fmpq_equal(p, q);
@@ -129,10 +110,6 @@ static inline bool same_coefficient(const struct series *a, const struct series 
     series_coefficient(y, b, power, precision);
     same = arb_overlaps(x, y);
   }
-  fmpq_clear(p);
-  fmpq_clear(q);
-  arb_clear(x);
-  arb_clear(y);
   return same;
 }
 

@@ -41,38 +41,26 @@ static inline bool expand_steady(struct scallop_steady_expansion *e, const struc
 static inline void check_scaled(const struct series *a, const struct series *b, const fmpq_t factor, const fmpq_t unit,
                                 slong order, const char *what)
 {
-  struct series scaled;
   const struct ring ring = { ORDER + 4, PRECISION };
-  fmpq_t f;
-  fmpq_init(f);
-  series_init(&scaled);
+  SCOPED(fmpq, f);
+  SCOPED(series, scaled);
   assert_true(a->known >= order && b->known >= order);
   for (slong k = -1; k < order; k++) {
     fmpq_pow_si(f, unit, k);
     fmpq_mul(f, f, factor);
     series_scale(&scaled, a, f, &ring);
-    if (!same_coefficient(&scaled, b, k, PRECISION) || a->exact != b->exact) {
-      print_error("%s: T^%ld\n", what, (long)k);
-      fail();
-    }
+    if (!same_coefficient(&scaled, b, k, PRECISION) || a->exact != b->exact)
+      fail_msg("%s: T^%ld", what, (long)k);
   }
-  series_clear(&scaled);
-  fmpq_clear(f);
 }
 
 static inline void check_equal(const struct series *a, const struct series *b, int sign, slong order, const char *what)
 {
-  fmpq_t factor, unit;
-  fmpq_init(factor);
-  fmpq_init(unit);
+  SCOPED(fmpq, factor, unit);
   fmpq_set_si(factor, sign, 1);
   fmpq_set_si(unit, 1, 1);
   check_scaled(a, b, factor, unit, order, what);
-  fmpq_clear(factor);
-  fmpq_clear(unit);
 }
-
-/* ---- two expansions of each kind to compare, of two crawlers ---- */
 
 struct pair {
   struct scallop_rational_crawler crawler[2];
@@ -98,6 +86,7 @@ static inline void pair_clear(struct pair *p)
     fmpq_clear(p->v0[i]);
   }
 }
+SCOPED_KIND(pair, struct pair)
 
 /* The same crawler twice, and a start velocity of any sign or 0 */
 static inline void draw(struct pair *p, struct random *r, const struct scallop_gait *gait)

@@ -13,10 +13,8 @@ static inline slong least(slong a, slong b) { return a < b ? a : b; }
 /* Random terms from x^first on, the first of which is not 0; an even series now and then, for the zeros in between. */
 static inline void random_terms(struct series *s, struct random *r, slong first, slong terms)
 {
-  fmpq_poly_t poly;
-  fmpq_t c;
-  fmpq_poly_init(poly);
-  fmpq_init(c);
+  SCOPED(fmpq_poly, poly);
+  SCOPED(fmpq, c);
   slong step = 1 + random_below(r, 4) / 3;
   for (slong k = 0; k < terms; k += step) {
     random_fraction(c, r);
@@ -26,8 +24,6 @@ static inline void random_terms(struct series *s, struct random *r, slong first,
   }
   series_set_rational_poly(s, poly, SERIES_ALL);
   series_shift(s, s, first);
-  fmpq_poly_clear(poly);
-  fmpq_clear(c);
 }
 
 /* Of which everything is known, or only the first few terms */
@@ -41,13 +37,11 @@ static inline void random_series(struct series *s, struct random *r, slong first
 /* The same numbers as balls */
 static inline void as_balls(struct series *to, const struct series *from)
 {
-  arb_poly_t poly;
-  arb_poly_init(poly);
+  SCOPED(arb_poly, poly);
   arb_poly_set_fmpq_poly(poly, from->rational, PRECISION);
   series_set_ball_poly(to, poly, SERIES_ALL);
   series_shift(to, to, from->first);
   series_truncate(to, from->known);
-  arb_poly_clear(poly);
 }
 
 /* All coefficients that both know are the same. The lowest power of interest: -FAR. */
@@ -55,31 +49,29 @@ static inline void check_same(const struct series *a, const struct series *b, co
 {
   slong known = least(least(a->known, b->known), FAR);
   for (slong k = -FAR; k < known; k++)
-    if (!same_coefficient(a, b, k, PRECISION)) {
-      print_error("%s: the coefficients of x^%ld differ\n", what, (long)k);
-      fail();
-    }
+    if (!same_coefficient(a, b, k, PRECISION))
+      fail_msg("%s: the coefficients of x^%ld differ", what, (long)k);
 }
 
 /* ... and s knows at least so many */
 static inline void check_known(const struct series *s, slong known, const char *what)
 {
-  if (s->known < known) {
-    print_error("%s: known below x^%ld, not x^%ld\n", what, (long)s->known, (long)known);
-    fail();
-  }
+  if (s->known < known)
+    fail_msg("%s: known below x^%ld, not x^%ld", what, (long)s->known, (long)known);
 }
 
+/* Series to work with: SCOPED(work, w) */
 enum { WORK = 8 };
-static inline void work_init(struct series *w)
+typedef struct series scoped_work[WORK];
+static inline void scoped_begin_work(scoped_work *w)
 {
   for (int i = 0; i < WORK; i++)
-    series_init(&w[i]);
+    series_init(&(*w)[i]);
 }
-static inline void work_clear(struct series *w)
+static inline void scoped_end_work(scoped_work *w)
 {
   for (int i = 0; i < WORK; i++)
-    series_clear(&w[i]);
+    series_clear(&(*w)[i]);
 }
 
 #endif

@@ -2,61 +2,28 @@
 #include "tests/check.h"
 
 #include <float.h>
-#include <string.h>
 
-#include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
-enum { MOST = 4000 };
+enum { MOST = 4000, NUMBERS = 8, STEADY = 2, KINDS = 3 }; /* what is solved: an extension, a contraction, the steady state */
 
 static long most(void) { return check_cases(MOST); }
 
-struct columns {
-  double m1[MOST], m2[MOST], F1[MOST], F2[MOST], L[MOST], T[MOST], alpha[MOST];
+static struct columns {
+  double m1[MOST], m2[MOST], F1[MOST], F2[MOST], L[MOST], T[MOST], alpha[MOST], v0[MOST];
   const struct scallop_gait *gait[MOST];
-};
-struct results {
-  double froude[MOST], v_start[MOST], v_mid[MOST], displacement[MOST], mean_velocity[MOST], multiplier[MOST], v_low[MOST],
-      v_high[MOST];
+} in;
+
+/* Of a steady state or of a phase, which has fewer numbers, and one sequence of modes */
+static struct results {
+  double number[NUMBERS][MOST];
   enum scallop_regime regime[MOST];
   struct scallop_modes modes[MOST][2];
   enum scallop_status status[MOST];
-};
+} out, again;
 
-struct phases {
-  double t1[MOST], dT[MOST], v_end[MOST], dx1[MOST], dx2[MOST], dxC[MOST];
-  enum scallop_regime regime[MOST];
-  struct scallop_modes modes[MOST];
-  enum scallop_status status[MOST];
-};
-
-static struct columns in;
-static double v0[MOST];
-static struct results out, again;
-static struct phases phase_out, phase_again;
-
-static struct scallop_crawlers crawlers(long count)
-{
-  return (struct scallop_crawlers){ count, in.m1, in.m2, in.F1, in.F2, in.L, in.T, in.alpha, in.gait };
-}
-
-static struct scallop_steady_states everything(struct results *r)
-{
-  return (struct scallop_steady_states){ r->froude, r->v_start, r->v_mid,  r->displacement, r->mean_velocity, r->multiplier,
-                                         r->v_low,  r->v_high,  r->regime, r->modes,        r->status };
-}
-
-static struct scallop_phases every_column(struct phases *p)
-{
-  return (struct scallop_phases){ p->t1, p->dT, p->v_end, p->dx1, p->dx2, p->dxC, p->regime, p->modes, p->status };
-}
-
-static struct scallop_crawler crawler(long i)
-{
-  return (struct scallop_crawler){ in.m1[i], in.m2[i], in.F1[i], in.F2[i], in.L[i], in.T[i], in.alpha[i], in.gait[i] };
-}
-
-static void put(long i, const struct scallop_crawler *c)
+static void put(long i, const struct scallop_crawler *c, double v0)
 {
   in.m1[i] = c->m1;
   in.m2[i] = c->m2;
@@ -66,6 +33,26 @@ static void put(long i, const struct scallop_crawler *c)
   in.T[i] = c->T;
   in.alpha[i] = c->alpha;
   in.gait[i] = c->gait;
+  in.v0[i] = v0;
+}
+
+static void fill(struct random *r, long count, enum family one, enum family other, int kind)
+{
+  for (long i = 0; i < count; i++) {
+    struct scallop_crawler c = random_crawler(r, i % 2 ? one : other, every_gait[i % ALL_GAITS]);
+    put(i, &c, random_start(r, &c, kind == STEADY ? SCALLOP_EXTENSION : (enum scallop_phase_kind)kind));
+  }
+}
+
+static long solve(int kind, long count, struct results *r, int threads)
+{
+  double(*n)[MOST] = r->number;
+  const struct scallop_crawlers c = { count, in.m1, in.m2, in.F1, in.F2, in.L, in.T, in.alpha, in.gait };
+  const struct scallop_steady_states states = { n[0], n[1], n[2],      n[3],     n[4],     n[5],
+                                                n[6], n[7], r->regime, r->modes, r->status };
+  const struct scallop_phases phases = { n[0], n[1], n[2], n[3], n[4], n[5], r->regime, &r->modes[0][0], r->status };
+  return kind == STEADY ? scallop_steady_batch(&c, &states, threads)
+                        : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, in.v0, &phases, threads);
 }
 
 static bool same(double a, double b)
@@ -73,304 +60,157 @@ static bool same(double a, double b)
   return (check_relative(a, b, SAME_BITS) && !signbit(a) == !signbit(b)) || (isnan(a) && isnan(b));
 }
 
-static void check_modes(const struct scallop_modes *got, const struct scallop_modes *wanted)
+/* The same crawler alone: its status and numbers, how many, its regime and modes */
+static enum scallop_status alone(int kind, long i, double number[NUMBERS], int *count, enum scallop_regime *regime,
+                                 struct scallop_modes modes[2])
 {
-  int kept = wanted->count < SCALLOP_MODES_KEPT ? wanted->count : SCALLOP_MODES_KEPT;
-  assert_int_equal(got->count, wanted->count);
-  assert_memory_equal(got->kept, wanted->kept, (size_t)kept * sizeof *got->kept);
+  const struct scallop_crawler c = { in.m1[i], in.m2[i], in.F1[i], in.F2[i], in.L[i], in.T[i], in.alpha[i], in.gait[i] };
+  struct scallop_steady_result s;
+  struct scallop_phase_result p;
+  enum scallop_status status = kind == STEADY ? scallop_steady(&c, &s)
+                                              : scallop_phase(&c, (enum scallop_phase_kind)kind, in.v0[i], &p);
+  *count = kind == STEADY ? NUMBERS : 6;
+  if (status < 0)
+    return status;
+  const struct scallop_period_result *q = &s.period;
+  const double of_steady[NUMBERS] = { s.froude,        q->v_start,    q->v_mid, q->displacement,
+                                      s.mean_velocity, q->multiplier, s.v_low,  s.v_high };
+  const double of_phase[NUMBERS] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
+  memcpy(number, kind == STEADY ? of_steady : of_phase, sizeof of_phase);
+  *regime = kind == STEADY ? q->regime : p.regime;
+  modes[0] = kind == STEADY ? q->modes[0] : p.modes;
+  if (kind == STEADY)
+    modes[1] = q->modes[1];
+  return status;
 }
 
-static void check_one(long i)
+/* True: it failed, alone and among the others; then its regime is as it was */
+static bool check_one(int kind, long i)
 {
-  struct scallop_crawler c = crawler(i);
-  struct scallop_steady_result r;
-  enum scallop_status status = scallop_steady(&c, &r);
+  const struct scallop_modes *got = kind == STEADY ? out.modes[i] : &out.modes[0][0] + i;
+  struct scallop_modes wanted[2] = { { 0 } };
+  double number[NUMBERS];
+  enum scallop_regime regime = SCALLOP_SLIDING;
+  int count;
+  enum scallop_status status = alone(kind, i, number, &count, &regime, wanted);
   assert_int_equal(out.status[i], status);
-  if (status < 0) {
-    assert_true(isnan(out.froude[i]) && isnan(out.v_start[i]) && isnan(out.v_mid[i]) && isnan(out.displacement[i])
-                && isnan(out.mean_velocity[i]) && isnan(out.multiplier[i]) && isnan(out.v_low[i]) && isnan(out.v_high[i]));
-    assert_int_equal(out.modes[i][0].count + out.modes[i][1].count, 0);
-    return;
+  for (int k = 0; k < count; k++)
+    if (!(status < 0 ? isnan(out.number[k][i]) : same(out.number[k][i], number[k])))
+      fail_msg("kind %d, crawler %ld, number %d: %.17g, not %.17g", kind, i, k, out.number[k][i], number[k]);
+  for (int phase = 0; phase < (kind == STEADY ? 2 : 1); phase++) {
+    int kept = wanted[phase].count < SCALLOP_MODES_KEPT ? wanted[phase].count : SCALLOP_MODES_KEPT;
+    assert_int_equal(got[phase].count, status < 0 ? 0 : wanted[phase].count);
+    if (status >= 0)
+      assert_memory_equal(got[phase].kept, wanted[phase].kept, (size_t)kept * sizeof *wanted[phase].kept);
   }
-  if (!same(out.v_start[i], r.period.v_start) || !same(out.displacement[i], r.period.displacement))
-    print_error("m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g T=%.17g alpha=%.17g %s: %.17g %.17g\n", c.m1, c.m2, c.F1, c.F2,
-                c.L, c.T, c.alpha, c.gait->name, out.v_start[i], r.period.v_start);
-  assert_true(same(out.froude[i], r.froude) && same(out.v_start[i], r.period.v_start) && same(out.v_mid[i], r.period.v_mid));
-  assert_true(same(out.displacement[i], r.period.displacement) && same(out.mean_velocity[i], r.mean_velocity));
-  assert_true(same(out.multiplier[i], r.period.multiplier) && same(out.v_low[i], r.v_low) && same(out.v_high[i], r.v_high));
-  assert_int_equal(out.regime[i], r.period.regime);
-  for (int phase = 0; phase < 2; phase++)
-    check_modes(&out.modes[i][phase], &r.period.modes[phase]);
+  assert_int_equal(out.regime[i], status < 0 ? (enum scallop_regime) - 1 : regime);
+  return status < 0;
 }
 
-static void solve_and_check(long count, int threads)
+static long solve_and_check(int kind, long count, int threads)
 {
-  struct scallop_crawlers c = crawlers(count);
-  struct scallop_steady_states s = everything(&out);
-  long failed = 0;
-  assert_int_equal(scallop_steady_batch(&c, &s, threads), 0);
-  for (long i = 0; i < count; i++) {
-    check_one(i);
-    failed += out.status[i] < 0;
-  }
-  assert_int_equal(failed, 0);
+  memset(&out, 0xff, sizeof out);
+  long failed = solve(kind, count, &out, threads), counted = 0;
+  for (long i = 0; i < count; i++)
+    counted += check_one(kind, i);
+  assert_int_equal(failed, counted);
+  return failed;
 }
 
-static void every_family(void **state)
+static void every_family(uint64_t seed, int first_kind, int last_kind)
 {
-  (void)state;
-  struct random r = { 20261121 };
+  struct random r = { seed };
   long counts[3] = { 0 };
   for (int which = 0; which < FAMILIES; which++)
-    for (int gait = -1; gait < ALL_GAITS; gait++) {
-      long n = gait == 0 ? most() : check_cases(500);
-      for (long i = 0; i < n; i++) {
-        struct scallop_crawler c = random_crawler(&r, (enum family)which, every_gait[gait < 0 ? i % ALL_GAITS : gait]);
-        put(i, &c);
+    for (int kind = first_kind; kind <= last_kind; kind++)
+      for (int gait = -1; gait < (kind == STEADY ? ALL_GAITS : 0); gait++) {
+        long n = kind != STEADY || gait == 0 ? most() : check_cases(500);
+        fill(&r, n, (enum family)which, (enum family)which, kind);
+        for (long i = 0; i < n && gait >= 0; i++)
+          in.gait[i] = every_gait[gait];
+        solve_and_check(kind, n, 1);
+        for (long i = 0; i < n; i++)
+          if (out.status[i] >= 0)
+            counts[out.regime[i]]++;
       }
-      struct scallop_crawlers c = crawlers(n);
-      struct scallop_steady_states s = everything(&out);
-      (void)scallop_steady_batch(&c, &s, 1);
-      for (long i = 0; i < n; i++) {
-        check_one(i);
-        if (out.status[i] >= 0)
-          counts[out.regime[i]]++;
-      }
-    }
   assert_true(counts[SCALLOP_SLIDING] > check_cases(1000) && counts[SCALLOP_STICK_SLIP] > check_cases(1000)
               && counts[SCALLOP_AT_REST] > 10);
 }
 
-/* Blocks that end anywhere, and no crawler at all. */
-static void every_length(void **state)
-{
-  (void)state;
-  struct random r = { 7 };
-  for (long i = 0; i < 300; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, &scallop_gait_quadratic);
-    put(i, &c);
-  }
-  for (long n = 0; n < 300; n = n < 140 ? n + 1 : n + 37)
-    solve_and_check(n, 1);
-}
-
-/* The last is more than OpenMP can start. */
-static const int numbers_of_threads[] = { 1, 2, 3, 4, 5, 100000000, 0 };
-
-static void threads_do_not_matter(void **state)
-{
-  (void)state;
-  struct random r = { 11 };
-  for (long i = 0; i < most(); i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
-    put(i, &c);
-  }
-  for (int k = 0; numbers_of_threads[k]; k++) {
-    int threads = numbers_of_threads[k];
-    struct scallop_crawlers c = crawlers(most());
-    struct scallop_steady_states s = everything(threads == 1 ? &out : &again);
-    memset(threads == 1 ? &out : &again, 0, sizeof out);
-    assert_int_equal(scallop_steady_batch(&c, &s, threads), 0);
-    if (threads > 1)
-      assert_memory_equal(&out, &again, sizeof out);
-  }
-}
-
-/* Bad crawlers among good ones, at every place of a block: each keeps its own status. */
-static void failures_stay_where_they_are(void **state)
-{
-  (void)state;
-  struct random r = { 13 };
-  long bad = 0;
-  for (long i = 0; i < 1000; i++) {
-    struct scallop_crawler c = random_crawler(&r, ORDINARY, &scallop_gait_quadratic);
-    c.F1 = i % 7 == 3 ? -1 : c.F1;
-    c.T = i % 11 == 5 ? NAN : c.T;
-    c.alpha = i % 13 == 7 ? 1 : c.alpha;
-    c.L = i % 17 == 9 ? 1e300 : c.L;
-    c.gait = i % 19 == 2 ? NULL : c.gait;
-    put(i, &c);
-  }
-  struct scallop_crawlers c = crawlers(1000);
-  struct scallop_steady_states s = everything(&out);
-  long failed = scallop_steady_batch(&c, &s, 1);
-  for (long i = 0; i < 1000; i++) {
-    check_one(i);
-    bad += out.status[i] < 0;
-  }
-  assert_int_equal(failed, bad);
-  assert_true(bad > 200);
-}
-
-/* What is not wanted is not touched. */
-static void only_what_is_wanted(void **state)
-{
-  (void)state;
-  struct random r = { 17 };
-  double displacement[200];
-  for (long i = 0; i < 200; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % 2]);
-    put(i, &c);
-  }
-  struct scallop_crawlers c = crawlers(200);
-  struct scallop_steady_states nothing = { .status = NULL }, one = { .displacement = displacement };
-  assert_int_equal(scallop_steady_batch(&c, &nothing, 2), 0);
-  assert_int_equal(scallop_steady_batch(&c, &one, 2), 0);
-  struct scallop_steady_states s = everything(&out);
-  assert_int_equal(scallop_steady_batch(&c, &s, 1), 0);
-  assert_memory_equal(displacement, out.displacement, sizeof displacement);
-}
-
-/* ---- one phase ---- */
-
-static void check_phase(long i, enum scallop_phase_kind kind)
-{
-  const struct scallop_crawler c = crawler(i);
-  const struct phases *p = &phase_out;
-  struct scallop_phase_result r;
-  enum scallop_status status = scallop_phase(&c, kind, v0[i], &r);
-  assert_int_equal(p->status[i], status);
-  if (status < 0) {
-    assert_true(isnan(p->t1[i]) && isnan(p->dT[i]) && isnan(p->v_end[i]));
-    assert_true(isnan(p->dx1[i]) && isnan(p->dx2[i]) && isnan(p->dxC[i]));
-    assert_int_equal(p->modes[i].count, 0);
-    return;
-  }
-  assert_true(same(p->t1[i], r.t1) && same(p->dT[i], r.dT) && same(p->v_end[i], r.v_end));
-  assert_true(same(p->dx1[i], r.dx1) && same(p->dx2[i], r.dx2) && same(p->dxC[i], r.dxC));
-  assert_int_equal(p->regime[i], r.regime);
-  check_modes(&p->modes[i], &r.modes);
-}
-
-static void every_family_of_phases(void **state)
-{
-  (void)state;
-  struct random r = { 20261122 };
-  long counts[3] = { 0 };
-  for (int which = 0; which < FAMILIES; which++)
-    for (int kind = SCALLOP_EXTENSION; kind <= SCALLOP_CONTRACTION; kind++) {
-      for (long i = 0; i < most(); i++) {
-        struct scallop_crawler c = random_crawler(&r, (enum family)which, every_gait[i % ALL_GAITS]);
-        put(i, &c);
-        v0[i] = random_start(&r, &c, (enum scallop_phase_kind)kind);
-      }
-      struct scallop_crawlers c = crawlers(most());
-      struct scallop_phases p = every_column(&phase_out);
-      (void)scallop_phase_batch(&c, (enum scallop_phase_kind)kind, v0, &p, 1);
-      for (long i = 0; i < most(); i++) {
-        check_phase(i, (enum scallop_phase_kind)kind);
-        if (phase_out.status[i] >= 0)
-          counts[phase_out.regime[i]]++;
-      }
-    }
-  assert_true(counts[SCALLOP_SLIDING] > check_cases(1000) && counts[SCALLOP_STICK_SLIP] > check_cases(1000)
-              && counts[SCALLOP_AT_REST] > 10);
-}
+TEST(every_family_of_steady_states) { every_family(20261121, STEADY, STEADY); }
+TEST(every_family_of_phases) { every_family(20261122, SCALLOP_EXTENSION, SCALLOP_CONTRACTION); }
 
 /* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
-static void every_length_of_phases(void **state)
+TEST(every_length)
 {
-  (void)state;
-  struct random r = { 19 };
-  for (long i = 0; i < 300; i++) {
-    struct scallop_crawler c = random_crawler(&r, ORDINARY, every_gait[i % ALL_GAITS]);
-    put(i, &c);
-    v0[i] = random_start(&r, &c, SCALLOP_CONTRACTION);
-  }
-  for (long n = 0; n < 300; n = n < 140 ? n + 1 : n + 37) {
-    struct scallop_crawlers c = crawlers(n);
-    struct scallop_phases p = every_column(&phase_out);
-    memset(&phase_out, 0xff, sizeof phase_out);
-    assert_int_equal(scallop_phase_batch(&c, SCALLOP_CONTRACTION, v0, &p, 1), 0);
-    for (long i = 0; i < n; i++)
-      check_phase(i, SCALLOP_CONTRACTION);
-    assert_true(isnan(phase_out.t1[n]) && isnan(phase_out.dxC[n]) && phase_out.modes[n].count == -1);
-    assert_true((int)phase_out.status[n] == -1 && (int)phase_out.regime[n] == -1);
+  struct random r = { 7 };
+  for (int kind = 0; kind < KINDS; kind++) {
+    fill(&r, 300, ORDINARY, STICK_SLIP, kind);
+    for (long n = 0; n < 300; n = n < 140 ? n + 1 : n + 37) {
+      assert_int_equal(solve_and_check(kind, n, 1), 0);
+      const struct scallop_modes *behind = kind == STEADY ? out.modes[n] : &out.modes[0][0] + n;
+      assert_true(isnan(out.number[0][n]) && isnan(out.number[5][n]) && behind->count == -1);
+      assert_true((int)out.status[n] == -1 && (int)out.regime[n] == -1);
+    }
   }
 }
 
-static void threads_do_not_matter_to_phases(void **state)
+TEST(threads_do_not_matter)
 {
-  (void)state;
-  struct random r = { 23 };
-  for (long i = 0; i < most(); i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
-    put(i, &c);
-    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
-  }
-  for (int k = 0; numbers_of_threads[k]; k++) {
-    int threads = numbers_of_threads[k];
-    struct scallop_crawlers c = crawlers(most());
-    struct phases *to = threads == 1 ? &phase_out : &phase_again;
-    struct scallop_phases p = every_column(to);
-    memset(to, 0, sizeof *to);
-    assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &p, threads), 0);
-    if (threads > 1)
-      assert_memory_equal(&phase_out, &phase_again, sizeof phase_out);
+  static const int threads[] = { 2, 3, 4, 5, 100000000 }; /* the last is more than OpenMP can start */
+  struct random r = { 11 };
+  for (int kind = 0; kind < KINDS; kind++) {
+    fill(&r, most(), ORDINARY, STICK_SLIP, kind);
+    memset(&out, 0, sizeof out);
+    assert_int_equal(solve(kind, most(), &out, 1), 0);
+    for (int k = 0; k < 5; k++) {
+      memset(&again, 0, sizeof again);
+      assert_int_equal(solve(kind, most(), &again, threads[k]), 0);
+      assert_memory_equal(&out, &again, sizeof out);
+    }
   }
 }
 
-/* Bad crawlers and bad start velocities among good ones: each keeps its own status, and its regime is not touched. */
-static void failures_of_phases_stay_where_they_are(void **state)
+/* Bad crawlers and bad start velocities among good ones, at every place of a block: each keeps its own status. */
+TEST(failures_stay_where_they_are)
 {
-  (void)state;
-  struct random r = { 29 };
-  long bad = 0, out_of_range = 0;
-  for (long i = 0; i < 1000; i++) {
-    struct scallop_crawler c = random_crawler(&r, ORDINARY, &scallop_gait_quadratic);
-    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
-    v0[i] = i % 13 == 7 ? NAN : v0[i];
-    c.m2 = i % 7 == 3 ? 0 : c.m2;
-    c.T = i % 11 == 5 ? INFINITY : c.T;
-    c.L = i % 17 == 9 ? DBL_MIN : c.L;
-    c.gait = i % 19 == 2 ? NULL : c.gait;
-    put(i, &c);
+  struct random r = { 13 };
+  for (int kind = 0; kind < KINDS; kind++) {
+    long out_of_range = 0;
+    fill(&r, 1000, ORDINARY, ORDINARY, kind);
+    for (long i = 0; i < 1000; i++) {
+      in.F1[i] = i % 7 == 3 ? -1 : in.F1[i];
+      in.m2[i] = i % 29 == 3 ? 0 : in.m2[i];
+      in.T[i] = i % 11 == 5 ? (i % 2 ? NAN : INFINITY) : in.T[i];
+      in.alpha[i] = i % 13 == 7 ? 1 : in.alpha[i];
+      in.v0[i] = i % 23 == 7 ? NAN : in.v0[i];
+      in.L[i] = i % 17 == 9 ? (kind == STEADY ? 1e300 : DBL_MIN) : in.L[i];
+      in.gait[i] = i % 19 == 2 ? NULL : &scallop_gait_quadratic;
+    }
+    assert_true(solve_and_check(kind, 1000, 1) > (kind == STEADY ? 200 : 300));
+    for (long i = 0; i < 1000; i++)
+      out_of_range += out.status[i] == SCALLOP_ERANGE;
+    assert_true(kind == STEADY || out_of_range > 30);
   }
-  struct scallop_crawlers c = crawlers(1000);
-  struct scallop_phases p = every_column(&phase_out);
-  memset(phase_out.regime, 0xff, sizeof phase_out.regime);
-  long failed = scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &p, 1);
-  for (long i = 0; i < 1000; i++) {
-    check_phase(i, SCALLOP_EXTENSION);
-    bad += phase_out.status[i] < 0;
-    out_of_range += phase_out.status[i] == SCALLOP_ERANGE;
-    assert_true((phase_out.status[i] < 0) == ((int)phase_out.regime[i] == -1));
-  }
-  assert_int_equal(failed, bad);
-  assert_true(bad > 300 && out_of_range > 30);
 }
 
 /* What is not wanted is not touched. */
-static void only_the_columns_that_are_wanted(void **state)
+TEST(only_what_is_wanted)
 {
-  (void)state;
-  struct random r = { 31 };
-  double dxC[200];
-  for (long i = 0; i < 200; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % ALL_GAITS]);
-    put(i, &c);
-    v0[i] = random_start(&r, &c, SCALLOP_EXTENSION);
+  struct random r = { 17 };
+  double one[200];
+  for (int kind = 0; kind < KINDS; kind++) {
+    fill(&r, 200, ORDINARY, STICK_SLIP, kind);
+    in.T[100] = -1;
+    const struct scallop_crawlers c = { 200, in.m1, in.m2, in.F1, in.F2, in.L, in.T, in.alpha, in.gait };
+    for (int wanted = 0; wanted < 2; wanted++) {
+      const struct scallop_steady_states states = { .displacement = wanted ? one : NULL };
+      const struct scallop_phases phases = { .dx1 = wanted ? one : NULL };
+      assert_int_equal(kind == STEADY ? scallop_steady_batch(&c, &states, 2)
+                                      : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, in.v0, &phases, 2),
+                       1);
+    }
+    assert_int_equal(solve(kind, 200, &out, 1), 1);
+    assert_memory_equal(one, out.number[3], sizeof one); /* displacement, dx1 */
   }
-  in.T[100] = -1;
-  struct scallop_crawlers c = crawlers(200);
-  struct scallop_phases nothing = { .status = NULL }, one = { .dxC = dxC }, all = every_column(&phase_out);
-  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &nothing, 2), 1);
-  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &one, 2), 1);
-  assert_int_equal(scallop_phase_batch(&c, SCALLOP_EXTENSION, v0, &all, 1), 1);
-  assert_memory_equal(dxC, phase_out.dxC, sizeof dxC);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_family),
-                                      cmocka_unit_test(every_length),
-                                      cmocka_unit_test(threads_do_not_matter),
-                                      cmocka_unit_test(failures_stay_where_they_are),
-                                      cmocka_unit_test(only_what_is_wanted),
-                                      cmocka_unit_test(every_family_of_phases),
-                                      cmocka_unit_test(every_length_of_phases),
-                                      cmocka_unit_test(threads_do_not_matter_to_phases),
-                                      cmocka_unit_test(failures_of_phases_stay_where_they_are),
-                                      cmocka_unit_test(only_the_columns_that_are_wanted) };
-  return cmocka_run_group_tests_name("batch", tests, NULL, NULL);
 }

@@ -1,12 +1,10 @@
 /* The proven error bounds of the steady state's series, held against certified values; and that the modes change where it is said. */
 #include "tests/check.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
-#include "asymptotics/derived/derived.h"
-#include "numerics/certified.h"
 #include "tests/exact.h"
+#include "tests/solved.h"
 
 enum { PRECISION = 128, MOST_ORDER = 9, DIGITS = 60, CRAWLERS = 72, QUANTITIES = 2 };
 
@@ -17,9 +15,7 @@ enum { PARTS = sizeof parts / sizeof *parts };
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
 enum { GAITS = 3 };
 
-/* ---- |exact - terms below T^order| <= C T^power ---- */
-
-struct ratios { /* of the bound to the error                                                 */
+struct ratios { /* of the bound, |exact - terms below T^order| <= C T^power, to the error */
   double all[CRAWLERS];
   int count;
 };
@@ -40,16 +36,12 @@ static void print_ratios(struct ratios *r, const char *what)
 /* T = part T0, rounded down to a fraction */
 static void set_T(struct scallop_rational_crawler *c, const arb_t T0, double part)
 {
-  arb_t T;
-  arf_t low;
-  arb_init(T);
-  arf_init(low);
+  SCOPED(arb, T);
+  SCOPED(arf, low);
   arb_set_d(T, part);
   arb_mul(T, T, T0, PRECISION);
   arb_get_lbound_arf(low, part == 1 ? T0 : T, PRECISION);
   arf_get_fmpq(c->T, low);
-  arf_clear(low);
-  arb_clear(T);
 }
 
 struct subject {
@@ -64,10 +56,7 @@ static double ratio(const struct subject *s, const arb_t exact, int quantity)
 {
   const struct scallop_bound *b = &s->bounds[quantity];
   const struct series *series = quantity == 0 ? &s->expansion.v_start : &s->expansion.displacement;
-  arb_t T, error, bound;
-  arb_init(T);
-  arb_init(error);
-  arb_init(bound);
+  SCOPED(arb, T, error, bound);
   arb_set_fmpq(T, s->crawler.T, 4 * PRECISION);
   series_value(error, series, T, s->order, 4 * PRECISION);
   arb_sub(error, exact, error, 4 * PRECISION);
@@ -77,46 +66,33 @@ static double ratio(const struct subject *s, const arb_t exact, int quantity)
   bool holds = !arb_gt(error, bound);
   arb_div(bound, bound, error, PRECISION);
   double times = arb_is_finite(bound) ? nearest(bound) : INFINITY;
-  arb_clear(T);
-  arb_clear(error);
-  arb_clear(bound);
   return holds ? times : -times;
 }
 
 static void check_at(struct subject *s, double part, struct ratios *small)
 {
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   set_T(&s->crawler, s->bounds[0].T0, part);
   assert_int_equal(scallop_certified_steady(&s->crawler, DIGITS, &c, NULL), SCALLOP_OK);
   for (int q = 0; q < QUANTITIES; q++) {
     double times = ratio(s, q == 0 ? c.v_start : c.displacement, q);
     if (times < 0) {
       print_exact_crawler(&s->crawler);
-      print_error("order %ld, quantity %d: the bound is %.17g of the error at %g T0\n", (long)s->order, q, -times, part);
-      fail();
+      fail_msg("order %ld, quantity %d: the bound is %.17g of the error at %g T0", (long)s->order, q, -times, part);
     }
     if (part < 1e-3 && isfinite(times)) /* some series end, and nothing is left to bound */
       small[q].all[small[q].count++] = times;
   }
-  scallop_certified_steady_clear(&c);
 }
 
-static void modes_at(const struct subject *s, double part, char *text, size_t size)
+static void modes_at(const struct subject *s, double part, char modes[BOTH_MODES_TEXT])
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady there;
-  char modes[2][SCALLOP_MODES_TEXT];
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&there);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_steady, there);
   scallop_rational_copy(&c, &s->crawler);
   set_T(&c, s->bounds[0].T_end, part);
   assert_int_equal(scallop_certified_steady(&c, 20, &there, NULL), SCALLOP_OK);
-  scallop_modes_text(&there.modes[0], modes[0]);
-  scallop_modes_text(&there.modes[1], modes[1]);
-  snprintf(text, size, "%s | %s", modes[0], modes[1]);
-  scallop_certified_steady_clear(&there);
-  scallop_rational_clear(&c);
+  both_modes(there.modes, modes);
 }
 
 /* False: they are refused. */
@@ -158,6 +134,7 @@ static void subject_clear(struct subject *s)
   scallop_bound_clear(&s->bounds[0]);
   scallop_bound_clear(&s->bounds[1]);
 }
+SCOPED_KIND(subject, struct subject)
 
 /* What both tests look at: crawlers with their bounds, found once */
 static struct subject subjects[CRAWLERS];
@@ -181,9 +158,8 @@ static int forget_all(void **state)
   return 0;
 }
 
-static void bounds_hold(void **state)
+TEST(bounds_hold)
 {
-  (void)state;
   static struct ratios small[QUANTITIES];
   for (int i = 0; i < CRAWLERS; i++)
     for (int k = 0; k < PARTS; k++)
@@ -196,16 +172,13 @@ static void bounds_hold(void **state)
   }
 }
 
-/* ---- T_end ---- */
-
-static void modes_of_the_limit_up_to_the_end(void **state)
+TEST(modes_of_the_limit_up_to_the_end)
 {
-  (void)state;
   static const double before[] = { 1e-3, 0.7, 0.999 };
-  char modes[2 * SCALLOP_MODES_TEXT + 4];
+  char modes[BOTH_MODES_TEXT];
   for (int i = 0; i < CRAWLERS; i++)
     for (size_t k = 0; k < sizeof before / sizeof *before; k++) {
-      modes_at(&subjects[i], before[k], modes, sizeof modes);
+      modes_at(&subjects[i], before[k], modes);
       assert_string_equal(modes, subjects[i].expansion.modes);
     }
 }
@@ -213,14 +186,13 @@ static void modes_of_the_limit_up_to_the_end(void **state)
 /* And others beyond, or else a switching time passes a corner of l'. */
 static bool ends_at(const struct subject *s, double part)
 {
-  char modes[2 * SCALLOP_MODES_TEXT + 4];
-  modes_at(s, part, modes, sizeof modes);
+  char modes[BOTH_MODES_TEXT];
+  modes_at(s, part, modes);
   return strcmp(modes, s->expansion.modes) != 0 || strstr(s->bounds[0].ends, "corner");
 }
 
-static void other_modes_beyond_the_end(void **state)
+TEST(other_modes_beyond_the_end)
 {
-  (void)state;
   int soon = 0, late = 0;
   for (int i = 0; i < CRAWLERS; i++) {
     bool later = ends_at(&subjects[i], 1.05);
@@ -236,8 +208,6 @@ static void other_modes_beyond_the_end(void **state)
   assert_int_equal(late, 0);
   assert_true(soon <= CRAWLERS / 10);
 }
-
-/* ---- refusals ---- */
 
 /* Refused, with a reason, and the bounds as they were */
 static void refuses_at(struct subject *s, slong order, slong precision, enum scallop_status wanted, const char *fragment)
@@ -257,12 +227,10 @@ static void refuses(struct subject *s, slong order, enum scallop_status wanted, 
   refuses_at(s, order, PRECISION, wanted, fragment);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   struct random r = { 20260842 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < 2; i++) {
     random_exact_crawler(&s.crawler, &r, gaits[i]);
     refuses(&s, 0, SCALLOP_EDOMAIN, "order");
@@ -280,45 +248,29 @@ static void refusals(void **state)
   }
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
   refuses(&s, 4, SCALLOP_EUNDECIDED, "");
-  subject_clear(&s);
 }
 
 static void refuse_modes(const struct scallop_rational_crawler *crawler, slong precision, enum scallop_status wanted)
 {
   const char *ends = "untouched", *why = NULL;
-  arb_t T;
-  arb_init(T);
+  SCOPED(arb, T);
   assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, &why), wanted);
   assert_non_null(why);
   assert_int_equal(scallop_steady_modes_hold(crawler, precision, T, &ends, NULL), wanted);
   assert_string_equal(ends, "untouched");
   assert_true(arb_is_zero(T));
-  arb_clear(T);
 }
 
-static void refusals_of_modes(void **state)
+TEST(refusals_of_modes)
 {
-  (void)state;
   struct random r = { 20260843 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
   refuse_modes(&s.crawler, 31, SCALLOP_EDOMAIN);
   fmpq_neg(s.crawler.m2, s.crawler.m2);
   refuse_modes(&s.crawler, PRECISION, SCALLOP_EDOMAIN);
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
   refuse_modes(&s.crawler, PRECISION, SCALLOP_EUNDECIDED);
-  subject_clear(&s);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(bounds_hold),
-    cmocka_unit_test(modes_of_the_limit_up_to_the_end),
-    cmocka_unit_test(other_modes_beyond_the_end),
-    cmocka_unit_test(refusals),
-    cmocka_unit_test(refusals_of_modes),
-  };
-  return cmocka_run_group_tests_name("bounds", tests, find_all, forget_all);
-}
+int main(void) { return check_run(find_all, forget_all); }

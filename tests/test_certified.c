@@ -4,409 +4,268 @@
 
 #include <float.h>
 #include <stdio.h>
-#include <stdlib.h>
 
-#include "numerics/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
+#include "tests/reference.h"
 
-enum { PHASE = 6, STEADY = 4, ULPS = 16, CONDITION_DIGITS = 50 };
+enum { PHASE = 6, STEADY = 4, ULPS = 16, CONDITION_DIGITS = 50, REFERENCE_DIGITS = 45 };
 
-/* ---- balls ---- */
+/* One phase, or the steady state, and what is certified of it */
+struct problem {
+  struct scallop_crawler crawler;
+  bool steady;
+  enum scallop_phase_kind kind;
+  double v0;
+};
 
-static arb_ptr phase_quantity(struct scallop_certified_phase *r, int i)
+struct answer {
+  bool steady;
+  struct scallop_certified_phase of_phase;
+  struct scallop_certified_steady of_steady;
+};
+static void answer_init(struct answer *a)
 {
-  arb_ptr all[PHASE] = { r->t1, r->dT, r->v_end, r->dx1, r->dx2, r->dxC };
-  return all[i];
+  scallop_certified_phase_init(&a->of_phase);
+  scallop_certified_steady_init(&a->of_steady);
 }
-static const char *const phase_names[PHASE] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC" };
-
-static arb_ptr steady_quantity(struct scallop_certified_steady *r, int i)
+static void answer_clear(struct answer *a)
 {
-  arb_ptr all[STEADY] = { r->v_start, r->v_mid, r->displacement, r->multiplier };
-  return all[i];
+  scallop_certified_phase_clear(&a->of_phase);
+  scallop_certified_steady_clear(&a->of_steady);
 }
-static const char *const steady_names[STEADY] = { "v_start", "v_mid", "displacement", "multiplier" };
+SCOPED_KIND(answer, struct answer)
 
-static double apart_from_double(const arb_t x, double y)
+static const char *const names[2][PHASE] = { { "t1", "dT", "v_end", "dx1", "dx2", "dxC" },
+                                             { "v_start", "v_mid", "displacement", "multiplier" } };
+
+static int numbers(const struct answer *a) { return a->steady ? STEADY : PHASE; }
+
+/* Where nothing switches t1 and dT are nothing. */
+static int first_number(const struct answer *a) { return a->steady || a->of_phase.switches ? 0 : 2; }
+
+static arb_ptr number(struct answer *a, int i)
 {
-  arb_t ball;
-  arb_init(ball);
-  arb_set_d(ball, y);
-  double far = apart(x, ball);
-  arb_clear(ball);
-  return far;
+  struct scallop_certified_phase *p = &a->of_phase;
+  struct scallop_certified_steady *s = &a->of_steady;
+  arb_ptr of_phase[PHASE] = { p->t1, p->dT, p->v_end, p->dx1, p->dx2, p->dxC };
+  arb_ptr of_steady[STEADY] = { s->v_start, s->v_mid, s->displacement, s->multiplier };
+  return a->steady ? of_steady[i] : of_phase[i];
+}
+
+/* To so many digits, with the i-th input changed by 1e-30 of itself; none if i < 0 */
+static bool certify(struct answer *a, const struct problem *p, long digits, int i, const char **why)
+{
+  SCOPED(scallop_rational, c);
+  SCOPED(fmpq, v0, factor);
+  fmpq *const inputs[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T, c.alpha, v0 };
+  scallop_rational_of(&c, &p->crawler);
+  scallop_rational_set_double(v0, p->v0);
+  if (i >= 0) {
+    assert_true(scallop_rational_parse(factor, "1.000000000000000000000000000001"));
+    fmpq_mul(inputs[i], inputs[i], factor);
+  }
+  a->steady = p->steady;
+  return (p->steady ? scallop_certified_steady(&c, digits, &a->of_steady, why)
+                    : scallop_certified_phase(&c, p->kind, v0, digits, &a->of_phase, why))
+         == SCALLOP_OK;
+}
+
+static bool same_sequences(const struct answer *a, const struct scallop_modes *modes)
+{
+  return a->steady ? same_modes(&a->of_steady.modes[0], &modes[0]) && same_modes(&a->of_steady.modes[1], &modes[1])
+                   : same_modes(&a->of_phase.modes, modes);
 }
 
 static void check_digits(const arb_t x, long digits, const char *what)
 {
-  if (!arb_contains_zero(x) && (double)arb_rel_accuracy_bits(x) < 3.3219 * (double)digits) {
-    print_error("%s: %ld bits, not %ld digits\n", what, (long)arb_rel_accuracy_bits(x), digits);
-    fail();
-  }
+  if (!arb_contains_zero(x) && (double)arb_rel_accuracy_bits(x) < 3.3219 * (double)digits)
+    fail_msg("%s: %ld bits, not %ld digits", what, (long)arb_rel_accuracy_bits(x), digits);
 }
 
-/* ---- against the double solver ---- */
-
-struct worst {
+static struct {
   double ulps;
   char where[160];
-};
+} worst[2][PHASE];
 
-static void note(struct worst *w, double ulps, const struct scallop_crawler *c, double got)
+static void note(bool steady, int q, double ulps, const struct scallop_crawler *c, double got)
 {
-  if (ulps <= w->ulps)
+  if (ulps <= worst[steady][q].ulps)
     return;
-  w->ulps = ulps;
-  snprintf(w->where, sizeof w->where, "%.17g; m %.3g %.3g F %.3g %.3g L %.3g T %.3g alpha %.3g %s", got, c->m1, c->m2, c->F1,
-           c->F2, c->L, c->T, c->alpha, c->gait->name);
+  worst[steady][q].ulps = ulps;
+  snprintf(worst[steady][q].where, sizeof worst[steady][q].where,
+           "%.17g; m %.3g %.3g F %.3g %.3g L %.3g T %.3g alpha %.3g %s", got, c->m1, c->m2, c->F1, c->F2, c->L, c->T,
+           c->alpha, c->gait->name);
 }
 
-static void print_worst(const struct worst *w, const char *const *names, int count)
+static void print_worst(bool steady)
 {
-  for (int i = 0; i < count; i++)
-    print_message("%-12s worst %.2f ulp: %s\n", names[i], w[i].ulps, w[i].where);
+  for (int i = 0; i < (steady ? STEADY : PHASE); i++)
+    print_message("%-12s worst %.2f ulp: %s\n", names[steady][i], worst[steady][i].ulps, worst[steady][i].where);
 }
 
-/* Changes the i-th input by 1e-30 of itself; false: there is none. */
-static bool perturb(struct scallop_rational_crawler *c, fmpq_t v0, int i)
+/* In doubles: the modes and the regime are those that are certified. */
+static void in_doubles(double got[PHASE], const struct problem *p, const struct answer *a)
 {
-  fmpq *inputs[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, v0 };
-  if (i == 8)
-    return false;
-  fmpq_t factor;
-  fmpq_init(factor);
-  assert_true(scallop_rational_parse(factor, "1.000000000000000000000000000001"));
-  fmpq_mul(inputs[i], inputs[i], factor);
-  fmpq_clear(factor);
-  return true;
-}
-
-static void check_same_modes(const struct scallop_modes *certified, const struct scallop_modes *other,
-                             const struct scallop_crawler *c, double v0)
-{
-  char one[SCALLOP_MODES_TEXT], another[SCALLOP_MODES_TEXT];
-  if (same_modes(certified, other))
-    return;
-  scallop_modes_text(certified, one);
-  scallop_modes_text(other, another);
-  print_crawler(c);
-  print_error("v0=%.17g: %s certified, %s in doubles\n", v0, one, another);
-  fail();
-}
-
-/* Sum over the inputs p of |p dq/dp| for every q, by certified differences; inf where a mode changes. */
-static void phase_conditions(double *cond, const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
-{
-  struct scallop_certified_phase base, moved;
-  struct scallop_rational_crawler exact;
-  fmpq_t start;
-  scallop_certified_phase_init(&base);
-  scallop_certified_phase_init(&moved);
-  scallop_rational_init(&exact);
-  fmpq_init(start);
-  memset(cond, 0, PHASE * sizeof *cond);
-  for (int i = -1;; i++) {
-    scallop_rational_of(&exact, c);
-    scallop_rational_set_double(start, v0);
-    if (i >= 0 && !perturb(&exact, start, i))
-      break;
-    struct scallop_certified_phase *r = i < 0 ? &base : &moved;
-    bool known = scallop_certified_phase(&exact, kind, start, CONDITION_DIGITS, r, NULL) == SCALLOP_OK;
-    for (int q = 0; q < PHASE && i >= 0; q++)
-      cond[q] += known && same_modes(&base.modes, &moved.modes)
-                     ? 1e30 * apart(phase_quantity(&base, q), phase_quantity(&moved, q))
-                     : INFINITY;
+  bool same;
+  if (p->steady) {
+    struct scallop_steady_result s = steady_of(&p->crawler);
+    const double all[STEADY] = { s.period.v_start, s.period.v_mid, s.period.displacement, s.period.multiplier };
+    memcpy(got, all, sizeof all);
+    same = same_sequences(a, s.period.modes) && a->of_steady.regime == s.period.regime;
+    CHECK_RELATIVE(s.froude, nearest(a->of_steady.froude), 8 * DBL_EPSILON);
+  } else {
+    struct scallop_phase_result r = phase_of(&p->crawler, p->kind, p->v0);
+    const double all[PHASE] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
+    memcpy(got, all, sizeof all);
+    same = same_sequences(a, &r.modes) && a->of_phase.regime == r.regime && a->of_phase.switches == !isnan(r.t1);
   }
-  fmpq_clear(start);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&moved);
-  scallop_certified_phase_clear(&base);
+  if (!same) {
+    print_crawler(&p->crawler);
+    fail_msg("v0=%.17g: other modes are certified", p->v0);
+  }
 }
 
-static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct worst *worst)
+/* Within ULPS of the larger of the number and its condition: the sum over the inputs p of |p dq/dp|, by certified differences; inf where
+ * a mode changes. */
+static void compare(const struct problem *p)
 {
-  struct scallop_phase_result d;
-  struct scallop_certified_phase r;
-  struct scallop_rational_crawler exact;
-  fmpq_t start;
+  SCOPED(answer, a, moved);
   const char *why = "";
-  double cond[PHASE];
-  scallop_certified_phase_init(&r);
-  scallop_rational_init(&exact);
-  fmpq_init(start);
-  scallop_rational_of(&exact, c);
-  scallop_rational_set_double(start, v0);
-  assert_int_equal(scallop_phase(c, kind, v0, &d), SCALLOP_OK);
-  if (scallop_certified_phase(&exact, kind, start, 25, &r, &why) != SCALLOP_OK) {
-    print_crawler(c);
-    fail_msg("v0=%.17g: %s", v0, why);
+  double cond[PHASE] = { 0 }, got[PHASE];
+  if (!certify(&a, p, CONDITION_DIGITS, -1, &why)) {
+    print_crawler(&p->crawler);
+    fail_msg("v0=%.17g: %s", p->v0, why);
   }
-  check_same_modes(&r.modes, &d.modes, c, v0);
-  assert_int_equal(r.regime, d.regime);
-  assert_int_equal(r.switches, !isnan(d.t1));
-  const double doubles[PHASE] = { d.t1, d.dT, d.v_end, d.dx1, d.dx2, d.dxC };
-  phase_conditions(cond, c, kind, v0);
-  cond[3] = fmax(cond[3], c->L); /* the double solver has dx1 and dx2 from dxC and half of L: of a body that hardly */
-  cond[4] = fmax(cond[4], c->L); /* moves only the digits that are left                                            */
-  for (int q = r.switches ? 0 : 2; q < PHASE; q++) {
-    arb_ptr ball = phase_quantity(&r, q);
-    double unit = DBL_EPSILON * fmax(fabs(nearest(ball)), cond[q]), error = apart_from_double(ball, doubles[q]);
+  in_doubles(got, p, &a);
+  for (int i = 0; i < (p->steady ? 7 : 8); i++) {
+    bool known = certify(&moved, p, CONDITION_DIGITS, i, NULL)
+                 && same_sequences(&a, p->steady ? moved.of_steady.modes : &moved.of_phase.modes);
+    for (int q = 0; q < numbers(&a); q++)
+      cond[q] += known ? 1e30 * apart(number(&a, q), number(&moved, q)) : INFINITY;
+  }
+  for (int q = 3; q < 5 && !p->steady; q++)
+    cond[q] = fmax(cond[q], p->crawler.L); /* the double solver has dx1 and dx2 from dxC and half of L: of a body that hardly
+                                              moves only the digits that are left */
+  for (int q = first_number(&a); q < numbers(&a); q++) {
+    SCOPED(arb, ball);
+    arb_set_d(ball, got[q]);
+    double wanted = nearest(number(&a, q)), unit = DBL_EPSILON * fmax(fabs(wanted), cond[q]);
+    double error = apart(number(&a, q), ball);
     if (!(error <= ULPS * unit)) {
-      print_crawler(c);
-      print_error("v0=%.17g, %s: cond %g, %.3g ulp\n", v0, phase_names[q], cond[q], error / unit);
-      CHECK_NEAR(doubles[q], nearest(ball), ULPS * unit);
+      print_crawler(&p->crawler);
+      print_error("v0=%.17g, %s: cond %g, %.3g ulp\n", p->v0, names[p->steady][q], cond[q], error / unit);
+      CHECK_NEAR(got[q], wanted, ULPS * unit);
     }
-    note(&worst[q], unit > 0 && isfinite(unit) ? error / unit : 0, c, doubles[q]);
+    note(p->steady, q, unit > 0 && isfinite(unit) ? error / unit : 0, &p->crawler, got[q]);
   }
-  fmpq_clear(start);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&r);
 }
 
-static void phases_agree_with_doubles(void **state)
+TEST(phases_agree_with_doubles)
 {
-  (void)state;
   struct random r = { 20260701 };
-  static struct worst worst[PHASE];
   for (int i = 0; i < 140 * ALL_GAITS; i++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(i / ALL_GAITS % FAMILIES), every_gait[i % ALL_GAITS]);
-    enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    compare_phase(&c, kind, random_start(&r, &c, kind), worst);
+    struct problem p = { .crawler = random_crawler(&r, (enum family)(i / ALL_GAITS % FAMILIES), every_gait[i % ALL_GAITS]) };
+    p.kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    p.v0 = random_start(&r, &p.crawler, p.kind);
+    compare(&p);
   }
-  print_worst(worst, phase_names, PHASE);
+  print_worst(false);
 }
 
-static void steady_conditions(double *cond, struct scallop_certified_steady *base, const struct scallop_crawler *c)
+/* Of every family and every gait with a certified steady state in turn */
+static struct scallop_crawler draw(struct random *r, int i)
 {
-  struct scallop_certified_steady moved;
-  struct scallop_rational_crawler exact;
-  scallop_certified_steady_init(&moved);
-  scallop_rational_init(&exact);
-  memset(cond, 0, STEADY * sizeof *cond);
-  for (int i = 0; i < 7; i++) {
-    scallop_rational_of(&exact, c);
-    perturb(&exact, NULL, i);
-    bool known = scallop_certified_steady(&exact, CONDITION_DIGITS, &moved, NULL) == SCALLOP_OK;
-    known = known && same_modes(&base->modes[0], &moved.modes[0]) && same_modes(&base->modes[1], &moved.modes[1]);
-    for (int q = 0; q < STEADY; q++)
-      cond[q] += known ? 1e30 * apart(steady_quantity(base, q), steady_quantity(&moved, q)) : INFINITY;
-  }
-  scallop_rational_clear(&exact);
-  scallop_certified_steady_clear(&moved);
+  return random_crawler(r, (enum family)(i / SMOOTH_GAITS % FAMILIES), every_gait[i % SMOOTH_GAITS]);
 }
 
-static void compare_steady(const struct scallop_crawler *c, struct worst *worst)
+TEST(steady_states_agree_with_doubles)
 {
-  struct scallop_steady_result d;
-  struct scallop_certified_steady r;
-  struct scallop_rational_crawler exact;
-  const char *why = "";
-  double cond[STEADY];
-  scallop_certified_steady_init(&r);
-  scallop_rational_init(&exact);
-  scallop_rational_of(&exact, c);
-  assert_int_equal(scallop_steady(c, &d), SCALLOP_OK);
-  if (scallop_certified_steady(&exact, CONDITION_DIGITS, &r, &why) != SCALLOP_OK) {
-    print_crawler(c);
-    fail_msg("%s", why);
-  }
-  for (int kind = 0; kind < 2; kind++)
-    check_same_modes(&r.modes[kind], &d.period.modes[kind], c, nearest(r.v_start));
-  assert_int_equal(r.regime, d.period.regime);
-  CHECK_RELATIVE(d.froude, nearest(r.froude), 8 * DBL_EPSILON);
-  const double doubles[STEADY] = { d.period.v_start, d.period.v_mid, d.period.displacement, d.period.multiplier };
-  steady_conditions(cond, &r, c);
-  for (int q = 0; q < STEADY; q++) {
-    arb_ptr ball = steady_quantity(&r, q);
-    double unit = DBL_EPSILON * fmax(fabs(nearest(ball)), cond[q]), error = apart_from_double(ball, doubles[q]);
-    if (!(error <= ULPS * unit)) {
-      print_crawler(c);
-      print_error("%s: cond %g, %.3g ulp\n", steady_names[q], cond[q], error / unit);
-      CHECK_NEAR(doubles[q], nearest(ball), ULPS * unit);
-    }
-    note(&worst[q], unit > 0 && isfinite(unit) ? error / unit : 0, c, doubles[q]);
-  }
-  scallop_rational_clear(&exact);
-  scallop_certified_steady_clear(&r);
-}
-
-static void steady_states_agree_with_doubles(void **state)
-{
-  (void)state;
   struct random r = { 20260702 };
-  static struct worst worst[STEADY];
-  for (int i = 0; i < 28 * SMOOTH_GAITS; i++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(i / SMOOTH_GAITS % FAMILIES), every_gait[i % SMOOTH_GAITS]);
-    compare_steady(&c, worst);
-  }
-  print_worst(worst, steady_names, STEADY);
+  for (int i = 0; i < 28 * SMOOTH_GAITS; i++)
+    compare(&(struct problem){ .crawler = draw(&r, i), .steady = true });
+  print_worst(true);
 }
-
-/* ---- against 50-digit values of scripts/python/reference.py ---- */
-
-enum { COLUMNS = 27, LINE = 4096, FIRST_INPUT = 3, V0 = 11, MODES = 19, REFERENCE_DIGITS = 45 };
 
 /* The text has 50 digits: half a unit of the last one, and what counts as 0 there, is left to it. */
-static void check_reference(const arb_t ball, const char *text, double unit, const char *what)
+static void check_reference(const arb_t ball, const char *text, double unit)
 {
-  arb_t wanted;
-  arb_init(wanted);
+  SCOPED(arb, wanted);
   assert_int_equal(arb_set_str(wanted, text, 400), 0);
-  check_digits(ball, REFERENCE_DIGITS, what);
+  check_digits(ball, REFERENCE_DIGITS, text);
   CHECK_NEAR(apart(ball, wanted), 0, 1e-44 * fabs(nearest(wanted)) + 1e-60 * unit);
-  arb_clear(wanted);
 }
 
-static void check_reference_row(char *const *cell)
+static void check_reference_row(const struct row *r)
 {
-  struct scallop_rational_crawler c;
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
-  char modes[2][SCALLOP_MODES_TEXT], both[2 * SCALLOP_MODES_TEXT + 4];
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&c);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
-  fmpq *inputs[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T, c.alpha };
+  static const char *const inputs[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
+  char both[BOTH_MODES_TEXT];
+  SCOPED(scallop_rational, c);
+  SCOPED(answer, a);
+  SCOPED(fmpq, v0);
+  fmpq *const to[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T, c.alpha };
   for (int i = 0; i < 7; i++)
-    assert_true(scallop_rational_parse(inputs[i], cell[FIRST_INPUT + i]));
-  c.gait = scallop_gait_named(cell[2]);
-  double unit = strtod(cell[FIRST_INPUT + 4], NULL) * (1 + 1 / strtod(cell[FIRST_INPUT + 5], NULL));
-  if (strcmp(cell[1], "steady") == 0) {
-    assert_int_equal(scallop_certified_steady(&c, REFERENCE_DIGITS, &s, NULL), SCALLOP_OK);
-    for (int q = 0; q < 3; q++)
-      check_reference(steady_quantity(&s, q), cell[V0 + 5 + q], unit, steady_names[q]);
-    scallop_modes_text(&s.modes[0], modes[0]);
-    scallop_modes_text(&s.modes[1], modes[1]);
-    snprintf(both, sizeof both, "%s | %s", modes[0], modes[1]);
+    assert_true(scallop_rational_parse(to[i], cell(r, "", inputs[i])));
+  c.gait = scallop_gait_named(cell(r, "", "gait"));
+  a.steady = of_steady_state(r);
+  if (a.steady) {
+    assert_int_equal(scallop_certified_steady(&c, REFERENCE_DIGITS, &a.of_steady, NULL), SCALLOP_OK);
+    both_modes(a.of_steady.modes, both);
   } else {
-    enum scallop_phase_kind kind = cell[V0 - 1][0] == 'e' ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    arb_ptr balls[] = { p.t1, p.dT, p.v_end, p.dxC };
-    assert_true(scallop_rational_parse(v0, cell[V0]));
-    assert_int_equal(scallop_certified_phase(&c, kind, v0, REFERENCE_DIGITS, &p, NULL), SCALLOP_OK);
-    assert_int_equal(p.switches, strcmp(cell[V0 + 1], "nan") != 0);
-    for (int q = p.switches ? 0 : 2; q < 4; q++)
-      check_reference(balls[q], cell[V0 + 1 + q], unit, "a phase");
-    scallop_modes_text(&p.modes, both);
+    assert_true(scallop_rational_parse(v0, cell(r, "", "v0")));
+    assert_int_equal(scallop_certified_phase(&c, phase_in(r), v0, REFERENCE_DIGITS, &a.of_phase, NULL), SCALLOP_OK);
+    assert_int_equal(a.of_phase.switches, strcmp(cell(r, "", "t1"), "nan") != 0);
+    scallop_modes_text(&a.of_phase.modes, both);
   }
-  assert_string_equal(both, cell[MODES]);
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&c);
-  fmpq_clear(v0);
+  double unit = number_in(r, "", "L") * (1 + 1 / number_in(r, "", "T"));
+  for (int q = first_number(&a); q < numbers(&a); q++)
+    if (a.steady ? q < 3 : q < 3 || q == 5) /* the table has no multiplier, dx1 and dx2 */
+      check_reference(number(&a, q), cell(r, "", names[a.steady][q]), unit);
+  assert_string_equal(both, cell(r, "", "modes"));
 }
 
-static void every_reference_row(void **state)
+TEST(every_reference_row) { for_reference_rows(check_reference_row); }
+
+/* With more digits, the same; and as many as were wanted. */
+static void check_longer(const struct problem *p, long digits, long more)
 {
-  (void)state;
-  static char line[LINE];
-  FILE *file = fopen("tests/reference.tsv", "r");
-  assert_non_null(file);
-  int rows = 0;
-  while (fgets(line, LINE, file)) {
-    char *cell[COLUMNS], *at = line;
-    if (line[0] == '#' || strncmp(line, "family", 6) == 0)
-      continue;
-    for (int i = 0; i < COLUMNS; i++) {
-      cell[i] = at;
-      at += strcspn(at, "\t\n");
-      *at++ = '\0';
-    }
-    check_reference_row(cell);
-    rows++;
+  SCOPED(answer, few, many);
+  assert_true(certify(&few, p, digits, -1, NULL) && certify(&many, p, more, -1, NULL));
+  for (int q = 0; q < numbers(&few); q++) {
+    check_overlap(number(&few, q), number(&many, q), names[p->steady][q]);
+    if (p->steady)
+      check_digits(number(&few, q), digits, names[p->steady][q]);
+    check_digits(number(&many, q), more, names[p->steady][q]);
   }
-  fclose(file);
-  assert_int_equal(rows, 896);
 }
 
-/* ---- against itself, with more digits ---- */
-
-static void more_digits_agree(void **state)
+TEST(more_digits_agree)
 {
-  (void)state;
   struct random r = { 20260703 };
-  struct scallop_certified_steady few, many;
-  struct scallop_certified_phase short_phase, long_phase;
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
-  scallop_certified_steady_init(&few);
-  scallop_certified_steady_init(&many);
-  scallop_certified_phase_init(&short_phase);
-  scallop_certified_phase_init(&long_phase);
-  scallop_rational_init(&exact);
-  fmpq_init(v0);
   for (int i = 0; i < 20 * SMOOTH_GAITS; i++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(i / SMOOTH_GAITS % FAMILIES), every_gait[i % SMOOTH_GAITS]);
-    scallop_rational_of(&exact, &c);
-    assert_int_equal(scallop_certified_steady(&exact, 30, &few, NULL), SCALLOP_OK);
-    assert_int_equal(scallop_certified_steady(&exact, 300, &many, NULL), SCALLOP_OK);
-    for (int q = 0; q < STEADY; q++) {
-      check_overlap(steady_quantity(&few, q), steady_quantity(&many, q), steady_names[q]);
-      check_digits(steady_quantity(&few, q), 30, steady_names[q]);
-      check_digits(steady_quantity(&many, q), 300, steady_names[q]);
-    }
-    scallop_rational_set_double(v0, random_start(&r, &c, SCALLOP_CONTRACTION));
-    assert_int_equal(scallop_certified_phase(&exact, SCALLOP_CONTRACTION, v0, 30, &short_phase, NULL), SCALLOP_OK);
-    assert_int_equal(scallop_certified_phase(&exact, SCALLOP_CONTRACTION, v0, 300, &long_phase, NULL), SCALLOP_OK);
-    for (int q = 0; q < PHASE; q++) {
-      check_overlap(phase_quantity(&short_phase, q), phase_quantity(&long_phase, q), phase_names[q]);
-      check_digits(phase_quantity(&long_phase, q), 300, phase_names[q]);
-    }
+    struct problem p = { .crawler = draw(&r, i), .steady = true, .kind = SCALLOP_CONTRACTION };
+    check_longer(&p, 30, 300);
+    p.steady = false;
+    p.v0 = random_start(&r, &p.crawler, SCALLOP_CONTRACTION);
+    check_longer(&p, 30, 300);
   }
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&long_phase);
-  scallop_certified_phase_clear(&short_phase);
-  scallop_certified_steady_clear(&many);
-  scallop_certified_steady_clear(&few);
 }
 
 /* A thousand digits where a double has none: T = 1e-30. The displacement of the default crawler tends to
  * (F1 - F2)(2 alpha - 1) L m / (alpha^2 F1 m1 + (1 - alpha)^2 F2 m2), m = m1 m2/M, with an error of order T^4: 120/37. */
-static void a_thousand_digits_of_a_small_period(void **state)
+TEST(a_thousand_digits_of_a_small_period)
 {
-  (void)state;
-  struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s, more;
-  arb_t limit;
-  arb_init(limit);
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
-  scallop_certified_steady_init(&more);
-  for (int g = 0; g < 2; g++) {
-    c.gait = every_gait[g];
-    scallop_rational_of(&exact, &c);
-    assert_true(scallop_rational_parse(exact.T, "1e-30"));
-    assert_int_equal(scallop_certified_steady(&exact, 1000, &s, NULL), SCALLOP_OK);
-    assert_int_equal(scallop_certified_steady(&exact, 1100, &more, NULL), SCALLOP_OK);
-    for (int q = 0; q < STEADY; q++) {
-      check_overlap(steady_quantity(&s, q), steady_quantity(&more, q), steady_names[q]);
-      check_digits(steady_quantity(&s, q), 1000, steady_names[q]);
-    }
-    arb_set_ui(limit, 120);
-    arb_div_ui(limit, limit, 37, 4000);
-    if (g == 0) {
-      CHECK_NEAR(apart(s.displacement, limit), 0, 10 * 1e-119);
-      assert_false(arb_overlaps(s.displacement, limit));
-    }
-  }
-  scallop_certified_steady_clear(&more);
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
-  arb_clear(limit);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_agree_with_doubles),
-    cmocka_unit_test(steady_states_agree_with_doubles),
-    cmocka_unit_test(every_reference_row),
-    cmocka_unit_test(more_digits_agree),
-    cmocka_unit_test(a_thousand_digits_of_a_small_period),
-  };
-  return cmocka_run_group_tests_name("certified", tests, NULL, NULL);
+  struct problem p = { .crawler = scallop_crawler_default(), .steady = true };
+  SCOPED(answer, a);
+  SCOPED(arb, limit);
+  p.crawler.T = 1e-30;
+  p.crawler.gait = &scallop_gait_sinusoidal;
+  check_longer(&p, 1000, 1100);
+  p.crawler.gait = &scallop_gait_quadratic;
+  check_longer(&p, 1000, 1100);
+  assert_true(certify(&a, &p, 1000, -1, NULL));
+  arb_set_ui(limit, 120);
+  arb_div_ui(limit, limit, 37, 4000);
+  CHECK_NEAR(apart(a.of_steady.displacement, limit), 0, 10 * 1e-119);
+  assert_false(arb_overlaps(a.of_steady.displacement, limit));
 }

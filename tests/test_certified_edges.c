@@ -5,8 +5,6 @@
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 
-/* ---- what is refused ---- */
-
 /* l' = 6 u (1 - u) in one piece: a parabola, which a straight line can touch at a rational point. */
 static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
@@ -17,13 +15,10 @@ static const struct scallop_gait parabola_gait = { "parabola",
 
 static void check_undecided(const struct scallop_crawler *c, const char *v0_text, const char *reason)
 {
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_phase p;
   const char *why = NULL;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&exact);
-  scallop_certified_phase_init(&p);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_phase, p);
   scallop_rational_of(&exact, c);
   assert_true(scallop_rational_parse(v0, v0_text));
   arb_set_ui(p.v_end, 7);
@@ -33,15 +28,11 @@ static void check_undecided(const struct scallop_crawler *c, const char *v0_text
   if (!strstr(why, reason))
     fail_msg("%s, not %s", why, reason);
   assert_true(arb_equal_si(p.v_end, 7) && p.modes.count == 77);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&exact);
-  fmpq_clear(v0);
 }
 
 /* m1 = m2 = 1, tau = 1, L = 1: while both go forward v1 = v0 - (F1 + F2) t/2 - l'/2. */
-static void exact_coincidences_are_said(void **state)
+TEST(exact_coincidences_are_said)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &parabola_gait };
   check_undecided(&c, "1.6875", "body 1 touches"); /* v0 - 3 t/2 - 3 t (1 - t): 0 and least at t = 3/4 */
   c.gait = &scallop_gait_quadratic;
@@ -59,52 +50,41 @@ static void exact_coincidences_are_said(void **state)
 
 /* With l' to its digits the limit can be met within a phase as well: minimum jerk at t = 1/4, where l' = 135/128 and l'' = 45/8. Body 1
  * comes to rest there, v0 - l'/2 - (F1 + F2) t/2 = 0, and F1 - F2 = 45/8 is what it takes to hold it. */
-static void a_limit_met_where_a_body_comes_to_rest(void **state)
+TEST(a_limit_met_where_a_body_comes_to_rest)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 6, 0.375, 1, 2, 0.5, &minimum_jerk_gait };
   check_undecided(&c, "1.32421875", "force that holds body 1");
 }
 
 /* l' jumps from 0 to 1, and v1 with it from 1/2 to 0. */
-static void at_rest_after_a_jump(void **state)
+TEST(at_rest_after_a_jump)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &sawtooth_gait };
   check_undecided(&c, "0.5", "cannot be told from 0");
 }
 
-/* ---- a law that is not that of a gait ---- */
-
 /* l grows by 3/2, while the amplitude is 1: nothing is decided of any motion, and it is said why. */
-static void a_law_against_its_amplitude(void **state)
+TEST(a_law_against_its_amplitude)
 {
-  (void)state;
   const struct scallop_law law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 9, -9 }, 1 } };
   struct scallop_piece pieces[2] = { parabola_extension[0], parabola_contraction[0] };
   struct scallop_gait gait = parabola_gait;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &gait };
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
   const char *why = NULL;
   for (int kind = 0; kind < 2; kind++) {
     pieces[kind].law = &law;
     gait.phase[kind].pieces = &pieces[kind];
   }
   check_undecided(&c, "3", "contradicts its amplitude");
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   arb_set_ui(s.v_start, 7);
   scallop_rational_of(&exact, &c);
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, &why), SCALLOP_EUNDECIDED);
   assert_non_null(strstr(why, "contradicts its amplitude"));
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EUNDECIDED);
   assert_true(arb_equal_si(s.v_start, 7));
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
-
-/* ---- a search that begins where nothing can be decided ---- */
 
 /* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the contraction, with l' at its
  * peak: there v = 2 m1/M + eps/2 in L/tau. M = 100, and eps = 1 in the extension: it ends with v = 2 m1/M a + 1/(2 a), a = alpha/(1 - alpha),
@@ -116,22 +96,16 @@ static const struct from_rest {
 } from_rest[] = { { { 6, 7 }, 13357 * 49, 7318 * 49, 7443, { 427, 1800 }, false },
                   { { 5, 6 }, 74 * 144, 41 * 144, 115, { 6, 25 }, true } };
 
-static void a_search_from_an_undecided_velocity(void **state)
+TEST(a_search_from_an_undecided_velocity)
 {
-  (void)state;
-  struct scallop_rational_crawler c;
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&c);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_phase, p);
+  SCOPED(scallop_certified_steady, s);
   for (int i = 0; i < 2; i++) {
     const struct from_rest *a = &from_rest[i];
     const struct scallop_crawler doubles = { 1, 99, (double)a->F1 / a->over,           (double)a->F2 / a->over,
                                              1, 1,  (double)a->alpha[0] / a->alpha[1], &scallop_gait_quadratic };
-    struct scallop_steady_result d;
     const char *why = NULL;
     scallop_rational_of(&c, &doubles);
     fmpq_set_si(c.F1, a->F1, (ulong)a->over);
@@ -145,7 +119,7 @@ static void a_search_from_an_undecided_velocity(void **state)
     assert_non_null(strstr(why, "body 2 comes to rest just as"));
     why = NULL;
     assert_int_equal(scallop_certified_steady(&c, 20, &s, &why), a->steady ? SCALLOP_EUNDECIDED : SCALLOP_OK);
-    assert_int_equal(scallop_steady(&doubles, &d), SCALLOP_OK);
+    struct scallop_steady_result d = steady_of(&doubles);
     if (a->steady) {
       assert_non_null(strstr(why, "body 2 comes to rest just as"));
       CHECK_NEAR(d.period.v_start, 0, 1e-15);
@@ -154,37 +128,24 @@ static void a_search_from_an_undecided_velocity(void **state)
       CHECK_RELATIVE(d.period.displacement, nearest(s.displacement), 1e-13);
     }
   }
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&c);
-  fmpq_clear(v0);
 }
 
 static void check_domain(const struct scallop_rational_crawler *c, long digits)
 {
-  struct scallop_certified_phase p;
-  struct scallop_certified_steady s;
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_certified_phase_init(&p);
-  scallop_certified_steady_init(&s);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_certified_phase, p);
+  SCOPED(scallop_certified_steady, s);
   arb_set_ui(p.t1, 7);
   arb_set_ui(s.v_start, 7);
   assert_int_equal(scallop_certified_phase(c, SCALLOP_EXTENSION, v0, digits, &p, NULL), SCALLOP_EDOMAIN);
   assert_int_equal(scallop_certified_steady(c, digits, &s, NULL), SCALLOP_EDOMAIN);
   assert_true(arb_equal_si(p.t1, 7) && arb_equal_si(s.v_start, 7));
-  scallop_certified_steady_clear(&s);
-  scallop_certified_phase_clear(&p);
-  fmpq_clear(v0);
 }
 
-static void domain(void **state)
+TEST(domain)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   fmpq *inputs[] = { exact.m1, exact.m2, exact.F1, exact.F2, exact.L, exact.T, exact.alpha };
   for (int i = 0; i < 7; i++)
     for (int value = -1; value <= 0; value++) {
@@ -206,7 +167,7 @@ static void domain(void **state)
   unknown.phase[0].pieces = &lawless;
   exact.gait = &unknown;
   check_domain(&exact, 20);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_certified_steady, s);
   exact.gait = &sawtooth_gait;
   assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
   struct scallop_gait unmarked =
@@ -220,56 +181,33 @@ static void domain(void **state)
     exact.gait = &unmarked;
     assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
 
-/* ---- exact zeros ---- */
-
-static void zeros_are_exact(void **state)
+TEST(zeros_are_exact)
 {
-  (void)state;
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
-  for (int g = 0; g < SMOOTH_GAITS; g++) {
-    struct scallop_crawler c = { 0.3, 0.7, 1.1, 1.1, 3, 0.9, 0.3, every_gait[g] };
-    scallop_rational_of(&exact, &c);
-    assert_int_equal(scallop_certified_steady(&exact, 40, &s, NULL), SCALLOP_OK);
-    assert_true(arb_is_zero(s.v_start) && arb_is_zero(s.v_mid) && arb_is_zero(s.displacement));
-    assert_int_equal(s.regime, SCALLOP_SLIDING);
-    c.F1 = 200;
-    c.T = 30;
-    scallop_rational_of(&exact, &c);
-    assert_int_equal(scallop_certified_steady(&exact, 40, &s, NULL), SCALLOP_OK);
-    assert_true(arb_is_zero(s.v_start) && arb_is_zero(s.v_mid) && arb_is_zero(s.displacement));
-    assert_int_equal(s.regime, SCALLOP_AT_REST);
-    assert_true(arb_is_zero(s.multiplier));
-  }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
+  SCOPED(scallop_certified_steady, s);
+  for (int g = 0; g < SMOOTH_GAITS; g++)
+    for (int held = 0; held < 2; held++) {
+      const struct scallop_crawler c = { 0.3, 0.7, held ? 200 : 1.1, 1.1, 3, held ? 30 : 0.9, 0.3, every_gait[g] };
+      certify_steady(&s, &c, 40);
+      assert_true(arb_is_zero(s.v_start) && arb_is_zero(s.v_mid) && arb_is_zero(s.displacement));
+      assert_int_equal(s.regime, held ? SCALLOP_AT_REST : SCALLOP_SLIDING);
+      assert_true(!held || arb_is_zero(s.multiplier));
+    }
 }
 
 /* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the exact answer. */
-static void barely_held(void **state)
+TEST(barely_held)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_quadratic };
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   scallop_rational_of(&exact, &c);
   assert_true(scallop_rational_parse(exact.F1, "5.000000000000000000000000000000000000000000000000000000000001"));
   assert_int_equal(scallop_certified_steady(&exact, 100, &s, NULL), SCALLOP_OK);
   assert_true(arb_is_zero(s.v_start));
   assert_int_equal(s.regime, SCALLOP_AT_REST);
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
 }
-
-/* ---- forces exactly at their limits, where l'' is constant ---- */
 
 struct at_limit {
   int m1, m2, F1, F2, L, T, alpha[2];
@@ -290,14 +228,10 @@ static const struct at_limit at_limits[] = {
 };
 
 /* Held, and so at rest: the motion of a body that friction would just let slide with acceleration 0 is the same. */
-static void forces_at_their_limits_hold(void **state)
+TEST(forces_at_their_limits_hold)
 {
-  (void)state;
-  struct scallop_rational_crawler c;
-  struct scallop_certified_steady s;
-  char text[SCALLOP_MODES_TEXT];
-  scallop_rational_init(&c);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_steady, s);
   c.gait = &scallop_gait_quadratic;
   for (size_t i = 0; i < sizeof at_limits / sizeof *at_limits; i++) {
     const struct at_limit *a = &at_limits[i];
@@ -308,27 +242,8 @@ static void forces_at_their_limits_hold(void **state)
     fmpq_set_si(c.alpha, a->alpha[0], (ulong)a->alpha[1]);
     assert_int_equal(scallop_certified_steady(&c, 40, &s, NULL), SCALLOP_OK);
     for (int kind = 0; kind < 2; kind++) {
-      scallop_modes_text(&s.modes[kind], text);
-      assert_string_equal(text, a->modes[kind]);
+      modes_are(&s.modes[kind], a->modes[kind]);
     }
     assert_true(arb_is_zero(s.multiplier)); /* a body has stuck: the start is forgotten */
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&c);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(exact_coincidences_are_said),
-    cmocka_unit_test(a_limit_met_where_a_body_comes_to_rest),
-    cmocka_unit_test(at_rest_after_a_jump),
-    cmocka_unit_test(a_law_against_its_amplitude),
-    cmocka_unit_test(a_search_from_an_undecided_velocity),
-    cmocka_unit_test(domain),
-    cmocka_unit_test(zeros_are_exact),
-    cmocka_unit_test(barely_held),
-    cmocka_unit_test(forces_at_their_limits_hold),
-  };
-  return cmocka_run_group_tests_name("certified: edges", tests, NULL, NULL);
 }

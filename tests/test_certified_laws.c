@@ -6,11 +6,8 @@
 static void friction_impulse(arb_t impulse, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind,
                              const struct scallop_certified_phase *p)
 {
-  arb_t duration, force;
-  fmpq_t tau;
-  arb_init(duration);
-  arb_init(force);
-  fmpq_init(tau);
+  SCOPED(arb, duration, force);
+  SCOPED(fmpq, tau);
   scallop_rational_duration(tau, c, kind);
   arb_zero(impulse);
   for (int i = 0; i < p->modes.count; i++) {
@@ -27,9 +24,6 @@ static void friction_impulse(arb_t impulse, const struct scallop_rational_crawle
       arb_addmul(impulse, duration, force, 400);
     }
   }
-  fmpq_clear(tau);
-  arb_clear(force);
-  arb_clear(duration);
 }
 
 /* v_end = v0 + impulse / M; dx2 - dx1 = +-L; dxC is their mean; d v_end / d v0 is what a change of v0 by 1e-40 makes of it. */
@@ -37,10 +31,7 @@ static void check_laws(const struct scallop_rational_crawler *c, enum scallop_ph
                        struct scallop_certified_phase *p, struct scallop_certified_phase *moved)
 {
   arb_ptr t = _arb_vec_init(3);
-  fmpq_t nearby, change, M;
-  fmpq_init(nearby);
-  fmpq_init(change);
-  fmpq_init(M);
+  SCOPED(fmpq, nearby, change, M);
   if (p->regime == SCALLOP_SLIDING && p->modes.count <= 3) {
     friction_impulse(t, c, kind, p);
     fmpq_add(M, c->m1, c->m2);
@@ -66,23 +57,15 @@ static void check_laws(const struct scallop_rational_crawler *c, enum scallop_ph
     arb_div(t, t, t + 1, 400);
     CHECK_NEAR(apart(t, p->multiplier), 0, 1e-10);
   }
-  fmpq_clear(M);
-  fmpq_clear(change);
-  fmpq_clear(nearby);
   _arb_vec_clear(t, 3);
 }
 
-static void phases_obey_laws(void **state)
+TEST(phases_obey_laws)
 {
-  (void)state;
   struct random r = { 20260704 };
-  struct scallop_certified_phase p, moved;
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
-  scallop_certified_phase_init(&p);
-  scallop_certified_phase_init(&moved);
-  scallop_rational_init(&exact);
-  fmpq_init(v0);
+  SCOPED(scallop_certified_phase, p, moved);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, v0);
   int slid = 0;
   for (int i = 0; i < 60 * SMOOTH_GAITS; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % SMOOTH_GAITS]);
@@ -94,48 +77,28 @@ static void phases_obey_laws(void **state)
     slid += p.regime == SCALLOP_SLIDING && p.modes.count == 3;
   }
   assert_true(slid > 30);
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
-  scallop_certified_phase_clear(&moved);
-  scallop_certified_phase_clear(&p);
 }
 
 /* "++ -+ ++" in the quadratic gait of the default crawler: where body 1 is at its turns, from l = 2 L (t/tau)^2 at both ends. */
-static void turning_places(void **state)
+TEST(turning_places)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_phase p;
-  char text[SCALLOP_MODES_TEXT];
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_init(&exact);
-  scallop_certified_phase_init(&p);
-  scallop_rational_of(&exact, &c);
-  fmpq_set_si(v0, 3, 1);
-  assert_int_equal(scallop_certified_phase(&exact, SCALLOP_EXTENSION, v0, 20, &p, NULL), SCALLOP_OK);
-  scallop_modes_text(&p.modes, text);
-  assert_string_equal(text, "++ -+ ++");
+  SCOPED(scallop_certified_phase, p);
+  certify_phase(&p, &c, SCALLOP_EXTENSION, 3, 20);
+  modes_are(&p.modes, "++ -+ ++");
   double t1 = nearest(p.t1), dT = nearest(p.dT), tau = 0.75, v_end = nearest(p.v_end), slowing = 2.5;
   double first = 3 * t1 - slowing / 2 * t1 * t1 - 0.5 * 2 * c.L * t1 * t1 / (tau * tau);
   double rest = v_end * dT + slowing / 2 * dT * dT - 0.5 * 2 * c.L * dT * dT / (tau * tau);
   CHECK_RELATIVE(nearest(p.at_first), first, 1e-13);
   CHECK_RELATIVE(nearest(p.at_last), nearest(p.dx1) - rest, 1e-13);
-  scallop_certified_phase_clear(&p);
-  scallop_rational_clear(&exact);
-  fmpq_clear(v0);
 }
 
 /* A period that is its own mirror image, half of it late, leads nowhere: whatever the masses and the forces. */
-static void mirrored_periods_lead_nowhere(void **state)
+TEST(mirrored_periods_lead_nowhere)
 {
-  (void)state;
   struct random r = { 20260705 };
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady s;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&s);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
   for (int i = 0; i < 5 * SMOOTH_GAITS; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % SMOOTH_GAITS]);
     c.alpha = 0.5;
@@ -148,16 +111,4 @@ static void mirrored_periods_lead_nowhere(void **state)
     assert_int_equal(scallop_certified_steady(&exact, 30, &s, NULL), SCALLOP_OK);
     assert_true(arb_is_zero(s.displacement) == (s.regime == SCALLOP_AT_REST));
   }
-  scallop_certified_steady_clear(&s);
-  scallop_rational_clear(&exact);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_obey_laws),
-    cmocka_unit_test(turning_places),
-    cmocka_unit_test(mirrored_periods_lead_nowhere),
-  };
-  return cmocka_run_group_tests_name("certified: laws", tests, NULL, NULL);
 }

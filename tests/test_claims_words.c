@@ -367,9 +367,23 @@ static void statements_about_every_crawler(void **state)
       CHECK_AT_MOST(300, number_after(row_of(counted[i], g, "quasi-random"), "("));
 }
 
+/* Every name and every number in the texts of the rows means something, and every claim is decided. */
+static void texts_are_whole(void **state)
+{
+  (void)state;
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++) {
+    const char *const texts[] = { row->conditions, row->measured, row->reason };
+    for (int i = 0; i < 3; i++)
+      if (strstr(texts[i], "nan") || strpbrk(texts[i], "{}") || row->verdict == CLAIM_UNDECIDED)
+        fail_msg("%s, %s: '%s'", row->claim, row->gait, texts[i]);
+    assert_true(*row->conditions && *row->measured && strlen(row->reason) < sizeof row->reason - 1);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(texts_are_whole),
     cmocka_unit_test(verdicts),
     cmocka_unit_test(both_asymmetries_and_no_displacement),
     cmocka_unit_test(figures_of_steady_states),

@@ -2,12 +2,10 @@
  * below T^N is the next term, to a factor that tends to 1. One wrong coefficient and it does not. */
 #include "tests/check.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
-#include "asymptotics/derived/derived.h"
-#include "numerics/certified.h"
 #include "tests/exact.h"
+#include "tests/solved.h"
 
 enum { ORDER = 16, TERMS = 11, TIMES = 2 }; /* expanded so far, compared so far, at T and T/8 */
 
@@ -20,8 +18,6 @@ struct scale {
 };
 static const struct scale ordinary = { 1e-30, 220, 800 }, wild = { 1e-100, 700, 2600 };
 
-/* ---- a quantity: its series and its exact values at T and T/8 ---- */
-
 struct quantity {
   const char *name;
   const struct series *series;
@@ -31,10 +27,7 @@ struct quantity {
 /* |error/term - 1|, the error of the terms below x^before beside the term x^power */
 static double excess(const struct quantity *q, int i, const fmpq_t T, slong before, slong power, slong precision)
 {
-  arb_t at, sum, term;
-  arb_init(at);
-  arb_init(sum);
-  arb_init(term);
+  SCOPED(arb, at, sum, term);
   arb_set_fmpq(at, T, precision);
   series_value(sum, q->series, at, before, precision);
   arb_sub(sum, q->exact[i], sum, precision);
@@ -45,11 +38,7 @@ static double excess(const struct quantity *q, int i, const fmpq_t T, slong befo
   arb_pow_ui(at, at, (ulong)labs(power), precision);
   arb_div(sum, sum, at, precision);
   arb_sub_si(sum, sum, 1, precision);
-  double far = at_most(sum);
-  arb_clear(at);
-  arb_clear(sum);
-  arb_clear(term);
-  return far;
+  return at_most(sum);
 }
 
 static double worst[TIMES]; /* excess */
@@ -76,15 +65,6 @@ static bool terms_are_right(const struct quantity *q, const fmpq_t *T, slong pre
   return true;
 }
 
-/* T and T/8, whatever of the crawler it is the duration of */
-static void set_times(fmpq_t T[TIMES], const fmpq_t first)
-{
-  fmpq_init(T[0]);
-  fmpq_init(T[1]);
-  fmpq_set(T[0], first);
-  fmpq_div_2exp(T[1], first, 3);
-}
-
 static void print_worst(const char *what)
 {
   print_message("%d %s: error/term - 1 at most %.2g at T, %.2g at T/8\n", compared, what, worst[0], worst[1]);
@@ -92,262 +72,206 @@ static void print_worst(const char *what)
   worst[0] = worst[1] = 0;
 }
 
-/* ---- phases ---- */
-
-enum { PHASE = 8 };
-
-static void list_phase(struct quantity q[PHASE], const struct scallop_phase_expansion *e,
-                       struct scallop_certified_phase c[TIMES])
+/* The expansions and the certified answers of one motion, a phase or the steady state (STEADY) */
+enum { NUMBERS = 8, STEADY = 2 };
+struct motion {
+  int kind;
+  struct scallop_phase_expansion phase;
+  struct scallop_steady_expansion steady;
+  struct scallop_certified_phase phase_at[TIMES];
+  struct scallop_certified_steady steady_at[TIMES];
+  fmpq_t T[TIMES];
+};
+static void motion_init(struct motion *m)
 {
-  const struct series *series[PHASE] = { &e->v_end, &e->dx1, &e->dx2, &e->dxC, &e->t1, &e->dT, &e->at_first, &e->at_last };
-  static const char *const names[PHASE] = { "v_end", "dx1", "dx2", "dxC", "t1", "dT", "at_first", "at_last" };
-  for (int i = 0; i < PHASE; i++)
-    q[i] = (struct quantity){ .name = names[i], .series = series[i] };
+  scallop_phase_expansion_init(&m->phase);
+  scallop_steady_expansion_init(&m->steady);
   for (int t = 0; t < TIMES; t++) {
-    const arb_struct *const exact[PHASE] = { c[t].v_end, c[t].dx1, c[t].dx2,      c[t].dxC,
-                                             c[t].t1,    c[t].dT,  c[t].at_first, c[t].at_last };
-    for (int i = 0; i < PHASE; i++)
-      q[i].exact[t] = exact[i];
+    scallop_certified_phase_init(&m->phase_at[t]);
+    scallop_certified_steady_init(&m->steady_at[t]);
+    fmpq_init(m->T[t]);
   }
 }
-
-/* T of the crawler is that of the phase here. */
-static bool phase_is_right(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
-                           const struct scale *scale)
+static void motion_clear(struct motion *m)
 {
-  struct scallop_phase_expansion e;
-  struct scallop_certified_phase c[TIMES];
-  struct scallop_rational_crawler there;
-  struct quantity q[PHASE];
-  char modes[SCALLOP_MODES_TEXT];
-  fmpq_t T[TIMES], fraction;
-  const char *why = "";
-  scallop_phase_expansion_init(&e);
-  scallop_rational_init(&there);
+  scallop_phase_expansion_clear(&m->phase);
+  scallop_steady_expansion_clear(&m->steady);
+  for (int t = 0; t < TIMES; t++) {
+    scallop_certified_phase_clear(&m->phase_at[t]);
+    scallop_certified_steady_clear(&m->steady_at[t]);
+    fmpq_clear(m->T[t]);
+  }
+}
+SCOPED_KIND(motion, struct motion)
+
+/* How many numbers the motion has: those of switches come last */
+static int list(struct quantity q[NUMBERS], const struct motion *m)
+{
+  const struct scallop_phase_expansion *e = &m->phase;
+  const struct scallop_steady_expansion *s = &m->steady;
+  const struct scallop_certified_phase *p = m->phase_at;
+  const struct scallop_certified_steady *c = m->steady_at;
+  const struct quantity of_phase[NUMBERS] = { { "v_end", &e->v_end, { p[0].v_end, p[1].v_end } },
+                                              { "dx1", &e->dx1, { p[0].dx1, p[1].dx1 } },
+                                              { "dx2", &e->dx2, { p[0].dx2, p[1].dx2 } },
+                                              { "dxC", &e->dxC, { p[0].dxC, p[1].dxC } },
+                                              { "t1", &e->t1, { p[0].t1, p[1].t1 } },
+                                              { "dT", &e->dT, { p[0].dT, p[1].dT } },
+                                              { "at_first", &e->at_first, { p[0].at_first, p[1].at_first } },
+                                              { "at_last", &e->at_last, { p[0].at_last, p[1].at_last } } };
+  const struct quantity of_steady[NUMBERS] = {
+    { "v_start", &s->v_start, { c[0].v_start, c[1].v_start } },
+    { "v_mid", &s->v_mid, { c[0].v_mid, c[1].v_mid } },
+    { "displacement", &s->displacement, { c[0].displacement, c[1].displacement } },
+    { "mean_velocity", &s->mean_velocity, { c[0].mean_velocity, c[1].mean_velocity } },
+    { "friction_work", &s->friction_work, { c[0].friction_work, c[1].friction_work } },
+  };
+  memcpy(q, m->kind == STEADY ? of_steady : of_phase, sizeof of_phase);
+  return m->kind == STEADY ? 5 : e->switches ? 8 : 4;
+}
+
+/* At T and T/8, of the crawler or of its phase, with the modes that are expected as T -> 0 */
+static bool certify(struct motion *m, const struct scallop_rational_crawler *crawler, const fmpq_t v0, long digits,
+                    char modes[BOTH_MODES_TEXT], const char **why)
+{
+  SCOPED(scallop_rational, there);
+  SCOPED(fmpq, fraction);
+  bool steady = m->kind == STEADY, right = true;
+  fmpq_one(fraction);
+  if (!steady)
+    scallop_rational_fraction(fraction, crawler, (enum scallop_phase_kind)m->kind);
   scallop_rational_copy(&there, crawler);
-  fmpq_init(fraction);
-  set_times(T, crawler->T);
-  scallop_rational_fraction(fraction, crawler, kind);
-  bool right = scallop_expand_phase(crawler, kind, v0, ORDER, scale->precision, NULL, &e, &why) == SCALLOP_OK;
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_phase_init(&c[t]);
-    fmpq_div(there.T, T[t], fraction);
-    right = right && scallop_certified_phase(&there, kind, v0, scale->digits, &c[t], &why) == SCALLOP_OK;
-    scallop_modes_text(&c[t].modes, modes);
-    right = right && strcmp(modes, e.modes) == 0 && c[t].switches == e.switches;
+  for (int t = 0; right && t < TIMES; t++) {
+    fmpq_div_2exp(m->T[t], crawler->T, 3 * (ulong)t);
+    fmpq_div(there.T, m->T[t], fraction);
+    enum scallop_phase_kind kind = (enum scallop_phase_kind)m->kind;
+    right = (steady ? scallop_certified_steady(&there, digits, &m->steady_at[t], why)
+                    : scallop_certified_phase(&there, kind, v0, digits, &m->phase_at[t], why))
+            == SCALLOP_OK;
+    if (steady)
+      both_modes(m->steady_at[t].modes, modes);
+    else
+      scallop_modes_text(&m->phase_at[t].modes, modes);
+    right = right && strcmp(modes, steady ? m->steady.modes : m->phase.modes) == 0
+            && (steady || m->phase_at[t].switches == m->phase.switches);
   }
-  list_phase(q, &e, c);
-  for (int i = 0; right && i < (e.switches ? PHASE : PHASE - 4); i++)
-    right = terms_are_right(&q[i], T, scale->precision);
-  if (!right)
-    print_error("kind %d, v0=%g: %s; modes %s for T -> 0, %s at T/8\n", kind, fraction_d(v0), why, e.modes, modes);
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_phase_clear(&c[t]);
-    fmpq_clear(T[t]);
-  }
-  scallop_phase_expansion_clear(&e);
-  scallop_rational_clear(&there);
-  fmpq_clear(fraction);
   return right;
 }
 
-/* From rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1 */
-static void check_phases(const struct scallop_rational_crawler *crawler, struct random *r, const struct scale *scale)
+static int undecided;
+
+/* |l'| of the trapezoid is 16/13 for a while. A range of crawlers would have c there in the limit, where it glides along the
+ * curve: a body rests meanwhile, and no power series exists. */
+static bool rests_on_a_plateau(const struct scallop_rational_crawler *crawler)
 {
-  fmpq_t v0;
-  fmpq_init(v0);
+  SCOPED(scallop_certified_steady, c);
+  return crawler->gait == &trapezoid_gait && scallop_certified_steady(crawler, 20, &c, NULL) == SCALLOP_OK
+         && c.regime == SCALLOP_STICK_SLIP;
+}
+
+/* T of the crawler is that of the phase here. */
+static void check_motion(const struct scallop_rational_crawler *crawler, int kind, const fmpq_t v0,
+                         const struct scale *scale)
+{
+  SCOPED(motion, m);
+  struct quantity q[NUMBERS];
+  char modes[BOTH_MODES_TEXT] = "";
+  const char *why = "";
+  m.kind = kind;
+  enum scallop_status status = kind == STEADY ? scallop_expand_steady(crawler, ORDER, scale->precision, &m.steady, &why)
+                                              : scallop_expand_phase(crawler, (enum scallop_phase_kind)kind, v0, ORDER,
+                                                                     scale->precision, NULL, &m.phase, &why);
+  if (kind == STEADY && status == SCALLOP_EUNDECIDED && rests_on_a_plateau(crawler)) {
+    undecided++;
+    return;
+  }
+  bool right = status == SCALLOP_OK && certify(&m, crawler, v0, scale->digits, modes, &why);
+  for (int i = 0; right && i < list(q, &m); i++)
+    right = terms_are_right(&q[i], m.T, scale->precision);
+  if (right)
+    return;
+  print_exact_crawler(crawler);
+  fail_msg("kind %d, v0=%g: %s; modes %s for T -> 0, %s last", kind, fraction_d(v0), why,
+           kind == STEADY ? m.steady.modes : m.phase.modes, modes);
+}
+
+/* Phases from rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1; or the steady state */
+static void check(const struct scallop_rational_crawler *crawler, bool steady, struct random *r, const struct scale *scale)
+{
+  SCOPED(fmpq, v0);
   double size = sqrt(fraction_d(crawler->L) * (fraction_d(crawler->F1) + fraction_d(crawler->F2))
                      / (fraction_d(crawler->m1) + fraction_d(crawler->m2)));
-  for (int kind = 0; kind < 2; kind++)
+  if (steady)
+    check_motion(crawler, STEADY, v0, scale);
+  for (int kind = 0; kind < 2 && !steady; kind++)
     for (int sign = -1; sign <= 1; sign++) {
       scallop_rational_set_double(v0, sign * random_between(r, 0.2, 3) * size);
-      if (!phase_is_right(crawler, (enum scallop_phase_kind)kind, v0, scale)) {
-        print_exact_crawler(crawler);
-        fail();
-      }
+      check_motion(crawler, kind, v0, scale);
     }
-  fmpq_clear(v0);
 }
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait,
                                                     &minimum_jerk_gait };
 enum { WITH_SERIES_OF_PHASES = 3, GAITS = 4 };
 
-/* Of small fractions, with either body stronger and alpha on either side of 1/2 */
-static void phases_of_ordinary_crawlers(void **state)
+/* Of small fractions, with either body stronger and alpha on either side of 1/2; every tenth with equal forces */
+static void ordinary_crawlers(uint64_t seed, bool steady, int count)
 {
-  (void)state;
-  struct random r = { 20260821 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
-  for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
-    random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
-    if (i % 10 == 9)
+  struct random r = { seed };
+  SCOPED(scallop_rational, c);
+  int kinds = steady ? GAITS : WITH_SERIES_OF_PHASES;
+  for (int i = 0; i < count * kinds; i++) {
+    random_exact_crawler(&c, &r, gaits[i % kinds]);
+    if (!steady && i % 10 == 9)
       fmpq_set(c.F2, c.F1);
     set_small_T(&c, ordinary.eps);
-    check_phases(&c, &r, &ordinary);
+    check(&c, steady, &r, &ordinary);
   }
-  scallop_rational_clear(&c);
-  print_worst("terms of phases");
+  print_worst(steady ? "terms of steady states" : "terms of phases");
 }
 
-static const enum family wild_families[] = { EXTREME_RATIOS, NEARLY_EQUAL_FORCES, ALPHA_EDGE };
-enum { WILD = 3 };
+TEST(phases_of_ordinary_crawlers) { ordinary_crawlers(20260821, false, 10); }
+TEST(steady_states_of_ordinary_crawlers) { ordinary_crawlers(20260824, true, 16); }
 
-static void wild_crawler(struct scallop_rational_crawler *exact, struct random *r, int i, const struct scallop_gait *gait)
+static void wild_crawlers(uint64_t seed, bool steady)
 {
-  struct scallop_crawler c = random_crawler(r, wild_families[i % WILD], gait);
-  if (wild_families[i % WILD] == NEARLY_EQUAL_FORCES)
-    c.F2 = c.F1 * (1 + random_decades(r, 1e-8, 1e-3) * (random_below(r, 2) ? 1 : -1));
-  scallop_rational_of(exact, &c);
-  set_small_T(exact, wild.eps);
-}
-
-static void phases_of_wild_crawlers(void **state)
-{
-  (void)state;
-  struct random r = { 20260822 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
-  for (int i = 0; i < WILD * WITH_SERIES_OF_PHASES; i++) {
-    wild_crawler(&c, &r, i / WITH_SERIES_OF_PHASES, gaits[i % WITH_SERIES_OF_PHASES]);
-    check_phases(&c, &r, &wild);
+  static const enum family families[] = { EXTREME_RATIOS, NEARLY_EQUAL_FORCES, ALPHA_EDGE };
+  struct random r = { seed };
+  SCOPED(scallop_rational, exact);
+  for (int i = 0; i < 3 * WITH_SERIES_OF_PHASES; i++) {
+    enum family family = families[i / WITH_SERIES_OF_PHASES];
+    struct scallop_crawler c = random_crawler(&r, family, gaits[i % WITH_SERIES_OF_PHASES]);
+    if (family == NEARLY_EQUAL_FORCES)
+      c.F2 = c.F1 * (1 + random_decades(&r, 1e-8, 1e-3) * (random_below(&r, 2) ? 1 : -1));
+    scallop_rational_of(&exact, &c);
+    set_small_T(&exact, wild.eps);
+    check(&exact, steady, &r, &wild);
   }
-  scallop_rational_clear(&c);
-  print_worst("terms of wild phases");
+  print_message("%d without a power series\n", undecided);
+  print_worst(steady ? "terms of wild steady states" : "terms of wild phases");
 }
+
+TEST(phases_of_wild_crawlers) { wild_crawlers(20260822, false); }
+TEST(steady_states_of_wild_crawlers) { wild_crawlers(20260825, true); }
 
 /* l' = 1 throughout: a small velocity changes no mode. */
-static void phases_of_the_sawtooth(void **state)
+TEST(phases_of_the_sawtooth)
 {
-  (void)state;
   struct random r = { 20260823 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 10; i++) {
     random_exact_crawler(&c, &r, &sawtooth_gait);
     set_small_T(&c, ordinary.eps);
-    check_phases(&c, &r, &ordinary);
+    check(&c, false, &r, &ordinary);
   }
-  scallop_rational_clear(&c);
   print_worst("terms of the sawtooth");
 }
 
-/* ---- steady states ---- */
-
-enum { STEADY = 5 };
-
-static void list_steady(struct quantity q[STEADY], const struct scallop_steady_expansion *e,
-                        struct scallop_certified_steady c[TIMES])
-{
-  q[0] = (struct quantity){ "v_start", &e->v_start, { c[0].v_start, c[1].v_start } };
-  q[1] = (struct quantity){ "v_mid", &e->v_mid, { c[0].v_mid, c[1].v_mid } };
-  q[2] = (struct quantity){ "displacement", &e->displacement, { c[0].displacement, c[1].displacement } };
-  q[3] = (struct quantity){ "mean_velocity", &e->mean_velocity, { c[0].mean_velocity, c[1].mean_velocity } };
-  q[4] = (struct quantity){ "friction_work", &e->friction_work, { c[0].friction_work, c[1].friction_work } };
-}
-
-static int undecided;
-
-static void steady_modes(char *text, size_t size, const struct scallop_certified_steady *c)
-{
-  char modes[2][SCALLOP_MODES_TEXT];
-  scallop_modes_text(&c->modes[0], modes[0]);
-  scallop_modes_text(&c->modes[1], modes[1]);
-  snprintf(text, size, "%s | %s", modes[0], modes[1]);
-}
-
-/* |l'| of the trapezoid is 16/13 for a while. A range of crawlers would have c there in the limit, where it glides along the
- * curve: a body rests meanwhile, and no power series exists. */
-static bool rests_on_a_plateau(const struct scallop_rational_crawler *crawler)
-{
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
-  bool rests = crawler->gait == &trapezoid_gait && scallop_certified_steady(crawler, 20, &c, NULL) == SCALLOP_OK
-               && c.regime == SCALLOP_STICK_SLIP;
-  scallop_certified_steady_clear(&c);
-  return rests;
-}
-
-static bool steady_is_right(const struct scallop_rational_crawler *crawler, const struct scale *scale)
-{
-  struct scallop_steady_expansion e;
-  struct scallop_certified_steady c[TIMES];
-  struct scallop_rational_crawler there;
-  struct quantity q[STEADY];
-  char modes[2 * SCALLOP_MODES_TEXT + 4] = "";
-  fmpq_t T[TIMES];
-  const char *why = "";
-  scallop_steady_expansion_init(&e);
-  scallop_rational_init(&there);
-  scallop_rational_copy(&there, crawler);
-  set_times(T, crawler->T);
-  enum scallop_status status = scallop_expand_steady(crawler, ORDER, scale->precision, &e, &why);
-  bool right = status == SCALLOP_OK;
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_steady_init(&c[t]);
-    fmpq_set(there.T, T[t]);
-    right = right && scallop_certified_steady(&there, scale->digits, &c[t], &why) == SCALLOP_OK;
-    steady_modes(modes, sizeof modes, &c[t]);
-    right = right && strcmp(modes, e.modes) == 0;
-  }
-  list_steady(q, &e, c);
-  for (int i = 0; right && i < STEADY; i++)
-    right = terms_are_right(&q[i], T, scale->precision);
-  if (status == SCALLOP_EUNDECIDED && rests_on_a_plateau(crawler)) {
-    undecided++;
-    right = true;
-  }
-  if (!right) {
-    print_error("%s; modes %s for T -> 0, %s at T/8\n", why, e.modes, modes);
-    print_exact_crawler(crawler);
-  }
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_steady_clear(&c[t]);
-    fmpq_clear(T[t]);
-  }
-  scallop_steady_expansion_clear(&e);
-  scallop_rational_clear(&there);
-  return right;
-}
-
-static void steady_states_of_ordinary_crawlers(void **state)
-{
-  (void)state;
-  struct random r = { 20260824 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
-  for (int i = 0; i < 16 * GAITS; i++) {
-    random_exact_crawler(&c, &r, gaits[i % GAITS]);
-    set_small_T(&c, ordinary.eps);
-    assert_true(steady_is_right(&c, &ordinary));
-  }
-  scallop_rational_clear(&c);
-  print_worst("terms of steady states");
-}
-
-static void steady_states_of_wild_crawlers(void **state)
-{
-  (void)state;
-  struct random r = { 20260825 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
-  for (int i = 0; i < WILD * WITH_SERIES_OF_PHASES; i++) {
-    wild_crawler(&c, &r, i / WITH_SERIES_OF_PHASES, gaits[i % WITH_SERIES_OF_PHASES]);
-    assert_true(steady_is_right(&c, &wild));
-  }
-  scallop_rational_clear(&c);
-  print_message("%d without a power series\n", undecided);
-  print_worst("terms of wild steady states");
-}
-
 /* alpha = 1/2: v_start is of the order of T, and the body moves nowhere. F1 = F2: nothing moves. */
-static void steady_states_that_go_nowhere(void **state)
+TEST(steady_states_that_go_nowhere)
 {
-  (void)state;
   struct random r = { 20260826 };
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
+  SCOPED(scallop_rational, c);
   for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
     random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     if (i % 4 != 3)
@@ -355,18 +279,7 @@ static void steady_states_that_go_nowhere(void **state)
     if (i % 4 >= 2)
       fmpq_set(c.F2, c.F1);
     set_small_T(&c, ordinary.eps);
-    assert_true(steady_is_right(&c, &ordinary));
+    check(&c, true, &r, &ordinary);
   }
-  scallop_rational_clear(&c);
   print_worst("terms of steady states that go nowhere");
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(phases_of_ordinary_crawlers),    cmocka_unit_test(phases_of_wild_crawlers),
-    cmocka_unit_test(phases_of_the_sawtooth),         cmocka_unit_test(steady_states_of_ordinary_crawlers),
-    cmocka_unit_test(steady_states_of_wild_crawlers), cmocka_unit_test(steady_states_that_go_nowhere),
-  };
-  return cmocka_run_group_tests_name("derived", tests, NULL, NULL);
 }

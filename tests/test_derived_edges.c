@@ -2,31 +2,23 @@
 #include "tests/check.h"
 
 #include "tests/expansions.h"
-
-/* ---- fractions and balls ---- */
+#include "tests/solved.h"
 
 /* A fraction so close to pi^2 that only the last bits notice */
 static void nearly_pi_squared(fmpq_t q)
 {
-  arb_t pi;
-  arb_init(pi);
+  SCOPED(arb, pi);
   arb_const_pi(pi, 2 * PRECISION);
   arb_mul(pi, pi, pi, 2 * PRECISION);
   arf_get_fmpq(q, arb_midref(pi));
-  arb_clear(pi);
 }
 
-static void pi_squared_as_a_fraction(void **state)
+TEST(pi_squared_as_a_fraction)
 {
-  (void)state;
   struct random r = { 20260837 };
-  struct pair p;
-  fmpq_t pi_squared;
-  arb_t x, y;
-  pair_init(&p);
-  fmpq_init(pi_squared);
-  arb_init(x);
-  arb_init(y);
+  SCOPED(pair, p);
+  SCOPED(fmpq, pi_squared);
+  SCOPED(arb, x, y);
   nearly_pi_squared(pi_squared);
   for (int i = 0; i < 20; i++) {
     enum scallop_phase_kind kind = i % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
@@ -46,13 +38,7 @@ static void pi_squared_as_a_fraction(void **state)
       }
     }
   }
-  pair_clear(&p);
-  fmpq_clear(pi_squared);
-  arb_clear(x);
-  arb_clear(y);
 }
-
-/* ---- refusals: a status, a reason, and the outputs as they were ---- */
 
 static void refuses_phase(struct pair *p, slong order, slong precision, const char *fragment)
 {
@@ -82,13 +68,11 @@ static void refuses_steady(struct pair *p, slong order, slong precision, enum sc
     check_equal(steady_series(&p->steady[0], q), steady_series(&p->steady[1], q), 1, ORDER, "a refused steady state");
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   static const slong orders[] = { 0, -1, SCALLOP_MOST_TERMS + 1, WORD_MAX };
   struct random r = { 20260838 };
-  struct pair p;
-  pair_init(&p);
+  SCOPED(pair, p);
   draw(&p, &r, &scallop_gait_quadratic);
   fmpq_set_si(p.v0[0], 2, 1);
   for (int k = 0; k < 2; k++) {
@@ -116,22 +100,17 @@ static void refusals(void **state)
   refuses_steady(&p, 4, PRECISION, SCALLOP_EDOMAIN, "jumps");
   fmpq_set_si(p.crawler[1].alpha, 2, 3);
   refuses_steady(&p, 4, PRECISION, SCALLOP_EUNDECIDED, "");
-  pair_clear(&p);
 }
 
 /* At m1 = 0.08627301503..., otherwise the default crawler, body 2 ceases to turn in the contraction as T -> 0. Near that, above it,
  * the limit is either refused or the one with the right modes: an extrapolation from the other side would be smooth and wrong. */
-static void limit_near_a_touch(void **state)
+TEST(limit_near_a_touch)
 {
-  (void)state;
-  struct scallop_steady_expansion e;
-  struct scallop_rational_crawler c;
-  struct scallop_crawler defaults = scallop_crawler_default();
+  struct scallop_crawler defaults = with_gait(&scallop_gait_sinusoidal);
   static const char *const masses[] = { "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862" };
   int refused = 0;
-  scallop_steady_expansion_init(&e);
-  scallop_rational_init(&c);
-  defaults.gait = &scallop_gait_sinusoidal;
+  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_rational, c);
   scallop_rational_of(&c, &defaults);
   for (size_t i = 0; i < sizeof masses / sizeof *masses; i++) {
     assert_true(scallop_rational_parse(c.m1, masses[i]));
@@ -143,16 +122,4 @@ static void limit_near_a_touch(void **state)
       assert_string_equal(e.modes, turns ? "++ -+ ++ | ++ +- ++" : "++ -+ ++ | ++");
   }
   assert_true(refused < (int)(sizeof masses / sizeof *masses));
-  scallop_steady_expansion_clear(&e);
-  scallop_rational_clear(&c);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(pi_squared_as_a_fraction),
-    cmocka_unit_test(refusals),
-    cmocka_unit_test(limit_near_a_touch),
-  };
-  return cmocka_run_group_tests_name("derived edges", tests, NULL, NULL);
 }

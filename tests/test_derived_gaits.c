@@ -7,6 +7,8 @@
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"
 
+SCOPED_KIND(scallop_symbols, struct scallop_symbols)
+
 enum { DIGITS = 40 };
 
 /* l' = 6 s (1 - s) in one piece, which has its anchor at one end only */
@@ -54,43 +56,35 @@ static void subject_clear(struct subject *s)
   fmpq_clear(s->v0);
 }
 
+#define SUBJECT(s, gait, alpha) \
+  struct subject s __attribute__((cleanup(subject_clear))); \
+  subject_init(&(s), gait, alpha)
+
 /* The terms below x^ORDER are what they are of, up to about the next one. */
 static void check_sum(const struct series *series, const fmpq_t x, const arb_t wanted, double size, const char *what)
 {
-  arb_t at, value;
-  arb_init(at);
-  arb_init(value);
+  SCOPED(arb, at, value);
   arb_set_fmpq(at, x, PRECISION);
   series_value(value, series, at, ORDER, PRECISION);
   arb_sub(value, value, wanted, PRECISION);
-  if (!(at_most(value) <= 1e-34 * size)) {
-    print_error("%s: off by %g\n", what, at_most(value));
-    fail();
-  }
-  arb_clear(at);
-  arb_clear(value);
+  if (!(at_most(value) <= 1e-34 * size))
+    fail_msg("%s: off by %g", what, at_most(value));
 }
-
-/* ---- right ---- */
 
 /* Crossings are found wherever they are, but those at an end that is not an
  * anchor are refused. */
-static void one_piece(void **state)
+TEST(one_piece)
 {
-  (void)state;
-  struct scallop_certified_steady c;
-  struct subject s;
   const char *why = NULL;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   for (int forward = 0; forward < 2; forward++) {
-    subject_init(&s, &parabola_gait, forward ? 0.75 : 0.25);
+    SUBJECT(s, &parabola_gait, forward ? 0.75 : 0.25);
     assert_true(expand_steady(&s.steady, &s.exact, ORDER));
     assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
     check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
     check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
-    subject_clear(&s);
   }
-  subject_init(&s, &parabola_gait, 0.5);
+  SUBJECT(s, &parabola_gait, 0.5);
   assert_int_equal(scallop_expand_steady(&s.exact, 4, PRECISION, &s.steady, &why), SCALLOP_EDOMAIN);
   assert_non_null(strstr(why, "anchored elsewhere"));
   fmpq_set_si(s.v0, 1, 1);
@@ -100,26 +94,20 @@ static void one_piece(void **state)
                      SCALLOP_EDOMAIN);
     assert_non_null(strstr(why, "anchored elsewhere"));
   }
-  subject_clear(&s);
-  scallop_certified_steady_clear(&c);
 }
 
 /* Each phase of a mixed gait is symmetric about its middle, but they are not
  * mirror images of each other: the displacement has no T^2 but at alpha = 1/2.
  */
-static void phases_of_two_kinds(void **state)
+TEST(phases_of_two_kinds)
 {
-  (void)state;
   const struct scallop_gait mixed[] = { mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal),
                                         mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic) };
-  struct scallop_certified_steady c;
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_certified_steady, c);
   for (int i = 0; i < 2; i++)
     for (int quarters = 1; quarters <= 3; quarters++) {
-      struct subject s;
-      arb_t second;
-      arb_init(second);
-      subject_init(&s, &mixed[i], 0.25 * quarters);
+      SCOPED(arb, second);
+      SUBJECT(s, &mixed[i], 0.25 * quarters);
       assert_true(expand_steady(&s.steady, &s.exact, ORDER));
       assert_int_equal(scallop_certified_steady(&s.exact, DIGITS, &c, NULL), SCALLOP_OK);
       check_sum(&s.steady.v_start, s.exact.T, c.v_start, 1e4, "v_start");
@@ -127,20 +115,14 @@ static void phases_of_two_kinds(void **state)
       check_sum(&s.steady.displacement, s.exact.T, c.displacement, 1, "displacement");
       series_coefficient(second, &s.steady.displacement, 2, PRECISION);
       assert_int_equal(arb_is_zero(second), quarters != 2);
-      arb_clear(second);
-      subject_clear(&s);
     }
-  scallop_certified_steady_clear(&c);
 }
-
-/* ---- refused ---- */
 
 /* By all three, with a reason, and the outputs as they were */
 static void refuses(const struct scallop_gait *gait, double alpha, const char *fragment)
 {
-  struct subject s;
   const char *why[3] = { NULL, NULL, NULL };
-  subject_init(&s, gait, alpha);
+  SUBJECT(s, gait, alpha);
   series_set_si(&s.phase.dxC, 7);
   series_set_si(&s.steady.displacement, 7);
   s.bounds[1].power = 7;
@@ -157,18 +139,14 @@ static void refuses(const struct scallop_gait *gait, double alpha, const char *f
       fail_msg("%s: %s", gait->name, why[i]);
   }
   const struct series *const kept[] = { &s.phase.dxC, &s.steady.displacement };
-  fmpq_t seven;
-  fmpq_init(seven);
+  SCOPED(fmpq, seven);
   for (int i = 0; i < 2; i++)
     assert_true(series_rational_coefficient(seven, kept[i], 0) && fmpq_equal_si(seven, 7));
-  fmpq_clear(seven);
   assert_int_equal(s.bounds[1].power, 7);
-  subject_clear(&s);
 }
 
-static void gaits_without_a_branch(void **state)
+TEST(gaits_without_a_branch)
 {
-  (void)state;
   struct teeth teeth;
   grow_teeth(&teeth);
   const struct scallop_gait backward = { "backward", { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
@@ -191,9 +169,8 @@ static void gaits_without_a_branch(void **state)
 }
 
 /* One phase, or one piece of it, without a law is enough. */
-static void gaits_without_a_law(void **state)
+TEST(gaits_without_a_law)
 {
-  (void)state;
   struct scallop_piece lawless[2][2];
   for (int kind = 0; kind < 2; kind++)
     for (int piece = 0; piece < 2; piece++) {
@@ -207,19 +184,13 @@ static void gaits_without_a_law(void **state)
     }
 }
 
-/* ---- laws ---- */
-
 /* A sine has exact coefficients at its zero only, and does not go on as a polynomial nor the other way round. */
-static void sines_and_polynomials(void **state)
+TEST(sines_and_polynomials)
 {
-  (void)state;
   const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces, *ramp = scallop_gait_quadratic.phase[0].pieces;
   bool turned;
-  fmpq_poly_t series;
-  fmpq_t u, ten;
-  fmpq_poly_init(series);
-  fmpq_init(u);
-  fmpq_init(ten);
+  SCOPED(fmpq_poly, series);
+  SCOPED(fmpq, u, ten);
   fmpq_set_si(ten, 10, 1);
   assert_true(scallop_piece_goes_on(&sine[0], &sine[1], &turned) && turned);
   assert_false(scallop_piece_goes_on(&sine[0], &ramp[1], &turned));
@@ -230,18 +201,11 @@ static void sines_and_polynomials(void **state)
   fmpq_set_si(u, 1, 4);
   assert_false(scallop_rational_speed_series(series, &sine[0], u, 4, ten));
   assert_true(scallop_rational_speed_series(series, &ramp[0], u, 4, NULL));
-  fmpq_poly_clear(series);
-  fmpq_clear(u);
-  fmpq_clear(ten);
 }
 
-/* ---- by the names of the formulas ---- */
-
-static void quantities(void **state)
+TEST(quantities)
 {
-  (void)state;
-  struct subject s;
-  subject_init(&s, &scallop_gait_quadratic, 0.75);
+  SUBJECT(s, &scallop_gait_quadratic, 0.75);
   for (int kind = 0; kind < 2; kind++) {
     enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
     assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_REAR_AT_END), kind == 0 ? &s.phase.dx1 : &s.phase.dx2);
@@ -252,48 +216,24 @@ static void quantities(void **state)
   assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_VELOCITY), &s.steady.v_start);
   assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_DISPLACEMENT), &s.steady.displacement);
   assert_null(scallop_steady_quantity(&s.steady, SCALLOP_LAG));
-  subject_clear(&s);
 }
 
 /* Where l'' = 0 at both ends of a phase the kinematic length is 0/0: 0 stands
  * for it. A name that the paper does not have has no value. */
-static void symbols(void **state)
+TEST(symbols)
 {
-  (void)state;
   const struct ring ring = { 3, PRECISION };
-  struct subject s;
-  struct scallop_symbols symbols;
-  struct series value;
   struct scallop_formula formula = { .name = "made up", .setting = SCALLOP_STEADY, .text = "L_kin + 1" };
-  fmpq_t x;
-  fmpq_init(x);
-  series_init(&value);
-  scallop_symbols_init(&symbols);
+  SCOPED(fmpq, x);
+  SCOPED(series, value);
+  SCOPED(scallop_symbols, symbols);
   for (int curved = 0; curved < 2; curved++) {
-    subject_init(&s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
+    SUBJECT(s, curved ? &minimum_jerk_gait : &scallop_gait_quadratic, 0.75);
     scallop_symbols_set(&symbols, &s.exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
     assert_true(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
     assert_true(series_rational_coefficient(x, &value, 0));
     CHECK_EQUAL(fmpq_get_d(x), curved ? 1 : s.doubles.L + 1);
-    subject_clear(&s);
   }
   formula.text = "L_kinematic + 1";
   assert_false(scallop_formula_expand(&value, &formula, &symbols, SCALLOP_EXTENSION, &ring));
-  scallop_symbols_clear(&symbols);
-  series_clear(&value);
-  fmpq_clear(x);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(one_piece),
-    cmocka_unit_test(phases_of_two_kinds),
-    cmocka_unit_test(gaits_without_a_branch),
-    cmocka_unit_test(gaits_without_a_law),
-    cmocka_unit_test(sines_and_polynomials),
-    cmocka_unit_test(quantities),
-    cmocka_unit_test(symbols),
-  };
-  return cmocka_run_group_tests_name("derived, other gaits", tests, NULL, NULL);
 }

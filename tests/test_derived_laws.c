@@ -4,12 +4,10 @@
 
 #include "tests/expansions.h"
 
-static void few_terms_and_many(void **state)
+TEST(few_terms_and_many)
 {
-  (void)state;
   struct random r = { 20260831 };
-  struct pair p;
-  pair_init(&p);
+  SCOPED(pair, p);
   for (int i = 0; i < check_cases(6 * GAITS); i++) {
     draw(&p, &r, gaits[i % GAITS]);
     for (int kind = 0; kind < 2 && i % GAITS < WITH_SERIES_OF_PHASES; kind++) {
@@ -23,16 +21,13 @@ static void few_terms_and_many(void **state)
     for (int q = 0; q < STEADY; q++)
       check_equal(steady_series(&p.steady[0], q), steady_series(&p.steady[1], q), 1, 6, "6 and 30 terms");
   }
-  pair_clear(&p);
 }
 
 /* Every number of terms gives that many. */
-static void every_order(void **state)
+TEST(every_order)
 {
-  (void)state;
   struct random r = { 20260832 };
-  struct pair p;
-  pair_init(&p);
+  SCOPED(pair, p);
   for (int i = 0; i < WITH_SERIES_OF_PHASES; i++) {
     draw(&p, &r, gaits[i]);
     fmpq_set_si(p.v0[0], 3, 2);
@@ -47,16 +42,13 @@ static void every_order(void **state)
         check_equal(steady_series(&p.steady[0], q), steady_series(&p.steady[1], q), 1, order, "order");
     }
   }
-  pair_clear(&p);
 }
 
 /* Units of mass, length and force such that the unit of time is a fraction. */
 static void change_units(struct pair *p, fmpq_t length, fmpq_t time, struct random *r)
 {
   struct scallop_rational_crawler *c = &p->crawler[1];
-  fmpq_t mass, force;
-  fmpq_init(mass);
-  fmpq_init(force);
+  SCOPED(fmpq, mass, force);
   random_positive(length, r);
   random_positive(time, r);
   random_positive(mass, r);
@@ -70,21 +62,13 @@ static void change_units(struct pair *p, fmpq_t length, fmpq_t time, struct rand
   fmpq_mul(c->L, c->L, length);
   fmpq_mul(p->v0[1], p->v0[1], length);
   fmpq_div(p->v0[1], p->v0[1], time);
-  fmpq_clear(mass);
-  fmpq_clear(force);
 }
 
-static void units(void **state)
+TEST(units)
 {
-  (void)state;
   struct random r = { 20260833 };
-  struct pair p;
-  fmpq_t length, time, factor, per_time;
-  pair_init(&p);
-  fmpq_init(length);
-  fmpq_init(time);
-  fmpq_init(factor);
-  fmpq_init(per_time);
+  SCOPED(pair, p);
+  SCOPED(fmpq, length, time, factor, per_time);
   for (int i = 0; i < 6 * WITH_SERIES_OF_PHASES; i++) {
     draw(&p, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     change_units(&p, length, time, &r);
@@ -109,14 +93,7 @@ static void units(void **state)
       check_scaled(steady_series(&p.steady[0], q), steady_series(&p.steady[1], q), factor, per_time, ORDER, "units");
     }
   }
-  fmpq_clear(length);
-  fmpq_clear(time);
-  fmpq_clear(factor);
-  fmpq_clear(per_time);
-  pair_clear(&p);
 }
-
-/* ---- symmetries ---- */
 
 static void exchange_bodies(struct scallop_rational_crawler *c)
 {
@@ -125,13 +102,11 @@ static void exchange_bodies(struct scallop_rational_crawler *c)
 }
 
 /* A contraction is an extension with the bodies exchanged, if the gait goes back as it came. */
-static void contraction_is_an_extension_exchanged(void **state)
+TEST(contraction_is_an_extension_exchanged)
 {
-  (void)state;
   struct random r = { 20260834 };
-  struct pair p;
   static const int partner[PHASE] = { 0, 2, 1, 3, 4, 5, 6, 7 };
-  pair_init(&p);
+  SCOPED(pair, p);
   for (int i = 0; i < 6 * WITH_SERIES_OF_PHASES; i++) {
     draw(&p, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     exchange_bodies(&p.crawler[1]);
@@ -149,19 +124,16 @@ static void contraction_is_an_extension_exchanged(void **state)
     check_equal(&p.steady[0].v_start, &p.steady[1].v_mid, 1, ORDER, "exchanged phases: v_start");
     check_equal(&p.steady[0].displacement, &p.steady[1].displacement, 1, ORDER, "exchanged phases: displacement");
   }
-  pair_clear(&p);
 }
 
 /* In a mirror the bodies change places and velocities their signs. */
-static void mirrored(void **state)
+TEST(mirrored)
 {
-  (void)state;
   struct random r = { 20260835 };
-  struct pair p;
   static const int partner[PHASE] = {
     0, 2, 1, 3, 4, 5, -1, -1
   }; /* at_first, at_last: of the rear body, the front one there */
-  pair_init(&p);
+  SCOPED(pair, p);
   for (int i = 0; i < check_cases(6 * GAITS); i++) {
     draw(&p, &r, gaits[i % GAITS]);
     exchange_bodies(&p.crawler[1]);
@@ -179,23 +151,18 @@ static void mirrored(void **state)
     for (int q = 0; q < STEADY; q++)
       check_equal(steady_series(&p.steady[0], q), steady_series(&p.steady[1], q), -1, ORDER, "mirrored steady state");
   }
-  pair_clear(&p);
 }
 
 /* Backward in time friction drives: eps becomes -eps, T becomes i T, and the steady motion is that of the exchanged phases. So for
  * a gait that looks the same backward v_mid has the coefficients of v_start with alternating signs, and the
  * displacement has powers of T^4 only. For the trapezoid neither holds. */
-static void reversed_in_time(void **state)
+TEST(reversed_in_time)
 {
-  (void)state;
   struct random r = { 20260836 };
-  struct scallop_rational_crawler c;
-  struct scallop_steady_expansion e;
-  struct series mid;
   int differ = 0, others = 0;
-  scallop_rational_init(&c);
-  scallop_steady_expansion_init(&e);
-  series_init(&mid);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_steady_expansion, e);
+  SCOPED(series, mid);
   for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) { /* the trapezoid comes last */
     bool reversible = i / 10 < REVERSIBLE;
     random_exact_crawler(&c, &r, gaits[i / 10]);
@@ -217,20 +184,4 @@ static void reversed_in_time(void **state)
     }
   }
   assert_true(differ > 0 && others > 0);
-  series_clear(&mid);
-  scallop_rational_clear(&c);
-  scallop_steady_expansion_clear(&e);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(few_terms_and_many),
-    cmocka_unit_test(every_order),
-    cmocka_unit_test(units),
-    cmocka_unit_test(contraction_is_an_extension_exchanged),
-    cmocka_unit_test(mirrored),
-    cmocka_unit_test(reversed_in_time),
-  };
-  return cmocka_run_group_tests_name("derived laws", tests, NULL, NULL);
 }

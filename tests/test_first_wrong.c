@@ -93,15 +93,14 @@ static void subject_clear(struct subject *s)
   fmpq_clear(s->v0);
   fmpq_clear(s->pi_squared);
 }
+SCOPED_KIND(subject, struct subject)
 
 /* The first power in which the formula is wrong, NEVER if there is none below T^ORDER */
 static slong first_wrong(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
   const struct series *right = f->setting == SCALLOP_STEADY ? scallop_steady_quantity(&s->steady, f->quantity)
                                                             : scallop_phase_quantity(&s->phase, kind, f->quantity);
-  struct series text, v0;
-  series_init(&text);
-  series_init(&v0);
+  SCOPED(series, text, v0);
   assert_non_null(right);
   assert_true(scallop_formula_expand(&text, f, &s->symbols, kind, &ring));
   series_set_rational(&v0, s->v0);
@@ -109,10 +108,7 @@ static slong first_wrong(struct subject *s, const struct scallop_formula *f, enu
     series_add(&text, &text, &v0, &ring);
   series_sub(&text, &text, right, &ring);
   assert_true(text.known >= ORDER);
-  slong power = next_nonzero(&text, -2, NEVER);
-  series_clear(&text);
-  series_clear(&v0);
-  return power;
+  return next_nonzero(&text, -2, NEVER);
 }
 
 /* pi^2 is some fraction here: then every coefficient is exact. */
@@ -151,9 +147,8 @@ static void check_wrong(struct subject *s, const struct scallop_formula *f, enum
   slong found = first_wrong(s, f, kind);
   if (found != power) {
     print_exact_crawler(&s->crawler);
-    print_error("%s in phase %d, v0=%g: first wrong in T^%ld, not T^%ld\n", f->name, kind, fraction_d(s->v0), (long)found,
-                (long)power);
-    fail();
+    fail_msg("%s in phase %d, v0=%g: first wrong in T^%ld, not T^%ld", f->name, kind, fraction_d(s->v0), (long)found,
+             (long)power);
   }
 }
 
@@ -175,24 +170,20 @@ static void check_phase_formula(struct subject *s, int k, enum scallop_phase_kin
 static void check_steady_formula(struct subject *s, int k, bool inside)
 {
   struct scallop_rational_crawler *c = &s->crawler;
-  fmpq_t rest;
-  fmpq_init(rest);
+  SCOPED(fmpq, rest);
   scallop_rational_fraction(rest, c, SCALLOP_CONTRACTION);
   bool positive = (fmpq_cmp(c->F1, c->F2) > 0) == (fmpq_cmp(c->alpha, rest) > 0);
   if (positive != inside)
     fmpq_swap(c->F1, c->F2);
-  fmpq_clear(rest);
   const char *all_turn = inside ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   if (expand_steady(s) && strcmp(s->steady.modes, all_turn) == 0)
     check_wrong(s, &scallop_published[k], SCALLOP_EXTENSION, inside ? wanted[k].inside : wanted[k].outside);
 }
 
-static void published_for_the_quadratic_gait(void **state)
+TEST(published_for_the_quadratic_gait)
 {
-  (void)state;
   struct random r = { 20260861 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int k = 0; k < WANTED; k++) {
     const struct scallop_formula *f = &scallop_published[k];
     assert_string_equal(f->name, wanted[k].name);
@@ -208,10 +199,7 @@ static void published_for_the_quadratic_gait(void **state)
     }
   }
   assert_null(scallop_published[WANTED].name);
-  subject_clear(&s);
 }
-
-/* ---- the corrected ones ---- */
 
 /* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in T^4: not so
  * for the trapezoid. */
@@ -222,8 +210,7 @@ static void check_right(struct subject *s, const struct scallop_formula *f, enum
   slong order = f->remainder == SCALLOP_EQUALITY ? NEVER : f->remainder - (gains && s->crawler.gait == &trapezoid_gait);
   if (found < order) {
     print_exact_crawler(&s->crawler);
-    print_error("%s in phase %d: wrong in T^%ld\n", f->name, kind, (long)found);
-    fail();
+    fail_msg("%s in phase %d: wrong in T^%ld", f->name, kind, (long)found);
   }
 }
 
@@ -243,15 +230,13 @@ static void set_start(struct subject *s, enum scallop_setting start, enum scallo
     fmpq_mul_si(c->F2, c->F1, 1);
 }
 
-static void corrected_phases(void **state)
+TEST(corrected_phases)
 {
-  (void)state;
   static const enum scallop_setting starts[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_AT_REST_START,
                                                  SCALLOP_AT_REST_EQUAL_FORCES };
   enum { STARTS = sizeof starts / sizeof *starts };
   struct random r = { 20260862 };
-  struct subject s;
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < check_cases(20 * GAITS * STARTS); i++) {
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     enum scallop_setting start = starts[i / GAITS % STARTS];
@@ -262,17 +247,14 @@ static void corrected_phases(void **state)
       if (f->setting == start)
         check_right(&s, f, kind);
   }
-  subject_clear(&s);
 }
 
 /* Where a body does not turn at all in one of the phases: the names say which. Like (26) to (28) they are for the quadratic gait. */
-static void corrected_steady_states(void **state)
+TEST(corrected_steady_states)
 {
-  (void)state;
   struct random r = { 20260863 };
-  struct subject s;
   int found[2] = { 0, 0 };
-  subject_init(&s);
+  SCOPED(subject, s);
   for (int i = 0; i < 400; i++) { /* one body a hundredth of the other, or so */
     random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
     fmpq *light = i % 2 ? s.crawler.m1 : s.crawler.m2;
@@ -288,15 +270,4 @@ static void corrected_steady_states(void **state)
     }
   }
   assert_true(found[0] >= 20 && found[1] >= 20);
-  subject_clear(&s);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(published_for_the_quadratic_gait),
-    cmocka_unit_test(corrected_phases),
-    cmocka_unit_test(corrected_steady_states),
-  };
-  return cmocka_run_group_tests_name("first wrong", tests, NULL, NULL);
 }

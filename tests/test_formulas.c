@@ -9,10 +9,10 @@
 #include "asymptotics/derived/evaluate.h"
 #include "tests/exact.h"
 
+SCOPED_KIND(scallop_symbols, struct scallop_symbols)
+
 enum { PRECISION = 300, LENGTH = 24 };
 static const struct ring ring = { LENGTH, PRECISION };
-
-/* ---- a second reader: values in doubles, each with its size ---- */
 
 /* The size is what the formula is with the absolute value of every term, as in test_published.c: a rounding error is a few epsilon
  * of it. */
@@ -52,8 +52,7 @@ static struct sized atom(struct reader *r)
   size_t length = 0;
   while (isalnum((unsigned char)r->at[length]) || r->at[length] == '_')
     length++;
-  arb_t ball;
-  arb_init(ball);
+  SCOPED(arb, ball);
   for (int i = 0; i < SYMBOLS; i++) {
     const char *name = (r->exchanged ? exchanged_names : names)[i];
     if (strlen(name) != length || memcmp(name, r->at, length) != 0)
@@ -63,7 +62,6 @@ static struct sized atom(struct reader *r)
     result.value = turns ? -nearest(ball) : nearest(ball);
     result.size = fabs(result.value);
   }
-  arb_clear(ball);
   r->at += length;
   return result;
 }
@@ -110,8 +108,6 @@ static struct sized sum(struct reader *r)
   }
 }
 
-/* ---- texts and functions ---- */
-
 /* No formula has more than 32 operations; the inputs l0, lT and L_kin are rounded themselves, and enter with small powers. */
 #define ROUNDING (32 * DBL_EPSILON)
 
@@ -123,42 +119,33 @@ static bool of_extension(const struct scallop_formula *f)
 static void check_value(const struct scallop_formula *f, const struct scallop_symbols *s, enum scallop_phase_kind kind,
                         double function)
 {
-  struct series value;
-  arb_t ball;
   struct reader r = { f->text, s, of_extension(f) && kind == SCALLOP_CONTRACTION };
-  series_init(&value);
-  arb_init(ball);
+  SCOPED(series, value);
+  SCOPED(arb, ball);
   assert_true(scallop_formula_expand(&value, f, s, kind, &ring));
   assert_int_equal(next_nonzero(&value, 1, LENGTH), LENGTH);
   series_coefficient(ball, &value, 0, PRECISION);
   struct sized again = sum(&r);
   if (*r.at != '\0' || !check_near(function, nearest(ball), ROUNDING * again.size)
       || !check_near(again.value, nearest(ball), ROUNDING * again.size)) {
-    print_error("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g\n", f->name, function,
-                nearest(ball), again.value, again.size);
-    fail();
+    fail_msg("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g", f->name, function, nearest(ball),
+             again.value, again.size);
   }
-  arb_clear(ball);
-  series_clear(&value);
 }
 
 static void set_symbol(struct scallop_symbols *s, enum scallop_symbol symbol, double value)
 {
-  fmpq_t exact;
-  fmpq_init(exact);
+  SCOPED(fmpq, exact);
   scallop_rational_set_double(exact, value);
   series_set_rational(&s->value[symbol], exact);
-  fmpq_clear(exact);
 }
 
 static void check_phase_texts(const struct scallop_crawler *c, struct scallop_symbols *s, enum scallop_phase_kind kind,
                               struct random *r)
 {
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
   struct scallop_phase_point p = scallop_phase_point(c, kind, random_between(r, -3, 3));
-  fmpq_init(v0);
-  scallop_rational_init(&exact);
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   scallop_rational_set_double(v0, p.v0);
   p.t1 = p.T * random_between(r, 0, 0.5);
@@ -175,37 +162,30 @@ static void check_phase_texts(const struct scallop_crawler *c, struct scallop_sy
     for (const struct scallop_formula *f = lists[i]; f->name; f++)
       if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
         check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
 }
 
 static void check_steady_texts(const struct scallop_crawler *c, struct scallop_symbols *s)
 {
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   scallop_symbols_set(s, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
   set_symbol(s, SYMBOL_T, c->T);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (f->steady)
       check_value(f, s, SCALLOP_EXTENSION, f->steady(c));
-  scallop_rational_clear(&exact);
 }
 
-static void texts_are_the_functions(void **state)
+TEST(texts_are_the_functions)
 {
-  (void)state;
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
   struct random r = { 20260851 };
-  struct scallop_symbols s;
-  scallop_symbols_init(&s);
+  SCOPED(scallop_symbols, s);
   for (int i = 0; i < 300; i++) {
     struct scallop_crawler c = random_crawler(&r, ORDINARY, gaits[i % 3]);
     check_phase_texts(&c, &s, SCALLOP_EXTENSION, &r);
     check_phase_texts(&c, &s, SCALLOP_CONTRACTION, &r);
     check_steady_texts(&c, &s);
   }
-  scallop_symbols_clear(&s);
 }
 
 static const struct scallop_formula *corrected_named(const char *name)
@@ -217,9 +197,8 @@ static const struct scallop_formula *corrected_named(const char *name)
 }
 
 /* What corrects a formula gives the same quantity, and no less of it. */
-static void corrected_ones_exist(void **state)
+TEST(corrected_ones_exist)
 {
-  (void)state;
   const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++) {
@@ -235,13 +214,4 @@ static void corrected_ones_exist(void **state)
     }
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     assert_true(f->text && !f->corrected && !f->phase && !f->steady);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(texts_are_the_functions),
-    cmocka_unit_test(corrected_ones_exist),
-  };
-  return cmocka_run_group_tests_name("formulas", tests, NULL, NULL);
 }

@@ -4,58 +4,43 @@
 #include "tests/check.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { CRAWLERS = 150, SCAN = 24, AROUND = 8 };
-
-static struct scallop_phase_result solve(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
-{
-  struct scallop_phase_result r;
-  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
-  return r;
-}
-
-static bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
-{
-  char text[2][SCALLOP_MODES_TEXT];
-  scallop_modes_text(a, text[0]);
-  scallop_modes_text(b, text[1]);
-  return strcmp(text[0], text[1]) == 0;
-}
 
 static int edges;
 
 static void around_edge(const struct scallop_crawler *c, enum scallop_phase_kind kind, double low, double high)
 {
-  struct scallop_phase_result below = solve(c, kind, low);
+  struct scallop_phase_result below = phase_of(c, kind, low);
   for (double mid; (mid = low + (high - low) / 2) > low && mid < high && fabs(mid) >= 1e-290;) {
-    struct scallop_phase_result r = solve(c, kind, mid);
+    struct scallop_phase_result r = phase_of(c, kind, mid);
     *(same_modes(&r.modes, &below.modes) ? &low : &high) = mid;
   }
   edges++;
   if (fabs(low) < 1e-290 || fabs(high) < 1e-290) /* at rest: beside it are only denormal numbers */
     return;
   double v = low, unit = c->L / scallop_phase_duration(c, kind);
-  double before = solve(c, kind, v).v_end;
+  double before = phase_of(c, kind, v).v_end;
   for (int k = 0; k < AROUND; k++)
     v = nextafter(v, -INFINITY);
   for (int k = 0; k < 2 * AROUND; k++, v = nextafter(v, INFINITY)) {
     /* 2 AROUND ulp of v0, and a few roundings of velocities of the size of l' */
-    CHECK_NEAR(solve(c, kind, v).v_end, before, (2 * AROUND * fabs(v) + 64 * unit) * 0x1p-52);
+    CHECK_NEAR(phase_of(c, kind, v).v_end, before, (2 * AROUND * fabs(v) + 64 * unit) * 0x1p-52);
   }
 }
 
-static void every_edge(void **state)
+TEST(every_edge)
 {
-  (void)state;
   struct random r = { 31 };
   for (int n = 0; n < CRAWLERS; n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, every_gait[n % SMOOTH_GAITS]);
     enum scallop_phase_kind kind = n / SMOOTH_GAITS % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     double most = 2.2 * c.L / scallop_phase_duration(&c, kind), last = -most;
-    struct scallop_phase_result before = solve(&c, kind, last);
+    struct scallop_phase_result before = phase_of(&c, kind, last);
     for (int k = 1; k <= SCAN; k++) {
       double v = -most + 2 * most * k / SCAN;
-      struct scallop_phase_result here = solve(&c, kind, v);
+      struct scallop_phase_result here = phase_of(&c, kind, v);
       if (!same_modes(&here.modes, &before.modes))
         around_edge(&c, kind, last, v);
       before = here;
@@ -67,40 +52,31 @@ static void every_edge(void **state)
 }
 
 /* This one did not end: the line touches the curve at the very time from which friction can hold the body. */
-static void touches_where_it_is_held(void **state)
+TEST(touches_where_it_is_held)
 {
-  (void)state;
   struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1, 0x1.3305d4310c97ep+8, 0x1.7a4c877234cdap+7,
                                0x1.5ac4f07b010d9p+3, 0x1.0a883a7556ce8p+0, 0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "++ -+ 0+ ++");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
+  modes_are(&r.modes, "++ -+ 0+ ++");
 }
 
 /* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on, and was
  * once found to slide on for a twelfth of the phase. */
-static void stops_at_once(void **state)
+TEST(stops_at_once)
 {
-  (void)state;
   struct scallop_crawler c = { 1.6810482026957038e-09, 19782534.230478894,  231.11260285226103, 0.13007378432978592, 1,
                                66095444.255873002,     0.66363254363346347, &minimum_jerk_gait };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -3.302e-10);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "-- 0+");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, -3.302e-10);
+  modes_are(&r.modes, "-- 0+");
   CHECK_NEAR(r.dx1, 0, 1e-14);
 }
 
 /* m1 = m2 = 1, tau = 1, L = 1: l' = 0 at t = 3/4, where both bodies, which go backward at -12 + 16 t -+ l'/2, come to rest at once. */
-static void stops_where_the_length_turns(void **state)
+TEST(stops_where_the_length_turns)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 20, 12, 1, 2, 0.5, &there_and_back_gait };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, -12);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "-- +- 0-");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, -12);
+  modes_are(&r.modes, "-- +- 0-");
   CHECK_EQUAL(r.t1, 0.75);
   CHECK_EQUAL(r.v_end, 0);
   CHECK_EQUAL(r.dx1, -4.5 - 1.125 / 2); /* and then it is held, while l falls by 1/8 */
@@ -117,27 +93,23 @@ static void stops_where_the_length_turns(void **state)
       RUN(BUMP_END, 0.75, sign, (sign)*BUMP_FALL, (sign) * -BUMP_FALL), \
       SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -BUMP_FALL)
 
-static void lets_go_for_a_while(void **state)
+TEST(lets_go_for_a_while)
 {
-  (void)state;
   static const struct scallop_piece out[] = { BUMP(1) }, back[] = { BUMP(-1) };
   static const struct scallop_gait bump = {
     "bump", { { out, 5, 5, -BUMP_FALL, 2, 1, false, false }, { back, 5, -5, BUMP_FALL, 2, -1, false, false } }
   };
   struct scallop_crawler c = { 1, 1, 7, 1, 1, 2, 0.5, &bump };
-  char text[SCALLOP_MODES_TEXT];
-  struct scallop_phase_result r = solve(&c, SCALLOP_EXTENSION, 0);
-  scallop_modes_text(&r.modes, text);
-  assert_string_equal(text, "0+ -+ 0+");
+  struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0);
+  modes_are(&r.modes, "0+ -+ 0+");
   CHECK_EQUAL(r.t1, 0.25);
   CHECK_EQUAL(r.dx1, -0x1p-10);
   CHECK_EQUAL(r.v_end, 0);
 }
 
 /* Forces so weak that the square of a velocity is nothing: a phase is the first half of the period all the same. */
-static void weak_forces(void **state)
+TEST(weak_forces)
 {
-  (void)state;
   static const struct {
     struct scallop_crawler crawler;
     double v0, v_mid;
@@ -152,31 +124,19 @@ static void weak_forces(void **state)
       -8.66e-80 },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct scallop_phase_result r = solve(&cases[i].crawler, SCALLOP_EXTENSION, cases[i].v0);
-    struct scallop_period_result p;
-    assert_int_equal(scallop_period(&cases[i].crawler, cases[i].v0, &p), SCALLOP_OK);
+    struct scallop_phase_result r = phase_of(&cases[i].crawler, SCALLOP_EXTENSION, cases[i].v0);
+    struct scallop_period_result p = period_of(&cases[i].crawler, cases[i].v0);
     CHECK_NEAR(r.v_end, cases[i].v_mid, 1e-3 * fabs(cases[i].v_mid));
     CHECK_NEAR(r.v_end, p.v_mid, 1e-14 * fabs(p.v_mid));
   }
 }
 
 /* So light a body that the steady velocity is 1e-147 of l': no bracket is too wide. */
-static void far_from_the_guess(void **state)
+TEST(far_from_the_guess)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
                                1, 0.39310801961328146,     &scallop_gait_sinusoidal };
-  struct scallop_steady_result s;
-  assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+  struct scallop_steady_result s = steady_of(&c);
   CHECK_NEAR(s.period.v_start, -7.170448668775392e-147, 1e-160);
   CHECK_NEAR(s.period.v_end, s.period.v_start, 1e-160);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_edge),          cmocka_unit_test(touches_where_it_is_held),
-                                      cmocka_unit_test(stops_at_once),       cmocka_unit_test(stops_where_the_length_turns),
-                                      cmocka_unit_test(lets_go_for_a_while), cmocka_unit_test(weak_forces),
-                                      cmocka_unit_test(far_from_the_guess) };
-  return cmocka_run_group_tests_name("grazing", tests, NULL, NULL);
 }

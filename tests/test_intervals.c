@@ -6,16 +6,12 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { BOUND = 8, CRAWLERS = 600 };
 #define ULP DBL_EPSILON
 
-static double end_of_period(const struct scallop_crawler *c, double v0)
-{
-  struct scallop_period_result r;
-  assert_int_equal(scallop_period(c, v0, &r), SCALLOP_OK);
-  return r.v_end;
-}
+static double end_of_period(const struct scallop_crawler *c, double v0) { return period_of(c, v0).v_end; }
 
 static void interval_is(const struct scallop_crawler *c, double low, double high)
 {
@@ -38,9 +34,8 @@ static void interval_is(const struct scallop_crawler *c, double low, double high
 /* Velocities in L/T. The curves are at mu2/alpha, -mu1/alpha in extension (rate: eps delta) and at
  * mu1/(1 - alpha), -mu2/(1 - alpha) in contraction (rate: -eps delta). With F1 = F2 c stays where it
  * is between all four. With alpha = 1/2 it goes by eps delta/2 and back. */
-static void sawtooth_interval(void **state)
+TEST(sawtooth_interval)
 {
-  (void)state;
   struct random r = { 21 };
   for (int n = 0; n < 8 * CRAWLERS; n++) {
     struct scallop_crawler c = random_crawler(&r, ORDINARY, &sawtooth_gait);
@@ -80,16 +75,9 @@ static const struct scallop_gait two_speed_gait = { "two-speed",
                                                     { { two_speed_extension, 2, 0, 0, 1.125, 1, false, false },
                                                       { two_speed_contraction, 2, 0, 0, 1.125, -1, false, false } } };
 
-static void two_speed_interval(void **state)
+TEST(two_speed_interval)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 4, 1, 2560, 1, 0.75, &two_speed_gait };
   double eps = 0x1p-10;
   interval_is(&c, 5. / 12 - 0.15 * eps, 0.75 - 0.3375 * eps);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(sawtooth_interval), cmocka_unit_test(two_speed_interval) };
-  return cmocka_run_group_tests_name("intervals", tests, NULL, NULL);
 }

@@ -16,7 +16,9 @@
 #include <gsl/gsl_integration.h>
 
 #include "numerics/numerics.h"
+#include "tests/interval.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { ROUNDINGS = 16, KEPT = 64, NODES = 24, SAMPLES = 7, CRAWLERS = 400 };
 enum { STEEPEST_BEND = 60 }; /* max |l'''| of all gaits here: minimum jerk at its ends */
@@ -71,13 +73,6 @@ static void require(bool holds, const char *what, int line)
 }
 #define REQUIRE(condition) require(condition, #condition, __LINE__)
 
-/* ---- an interval as functions of its offset u ---- */
-
-static double sense(const struct scallop_interval *i) { return i->piece->anchor == SCALLOP_FROM_START ? 1 : -1; }
-static double duration(const struct scallop_interval *i) { return sense(i) * (i->u_end - i->u_begin); }
-static double rate(const struct scallop_interval *i, double u) { return i->piece->curve->velocity(i->piece, u); }
-static double bend(const struct scallop_interval *i, double u) { return i->piece->curve->acceleration(i->piece, u); }
-static bool glued(const struct scallop_interval *i) { return i->mode.s1 == 0 || i->mode.s2 == 0; }
 static int sign_of(const struct scallop_interval *i, int body) { return body == 0 ? i->mode.s1 : i->mode.s2; }
 
 static double centre(const struct scallop_interval *i, double u)
@@ -113,8 +108,6 @@ static double size(const struct phase *p, const struct scallop_interval *i, int 
   double c = fmax(fabs(i->c_begin), fabs(i->c_end)), l = fmax(fabs(rate(i, i->u_begin)), fabs(rate(i, i->u_end)));
   return c + mu * l + (fabs(i->c_slope) + mu * largest_bend(i)) * u;
 }
-
-/* ---- the laws ---- */
 
 /* Friction on both bodies while they slide. F1 - F2 from the inputs: it can be small. */
 static double total_friction(const struct phase *p, const struct scallop_interval *i)
@@ -179,24 +172,13 @@ static void sliding_sign(const struct phase *p, const struct scallop_interval *i
 
 static void order_and_continuity(const struct phase *p)
 {
-  const struct scallop_shape *shape = &p->crawler.gait->phase[p->kind];
-  REQUIRE(p->count > 0);
-  const struct scallop_interval *first = p->interval, *last = &p->interval[p->count - 1];
-  REQUIRE(first->piece == shape->pieces && first->u_begin == first->piece->begin && first->x_begin == 0);
-  REQUIRE(last->piece == shape->pieces + shape->count - 1 && last->u_end == last->piece->end);
-  for (const struct scallop_interval *i = first; i <= last; i++)
-    REQUIRE(duration(i) > 0);
-  for (const struct scallop_interval *a = first, *b = first + 1; b <= last; a++, b++) {
-    if (b->piece == a->piece)
-      REQUIRE(a->u_end == b->u_begin);
-    else
-      REQUIRE(b->piece == a->piece + 1 && a->u_end == a->piece->end && b->u_begin == b->piece->begin);
-    REQUIRE(a->c_end == b->c_begin);
-  }
+  const char *wrong = disorder(p->interval, p->count, &p->crawler.gait->phase[p->kind]);
+  require(!wrong, wrong, __LINE__);
+  const struct scallop_interval *first = p->interval;
+  for (const struct scallop_interval *b = first + 1; b < first + p->count; b++)
+    REQUIRE(b[-1].c_end == b->c_begin);
   NEAR(first->c_begin, p->v0 / p->unit, ROUNDOFF * fabs(p->v0 / p->unit));
 }
-
-/* ---- the balances ---- */
 
 struct integral {
   double value, terms;
@@ -245,22 +227,12 @@ static void energy_balance(const struct phase *p, const struct scallop_interval 
   NEAR(after - before, work.value - lost.value, ROUNDOFF * (before + after + work.terms + lost.terms + at_end));
 }
 
-/* The impulse of friction in one interval; a stuck body's holding force is what its own velocity 0 and
- * the other's Newton's law leave: -(mu_other) l'' - friction of the other. */
-static double friction_impulse(const struct phase *p, const struct scallop_interval *i)
-{
-  if (!glued(i))
-    return total_friction(p, i) * duration(i);
-  double other = i->mode.s1 == 0 ? p->mu[1] : -p->mu[0];
-  return other * (rate(i, i->u_end) - rate(i, i->u_begin));
-}
-
 static void momentum_balance(const struct phase *p)
 {
   double impulse = 0, terms = 0, jumps = 0;
   for (int k = 0; k < p->count; k++) {
     const struct scallop_interval *i = &p->interval[k];
-    double one = friction_impulse(p, i);
+    double one = friction_impulse(i, p->mu, total_friction(p, i));
     NEAR(i->c_end - i->c_begin, one, ROUNDOFF * fmax(size(p, i, 0), size(p, i, 1)));
     impulse += one;
     terms += fabs(one);
@@ -268,8 +240,6 @@ static void momentum_balance(const struct phase *p)
   }
   NEAR(p->interval[p->count - 1].c_end - p->interval[0].c_begin, impulse, ROUNDOFF * (terms + jumps));
 }
-
-/* ---- the result of the phase against its intervals ---- */
 
 static bool same_mode(struct scallop_mode a, struct scallop_mode b) { return a.s1 == b.s1 && a.s2 == b.s2; }
 
@@ -327,8 +297,6 @@ static void displacements(const struct phase *p, const struct scallop_phase_resu
   NEAR(r->dx2 - r->dx1, stroke * L, ROUNDOFF * (fabs(r->dx1) + fabs(r->dx2)));
 }
 
-/* ---- one phase, all laws ---- */
-
 static void keep(void *context, const struct scallop_interval *interval)
 {
   struct phase *p = context;
@@ -348,10 +316,9 @@ static void check_phase(const struct scallop_crawler *crawler, enum scallop_phas
                      .force = force,
                      .mu = { crawler->m1 / M, crawler->m2 / M },
                      .friction = { force * crawler->F1, force * crawler->F2 } };
-  struct scallop_phase_result r;
   current = &p;
   assert_int_equal(scallop_phase_intervals(crawler, kind, v0, keep, &p), SCALLOP_OK);
-  assert_int_equal(scallop_phase(crawler, kind, v0, &r), SCALLOP_OK);
+  struct scallop_phase_result r = phase_of(crawler, kind, v0);
   order_and_continuity(&p);
   for (int k = 0; k < p.count; k++) {
     const struct scallop_interval *i = &p.interval[k];
@@ -382,54 +349,24 @@ static void family(enum family which, uint64_t seed)
   print_message("largest share of a tolerance used: %.2g\n", worst_share);
 }
 
-static void ordinary(void **state)
-{
-  (void)state;
-  family(ORDINARY, 1);
-}
-static void stick_slip(void **state)
-{
-  (void)state;
-  family(STICK_SLIP, 2);
-}
-static void extreme_ratios(void **state)
-{
-  (void)state;
-  family(EXTREME_RATIOS, 3);
-}
-static void small_period(void **state)
-{
-  (void)state;
-  family(SMALL_PERIOD, 4);
-}
-static void equal_forces(void **state)
-{
-  (void)state;
-  family(EQUAL_FORCES, 5);
-}
-static void nearly_equal_forces(void **state)
-{
-  (void)state;
-  family(NEARLY_EQUAL_FORCES, 6);
-}
-static void alpha_edge(void **state)
-{
-  (void)state;
-  family(ALPHA_EDGE, 7);
-}
+TEST(ordinary) { family(ORDINARY, 1); }
+TEST(stick_slip) { family(STICK_SLIP, 2); }
+TEST(extreme_ratios) { family(EXTREME_RATIOS, 3); }
+TEST(small_period) { family(SMALL_PERIOD, 4); }
+TEST(equal_forces) { family(EQUAL_FORCES, 5); }
+TEST(nearly_equal_forces) { family(NEARLY_EQUAL_FORCES, 6); }
+TEST(alpha_edge) { family(ALPHA_EDGE, 7); }
 
 /* A body that is stuck for all of the phase does not move: 0, and not a rounding. */
-static void at_rest_means_zero(void **state)
+TEST(at_rest_means_zero)
 {
-  (void)state;
   struct random r = { 9 };
   int found = 0;
   for (int n = 0; n < 10 * CRAWLERS; n++) {
     struct scallop_crawler c = random_crawler(&r, STICK_SLIP, every_gait[n % SMOOTH_GAITS]);
     struct phase p = { .crawler = c, .kind = n / SMOOTH_GAITS % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION };
-    struct scallop_phase_result result;
     current = &p;
-    assert_int_equal(scallop_phase(&c, p.kind, 0, &result), SCALLOP_OK);
+    struct scallop_phase_result result = phase_of(&c, p.kind, 0);
     if (result.regime != SCALLOP_AT_REST)
       continue;
     found++;
@@ -439,14 +376,12 @@ static void at_rest_means_zero(void **state)
 }
 
 /* The phases of the steady state, where the start velocity is not arbitrary. */
-static void steady_phases(void **state)
+TEST(steady_phases)
 {
-  (void)state;
   struct random r = { 8 };
   for (int n = 0; n < check_cases(CRAWLERS * FAMILIES); n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % SMOOTH_GAITS]);
-    struct scallop_steady_result s;
-    assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+    struct scallop_steady_result s = steady_of(&c);
     check_phase(&c, SCALLOP_EXTENSION, s.period.v_start);
     check_phase(&c, SCALLOP_CONTRACTION, s.period.v_mid);
   }
@@ -466,12 +401,4 @@ static int tear_down(void **state)
   return 0;
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(ordinary),     cmocka_unit_test(stick_slip),    cmocka_unit_test(extreme_ratios),
-    cmocka_unit_test(small_period), cmocka_unit_test(equal_forces),  cmocka_unit_test(nearly_equal_forces),
-    cmocka_unit_test(alpha_edge),   cmocka_unit_test(steady_phases), cmocka_unit_test(at_rest_means_zero),
-  };
-  return cmocka_run_group_tests_name("laws", tests, set_up, tear_down);
-}
+int main(void) { return check_run(set_up, tear_down); }

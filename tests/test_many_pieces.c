@@ -15,8 +15,7 @@ static double way_size(const struct scallop_crawler *c, double v0, double tau)
   return c->L + (fabs(v0) + (c->F1 + c->F2) * tau / (c->m1 + c->m2)) * tau;
 }
 
-/* ---- the quadratic gait in very many pieces ---- */
-
+/* The quadratic gait in very many pieces */
 enum { CUTS = 512 }; /* of each half of a phase */
 
 struct cut {
@@ -43,9 +42,8 @@ static void cut_up(struct cut *cut)
   }
 }
 
-static void cut_up_it_is_the_same(void **state)
+TEST(cut_up_it_is_the_same)
 {
-  (void)state;
   static struct cut cut;
   struct random r = { 20261301 };
   cut_up(&cut);
@@ -53,10 +51,9 @@ static void cut_up_it_is_the_same(void **state)
     struct scallop_crawler c = random_crawler(&r, i % 4 == 0 ? STICK_SLIP : ORDINARY, &scallop_gait_quadratic);
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     double v0 = random_start(&r, &c, kind), tau = scallop_phase_duration(&c, kind), way = way_size(&c, v0, tau);
-    struct scallop_phase_result whole, parts;
-    assert_int_equal(scallop_phase(&c, kind, v0, &whole), SCALLOP_OK);
+    struct scallop_phase_result whole = phase_of(&c, kind, v0);
     c.gait = &cut.gait;
-    assert_int_equal(scallop_phase(&c, kind, v0, &parts), SCALLOP_OK);
+    struct scallop_phase_result parts = phase_of(&c, kind, v0);
     assert_int_equal(parts.modes.count, whole.modes.count);
     assert_int_equal(parts.regime, whole.regime);
     CHECK_RELATIVE(parts.t1, whole.t1, 4 * DBL_EPSILON);
@@ -68,8 +65,7 @@ static void cut_up_it_is_the_same(void **state)
   }
 }
 
-/* ---- a spline, as through data: out, back a little, out; a dwell; and the other way ---- */
-
+/* A spline, as through data: out, back a little, out; a dwell; and the other way */
 enum { KNOTS = 513 };
 
 struct drawn {
@@ -121,9 +117,8 @@ static void rub_out(struct drawn *d)
   free(d);
 }
 
-static void the_gait_has_it_all(void **state)
+TEST(the_gait_has_it_all)
 {
-  (void)state;
   struct drawn *d = draw_gait();
   for (int kind = 0; kind < 2; kind++) {
     const struct scallop_shape *shape = &d->spline.gait.phase[kind];
@@ -138,18 +133,10 @@ static void the_gait_has_it_all(void **state)
 
 static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
-  struct scallop_phase_result got;
-  struct scallop_certified_phase exact;
-  struct scallop_rational_crawler rational;
-  fmpq_t start;
+  SCOPED(scallop_certified_phase, exact);
   double tau = scallop_phase_duration(c, kind), way = way_size(c, v0, tau);
-  fmpq_init(start);
-  scallop_rational_init(&rational);
-  scallop_certified_phase_init(&exact);
-  scallop_rational_of(&rational, c);
-  scallop_rational_set_double(start, v0);
-  assert_int_equal(scallop_phase(c, kind, v0, &got), SCALLOP_OK);
-  assert_int_equal(scallop_certified_phase(&rational, kind, start, 20, &exact, NULL), SCALLOP_OK);
+  struct scallop_phase_result got = phase_of(c, kind, v0);
+  certify_phase(&exact, c, kind, v0, 20);
   assert_true(same_modes(&got.modes, &exact.modes));
   assert_int_equal(got.regime, exact.regime);
   CHECK_NEAR(got.v_end, nearest(exact.v_end), 2 * DBL_EPSILON * way / tau);
@@ -160,14 +147,10 @@ static void compare(const struct scallop_crawler *c, enum scallop_phase_kind kin
     CHECK_NEAR(got.t1, nearest(exact.t1), 4 * DBL_EPSILON * tau);
     CHECK_NEAR(got.dT, nearest(exact.dT), 4 * DBL_EPSILON * tau);
   }
-  scallop_certified_phase_clear(&exact);
-  scallop_rational_clear(&rational);
-  fmpq_clear(start);
 }
 
-static void a_spline_through_many_knots(void **state)
+TEST(a_spline_through_many_knots)
 {
-  (void)state;
   struct random r = { 20261303 };
   struct drawn *d = draw_gait();
   for (int i = 0; i < 24; i++) {
@@ -178,32 +161,16 @@ static void a_spline_through_many_knots(void **state)
   rub_out(d);
 }
 
-static void its_steady_state(void **state)
+TEST(its_steady_state)
 {
-  (void)state;
   struct drawn *d = draw_gait();
-  struct scallop_crawler c = { .m1 = 2, .m2 = 1, .F1 = 9, .F2 = 1, .L = 3, .T = 0.5, .alpha = 0.8 };
-  struct scallop_steady_result got;
-  struct scallop_certified_steady exact;
-  struct scallop_rational_crawler rational;
-  c.gait = &d->spline.gait;
-  scallop_rational_init(&rational);
-  scallop_certified_steady_init(&exact);
-  scallop_rational_of(&rational, &c);
-  assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
-  assert_int_equal(scallop_certified_steady(&rational, 20, &exact, NULL), SCALLOP_OK);
+  const struct scallop_crawler c = { 2, 1, 9, 1, 3, 0.5, 0.8, &d->spline.gait };
+  struct scallop_steady_result got = steady_of(&c);
+  SCOPED(scallop_certified_steady, exact);
+  certify_steady(&exact, &c, 20);
   for (int kind = 0; kind < 2; kind++)
     assert_true(same_modes(&got.period.modes[kind], &exact.modes[kind]));
   CHECK_NEAR(got.period.v_start, nearest(exact.v_start), 4 * DBL_EPSILON * c.L / c.T);
   CHECK_NEAR(got.period.displacement, nearest(exact.displacement), 4 * DBL_EPSILON * c.L);
-  scallop_certified_steady_clear(&exact);
-  scallop_rational_clear(&rational);
   rub_out(d);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(cut_up_it_is_the_same), cmocka_unit_test(the_gait_has_it_all),
-                                      cmocka_unit_test(a_spline_through_many_knots), cmocka_unit_test(its_steady_state) };
-  return cmocka_run_group_tests_name("many pieces", tests, NULL, NULL);
 }

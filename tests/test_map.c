@@ -2,11 +2,12 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include "compare/maps/axis.h"
-#include "compare/maps/journal.h"
 #include "compare/answers/mode_change.h"
+#include "compare/maps/journal.h"
+#include "compare/maps/maps.h"
 #include "tests/check.h"
 
 /* ---- axes ---- */
@@ -71,44 +72,36 @@ static const double items[ITEMS][3] = {
   { 1.5, -0.0, 0x1.123456789abcdp-300 }, { NAN, INFINITY, -INFINITY }, { 0.1, 0.2, 0.3 }, { 1e308, 4, 5 }, { 7, 8, 9 }
 };
 
-struct taken {
-  int count;
-  bool wrong;
-};
+/* The output of a map, and the journal beside it */
+static char output[] = "/tmp/scallop-journal-XXXXXX", path[sizeof output + sizeof ".rows"];
 
-static bool take(void *context, long number, int count, const double *values)
-{
-  struct taken *t = context;
-  if (number != t->count || count != 3)
-    return false;
-  for (int i = 0; i < 3; i++) {
-    double a = values[i], b = items[number][i];
-    t->wrong |= isnan(b) ? !isnan(a) : !(a == b) || signbit(a) != signbit(b);
-  }
-  t->count++;
-  return true;
-}
-
-static char path[] = "/tmp/scallop-journal-XXXXXX";
-
-static enum journal_outcome look(const char *title, struct taken *taken)
+/* What a journal by that title has: the items from the first on, to the last bit, and no others. -1: it is refused. */
+static long look(const char *title)
 {
   struct journal j;
-  *taken = (struct taken){ 0 };
-  enum journal_outcome outcome = journal_open(&j, path, title, take, taken);
-  if (outcome == JOURNAL_NEW || outcome == JOURNAL_FOUND)
-    journal_close(&j, false);
-  return outcome;
+  assert_true(journal_init(&j, ITEMS, 3));
+  long count = journal_open(&j, output, title) ? j.done_count : -1;
+  for (int item = 0; item < ITEMS; item++) {
+    assert_int_equal(j.done[item], item < count);
+    for (int i = 0; i < 3 && item < count; i++) {
+      double a = j.values[3 * item + i], b = items[item][i];
+      assert_true(isnan(b) ? isnan(a) : a == b && !signbit(a) == !signbit(b));
+    }
+  }
+  journal_close(&j, false);
+  return count;
 }
 
 static void write_all(void)
 {
   struct journal j;
-  struct taken none;
   unlink(path);
-  assert_int_equal(journal_open(&j, path, "ours", take, &none), JOURNAL_NEW);
+  assert_true(journal_init(&j, ITEMS, 3));
+  assert_true(journal_open(&j, output, "ours"));
+  assert_int_equal(j.done_count, 0);
   for (int i = 0; i < ITEMS; i++)
-    assert_true(journal_add(&j, i, 3, items[i]));
+    assert_true(journal_add(&j, i, items[i]));
+  assert_int_equal(j.done_count, ITEMS);
   journal_close(&j, false);
 }
 
@@ -121,21 +114,16 @@ static void any_part_of_a_journal(void **state)
   FILE *f = fopen(path, "r");
   size_t size = fread(bytes, 1, sizeof bytes, f);
   fclose(f);
-  int last = 0;
+  long last = 0;
   for (size_t part = 0; part <= size; part++) {
-    struct taken taken;
     f = fopen(path, "w");
     fwrite(bytes, 1, part, f);
     fclose(f);
-    enum journal_outcome outcome = look("ours", &taken);
     int lines = 0;
     for (size_t i = 0; i < part; i++)
       lines += bytes[i] == '\n';
-    assert_int_equal(outcome, lines > 1 ? JOURNAL_FOUND : JOURNAL_NEW);
-    assert_int_equal(taken.count, lines > 0 ? lines - 1 : 0);
-    assert_false(taken.wrong);
-    assert_true(taken.count >= last);
-    last = taken.count;
+    last = look("ours");
+    assert_int_equal(last, lines > 0 ? lines - 1 : 0);
   }
   assert_int_equal(last, ITEMS);
   unlink(path);
@@ -144,7 +132,6 @@ static void any_part_of_a_journal(void **state)
 static void a_changed_line_ends_it(void **state)
 {
   (void)state;
-  struct taken taken;
   write_all();
   FILE *f = fopen(path, "r+");
   char line[200];
@@ -155,42 +142,89 @@ static void a_changed_line_ends_it(void **state)
   fseek(f, third + 6, SEEK_SET);
   fputc('f', f);
   fclose(f);
-  assert_int_equal(look("ours", &taken), JOURNAL_FOUND);
-  assert_int_equal(taken.count, 2);
-  assert_int_equal(look("ours", &taken), JOURNAL_FOUND); /* the rest is gone */
-  assert_int_equal(taken.count, 2);
+  assert_int_equal(look("ours"), 2);
+  assert_int_equal(look("ours"), 2); /* the rest is gone */
+  unlink(path);
+}
+
+/* The numbers of a whole line are right, but of more rows, or of wider ones */
+static void a_row_of_another_size_ends_it(void **state)
+{
+  (void)state;
+  struct journal j;
+  write_all();
+  assert_true(journal_init(&j, ITEMS - 1, 3));
+  assert_true(journal_open(&j, output, "ours"));
+  assert_int_equal(j.done_count, ITEMS - 1);
+  journal_close(&j, false);
+  for (int width = 2; width <= 4; width += 2) {
+    write_all();
+    assert_true(journal_init(&j, ITEMS, width));
+    assert_true(journal_open(&j, output, "ours"));
+    assert_int_equal(j.done_count, 0);
+    journal_close(&j, false);
+  }
   unlink(path);
 }
 
 static void journals_of_others(void **state)
 {
   (void)state;
-  struct taken taken;
   write_all();
-  assert_int_equal(look("our", &taken), JOURNAL_OTHER);
-  assert_int_equal(look("ours and more", &taken), JOURNAL_OTHER);
-  assert_int_equal(taken.count, 0);
-  assert_int_equal(look("ours", &taken), JOURNAL_FOUND); /* it was left as it is */
-  assert_int_equal(taken.count, ITEMS);
+  assert_int_equal(look("our"), -1);
+  assert_int_equal(look("ours and more"), -1);
+  assert_int_equal(look("ours"), ITEMS); /* it was left as it is */
   unlink(path);
   FILE *f = fopen(path, "w");
   fputs("oursomething else", f);
   fclose(f);
-  assert_int_equal(look("ours", &taken), JOURNAL_OTHER);
+  assert_int_equal(look("ours"), -1);
   unlink(path);
   errno = 0;
   struct journal j;
-  assert_int_equal(journal_open(&j, "/nonexistent/journal", "ours", take, &taken), JOURNAL_ERROR);
+  assert_true(journal_init(&j, ITEMS, 3));
+  assert_false(journal_open(&j, "/nonexistent/journal", "ours"));
   assert_int_equal(errno, ENOENT);
+  journal_close(&j, false);
+}
+
+/* While another process has it open */
+static void a_journal_at_work_is_left_alone(void **state)
+{
+  (void)state;
+  int opened[2] = { -1, -1 }, done[2] = { -1, -1 };
+  char byte = 'x';
+  write_all();
+  assert_true(pipe(opened) == 0 && pipe(done) == 0);
+  pid_t other = fork();
+  assert_true(other >= 0);
+  if (other == 0) {
+    struct journal j;
+    bool good = journal_init(&j, ITEMS, 3) && journal_open(&j, output, "ours");
+    good = write(opened[1], &byte, 1) == 1 && read(done[0], &byte, 1) == 1 && good;
+    _exit(!good);
+  }
+  assert_int_equal(read(opened[0], &byte, 1), 1);
+  assert_int_equal(look("ours"), -1);
+  assert_int_equal(write(done[1], &byte, 1), 1);
+  int status;
+  assert_int_equal(waitpid(other, &status, 0), other);
+  assert_int_equal(status, 0);
+  assert_int_equal(look("ours"), ITEMS);
+  for (int i = 0; i < 2; i++) {
+    close(opened[i]);
+    close(done[i]);
+  }
+  unlink(path);
 }
 
 static void a_finished_journal_goes(void **state)
 {
   (void)state;
   struct journal j;
-  struct taken none;
-  unlink(path);
-  assert_int_equal(journal_open(&j, path, "ours", take, &none), JOURNAL_NEW);
+  write_all();
+  assert_true(journal_init(&j, ITEMS, 3));
+  assert_true(journal_open(&j, output, "ours"));
   journal_close(&j, true);
   assert_int_not_equal(access(path, F_OK), 0);
 }
@@ -259,12 +293,21 @@ static void changes_in_words(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(axes_are_read),           cmocka_unit_test(bad_axes_are_refused),
-                                      cmocka_unit_test(axes_set_the_crawler),    cmocka_unit_test(any_part_of_a_journal),
-                                      cmocka_unit_test(a_changed_line_ends_it),  cmocka_unit_test(journals_of_others),
-                                      cmocka_unit_test(a_finished_journal_goes), cmocka_unit_test(changes_in_words) };
-  int file = mkstemp(path);
+  const struct CMUnitTest tests[] = { cmocka_unit_test(axes_are_read),
+                                      cmocka_unit_test(bad_axes_are_refused),
+                                      cmocka_unit_test(axes_set_the_crawler),
+                                      cmocka_unit_test(any_part_of_a_journal),
+                                      cmocka_unit_test(a_changed_line_ends_it),
+                                      cmocka_unit_test(a_row_of_another_size_ends_it),
+                                      cmocka_unit_test(journals_of_others),
+                                      cmocka_unit_test(a_finished_journal_goes),
+                                      cmocka_unit_test(a_journal_at_work_is_left_alone),
+                                      cmocka_unit_test(changes_in_words) };
+  int file = mkstemp(output), failed;
   if (file >= 0)
     close(file);
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  snprintf(path, sizeof path, "%s.rows", output);
+  failed = cmocka_run_group_tests(tests, NULL, NULL);
+  unlink(output);
+  return failed;
 }

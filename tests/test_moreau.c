@@ -1,31 +1,23 @@
 /* Moreau and Jean's time stepping: each step against bisection on its own inclusion, and the whole against the exact
  * period, which it must approach in first order: error <= BOUND eps/steps for every crawler and start, and the worst of
  * them proportional to 1/steps. (The error of one crawler does not fall smoothly: it hangs on where in a step it
- * turns.) */
+ * turns.) That pins the exact solver without sharing a line with it. */
 #include "tests/check.h"
 
 #include <limits.h>
 
 #include "numerics/moreau.h"
-#include "numerics/numerics.h"
-#include "tests/random_crawler.h"
+#include "tests/rivals.h"
 
-enum { REFERENCED = 60, CRAWLERS = 300, COARSEST = 64, LEVELS = 5 };
-
-static struct scallop_rival_period period_of(const struct scallop_crawler *c, double v0, long steps)
+static struct scallop_rival_period stepped(const struct scallop_crawler *c, double v0, long steps)
 {
-  struct scallop_rival_period p = { 0 };
-  struct scallop_rival *rival = scallop_moreau_rival(steps);
-  assert_non_null(rival);
-  assert_int_equal(rival->period(rival, c, v0, NULL, &p), SCALLOP_OK);
-  assert_int_equal(p.steps, 2 * steps);
-  assert_int_equal(p.evaluations, 2 * steps);
-  assert_int_equal(p.events, 0);
-  scallop_rival_destroy(rival);
+  RIVAL(rival, scallop_moreau_rival(steps));
+  struct scallop_rival_period p = rival_period(rival, c, v0);
+  assert_true(p.steps == 2 * steps && p.evaluations == 2 * steps && p.events == 0);
   return p;
 }
 
-/* ---- a slow reference ---- */
+enum { REFERENCED = 60, CRAWLERS = 300, COARSEST = 64, LEVELS = 5 };
 
 struct inclusion {
   double k1, k2, rest1, rest2; /* c + k1 Sgn(c - rest1) + k2 Sgn(c - rest2) */
@@ -57,16 +49,15 @@ static void reference_phase(const struct scallop_crawler *crawler, enum scallop_
   }
 }
 
-static void each_step_by_bisection(void **state)
+TEST(each_step_by_bisection)
 {
   struct random r = { 19880501 };
-  (void)state;
   for (int i = 0; i < REFERENCED; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(i % SMALL_PERIOD), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), v = v0, x = 0;
-    double fastest = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)) + fabs(v0);
+    double fastest = fastest_l(&c) + fabs(v0);
     int steps = 1 + random_below(&r, 40);
-    struct scallop_rival_period p = period_of(&c, v0, steps);
+    struct scallop_rival_period p = stepped(&c, v0, steps);
     reference_phase(&c, SCALLOP_EXTENSION, steps, &v, &x);
     CHECK_NEAR(p.v_mid, v, 1e-13 * fastest);
     reference_phase(&c, SCALLOP_CONTRACTION, steps, &v, &x);
@@ -74,8 +65,6 @@ static void each_step_by_bisection(void **state)
     CHECK_NEAR(p.displacement, x, 1e-13 * fastest * c.T);
   }
 }
-
-/* ---- the exact solver ---- */
 
 /* From the steady start, from rest, and from anything. */
 static double a_start(struct random *r, const struct scallop_crawler *c, int i)
@@ -85,41 +74,22 @@ static double a_start(struct random *r, const struct scallop_crawler *c, int i)
   return i % 3 == 0 ? steady.period.v_start : i % 3 == 1 ? 0 : random_start(r, c, SCALLOP_EXTENSION);
 }
 
-/* The larger error of v_end and of the displacement, in L/T, in L. */
-static double error_of(const struct scallop_crawler *c, double v0, const struct scallop_period_result *exact, long steps)
-{
-  struct scallop_rival_period p = period_of(c, v0, steps);
-  return fmax(fabs(p.v_end - exact->v_end) * c->T / c->L, fabs(p.displacement - exact->displacement) / c->L);
-}
-
-/* Slope of log worst against log steps, by least squares over all levels. */
-static double observed_order(const double worst[LEVELS])
-{
-  double sum = 0, weights = 0;
-  for (int level = 0; level < LEVELS; level++) {
-    double x = level - 0.5 * (LEVELS - 1);
-    sum -= x * log2(worst[level]) / 2; /* a level has four times the steps */
-    weights += x * x;
-  }
-  return sum / weights;
-}
-
-static void first_order(void **state)
+static void first_order(const struct scallop_gait *gait)
 {
   const double bound = 2;
-  const struct scallop_gait *gait = *state;
   double worst[LEVELS] = { 0 }, largest = 0;
   int regimes[3] = { 0 };
   struct random r = { 1999 };
   for (int i = 0; i < CRAWLERS; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, gait);
-    struct scallop_period_result exact;
     double v0 = a_start(&r, &c, i);
-    assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
+    struct scallop_period_result exact = period_of(&c, v0);
     regimes[exact.regime]++;
     for (int level = 0; level < LEVELS; level++) {
       long steps = COARSEST << 2 * level;
-      double share = error_of(&c, v0, &exact, steps) / crawler_eps(&c);
+      struct scallop_rival_period p = stepped(&c, v0, steps);
+      double error = fmax(distance(&c, &p, exact.v_end, exact.displacement), fabs(p.v_mid - exact.v_mid) * c.T / c.L);
+      double share = error / crawler_eps(&c);
       worst[level] = fmax(worst[level], share);
       largest = fmax(largest, share * (double)steps);
       CHECK_AT_MOST(share, bound / (double)steps);
@@ -128,60 +98,70 @@ static void first_order(void **state)
   for (int level = 1; level < LEVELS; level++)
     CHECK_AT_MOST(worst[level], 0.5 * worst[level - 1]);
   print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.3g eps/steps, order %.3f\n", gait->name, regimes[0],
-                regimes[1], regimes[2], largest, observed_order(worst));
-  CHECK_NEAR(observed_order(worst), 1, 0.1);
+                regimes[1], regimes[2], largest, observed_order(worst, LEVELS, 4));
+  CHECK_NEAR(observed_order(worst, LEVELS, 4), 1, 0.1);
   for (int i = 0; i < 3; i++)
     assert_true(regimes[i] >= 3);
 }
 
-/* No body turns: nothing is left of the error but rounding, and for the sinusoidal gait too. */
-static void exact_without_crossings(void **state)
+TEST(first_order_quadratic) { first_order(&scallop_gait_quadratic); }
+TEST(first_order_sinusoidal) { first_order(&scallop_gait_sinusoidal); }
+TEST(first_order_trapezoid) { first_order(&trapezoid_gait); }
+TEST(first_order_minimum_jerk) { first_order(&minimum_jerk_gait); }
+
+/* The steady state is a fixed point of the stepped map, to what the error of a period becomes: 1/(1 - multiplier) times as much. */
+TEST(steady_states)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_period_result exact;
-  (void)state;
-  c.gait = &scallop_gait_sinusoidal;
+  const long steps = 4096;
+  struct random r = { 31 };
+  for (int i = 0; i < 96; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i / 2 % SMOOTH_GAITS]);
+    c.alpha = random_between(&r, 0.2, 0.8);
+    set_eps(&c, i % 2 ? random_decades(&r, 2, 60) : random_decades(&r, 0.3, 5));
+    RIVAL(rival, scallop_moreau_rival(steps));
+    struct scallop_rival_steady s;
+    struct scallop_steady_result exact = steady_of(&c);
+    double bound = 2 * 2 * crawler_eps(&c) / (double)steps / (1 - exact.period.multiplier);
+    assert_int_equal(scallop_rival_root(rival, &c, 1e-3 * bound, NULL, &s), SCALLOP_OK);
+    CHECK_NEAR(s.v_start, exact.period.v_start, bound * c.L / c.T);
+    CHECK_NEAR(s.displacement, exact.period.displacement, bound * c.L);
+  }
+}
+
+/* No body turns: nothing is left of the error but rounding, and for the sinusoidal gait too. */
+TEST(exact_without_crossings)
+{
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   for (int direction = -1; direction <= 1; direction += 2) {
     double v0 = direction * 1013.7;
-    assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
+    struct scallop_period_result exact = period_of(&c, v0);
     for (long steps = 1; steps <= 1000; steps *= 10) {
-      struct scallop_rival_period p = period_of(&c, v0, steps);
+      struct scallop_rival_period p = stepped(&c, v0, steps);
       CHECK_RELATIVE(p.v_end, exact.v_end, 1e-13);
       CHECK_RELATIVE(p.displacement, exact.displacement, 1e-13);
     }
   }
 }
 
-/* ---- stuck ---- */
-
-/* Friction far above what the gait asks for: one body never moves. */
-static void at_rest(void **state)
+TEST(at_rest)
 {
-  (void)state;
   for (int i = 0; i < SMOOTH_GAITS; i++)
-    for (int heavy = 1; heavy <= 2; heavy++)
-      for (long steps = 1; steps <= 4096; steps *= 8) {
-        struct scallop_crawler c = scallop_crawler_default();
-        c.gait = every_gait[i];
-        c.F1 = heavy == 1 ? 4e5 : 1e3;
-        c.F2 = heavy == 1 ? 1e3 : 4e5;
-        struct scallop_rival_period p = period_of(&c, 0, steps);
-        CHECK_EQUAL(p.v_mid, 0);
-        CHECK_EQUAL(p.v_end, 0);
-        CHECK_NEAR(p.displacement, 0, 1e-13 * c.L);
-      }
+    for (long steps = 1; steps <= 4096; steps *= 8) {
+      RIVAL(rival, scallop_moreau_rival(steps));
+      check_rest(rival, every_gait[i], 1);
+      check_rest(rival, every_gait[i], 2);
+    }
 }
 
 /* The sawtooth ends its phases in motion: a body that is stuck is so to the last bit, or c would not be the other's
  * share of l'. */
-static void stuck_exactly(void **state)
+TEST(stuck_exactly)
 {
   struct scallop_crawler c = { 1, 2, 300, 7, 3, 1.7, 0.6, &sawtooth_gait };
   struct scallop_scaled s;
-  (void)state;
   for (int stuck = 1; stuck <= 2; stuck++) {
     assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
-    struct scallop_rival_period p = period_of(&c, 0.1, 1000);
+    struct scallop_rival_period p = stepped(&c, 0.1, 1000);
     double share = stuck == 1 ? s.mu2 : -s.mu1;
     CHECK_EQUAL(p.v_mid, share / s.fraction[SCALLOP_EXTENSION] * s.velocity);
     CHECK_EQUAL(p.v_end, -share / s.fraction[SCALLOP_CONTRACTION] * s.velocity);
@@ -190,84 +170,35 @@ static void stuck_exactly(void **state)
   }
 }
 
-/* ---- limits ---- */
-
-static void refused(const struct scallop_crawler *c, double v0, enum scallop_status wanted)
+TEST(bad_input)
 {
-  struct scallop_rival *rival = scallop_moreau_rival(100);
-  struct scallop_rival_period p, before;
-  memset(&p, 0x5a, sizeof p);
-  before = p;
-  assert_int_equal(rival->period(rival, c, v0, NULL, &p), wanted);
-  assert_memory_equal(&p, &before, sizeof p);
-  scallop_rival_destroy(rival);
-}
-
-static void bad_input(void **state)
-{
-  struct scallop_crawler good = scallop_crawler_default(), c = good;
-  (void)state;
+  struct scallop_crawler c = scallop_crawler_default();
   assert_null(scallop_moreau_rival(0));
   assert_null(scallop_moreau_rival(-1));
   if ((double)LONG_MAX > 0x1p53)
     assert_null(scallop_moreau_rival(LONG_MAX));
-  refused(&good, NAN, SCALLOP_EDOMAIN);
-  refused(&good, -INFINITY, SCALLOP_EDOMAIN);
-  refused(&good, 5e-324, SCALLOP_ERANGE);
-  c.alpha = 1;
-  refused(&c, 1, SCALLOP_EDOMAIN);
-  c = good;
-  c.gait = NULL;
-  refused(&c, 1, SCALLOP_EDOMAIN);
-  c = good;
-  c.T = 1e-200; /* eps underflows */
-  refused(&c, 1, SCALLOP_ERANGE);
-  c = good;
+  RIVAL(rival, scallop_moreau_rival(100));
+  check_refusals(rival);
   c.T = 100;
-  refused(&c, 1e307, SCALLOP_ERANGE); /* the displacement overflows */
-}
-
-static bool ends(void *context)
-{
-  int *left = context;
-  return --*left >= 0;
+  check_refused(rival, &c, 1e307, NULL, SCALLOP_ERANGE); /* the displacement overflows */
 }
 
 /* Patience is asked before the first step, and often: 6 times for 3 x 256 steps in each of two pieces of the
  * extension. */
-static void patience_ends(void **state)
+TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rival *rival = scallop_moreau_rival(6 * 256);
-  struct scallop_rival_period p, before, patient;
-  (void)state;
-  memset(&p, 0x5a, sizeof p);
-  before = p;
+  struct scallop_rival_period patient;
+  RIVAL(rival, scallop_moreau_rival(6 * 256));
   for (int questions = 0; questions <= 12; questions++) {
-    int left = questions;
-    struct scallop_patience patience = { ends, &left };
-    assert_int_equal(rival->period(rival, &c, 1, &patience, questions < 12 ? &p : &patient),
-                     questions < 12 ? SCALLOP_ESTOPPED : SCALLOP_OK);
-    assert_memory_equal(&p, &before, sizeof p);
+    long left = questions;
+    PATIENCE(patience, left);
+    if (questions < 12)
+      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+    else
+      assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
   }
-  assert_int_equal(rival->period(rival, &c, 1, NULL, &p), SCALLOP_OK);
-  CHECK_EQUAL(patient.v_end, p.v_end);
-  CHECK_EQUAL(patient.displacement, p.displacement);
-  scallop_rival_destroy(rival);
-}
-
-int main(void)
-{
-  struct scallop_gait quadratic = scallop_gait_quadratic, sinusoidal = scallop_gait_sinusoidal;
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(each_step_by_bisection),
-    { "first_order: quadratic", first_order, NULL, NULL, &quadratic },
-    { "first_order: sinusoidal", first_order, NULL, NULL, &sinusoidal },
-    cmocka_unit_test(exact_without_crossings),
-    cmocka_unit_test(at_rest),
-    cmocka_unit_test(stuck_exactly),
-    cmocka_unit_test(bad_input),
-    cmocka_unit_test(patience_ends),
-  };
-  return cmocka_run_group_tests_name("moreau", tests, NULL, NULL);
+  struct scallop_rival_period alone = rival_period(rival, &c, 1);
+  CHECK_EQUAL(patient.v_end, alone.v_end);
+  CHECK_EQUAL(patient.displacement, alone.displacement);
 }

@@ -81,11 +81,10 @@ static void solve_many(const struct scallop_crawler *one)
   (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, alpha, &phases, 1); /* from any start velocities */
 }
 
-static void no_solve_allocates(void **state)
+TEST(no_solve_allocates)
 {
   static struct scallop_crawler crawlers[CRAWLERS];
   struct random r = { 20261125 };
-  (void)state;
   for (int i = 0; i < CRAWLERS; i++)
     crawlers[i] = random_crawler(&r, (enum family)(i % FAMILIES), every_gait[i % ALL_GAITS]);
   solve(&crawlers[0]); /* what the C library does the first time is not ours */
@@ -96,10 +95,4 @@ static void no_solve_allocates(void **state)
   solve_many(crawlers);
   long after = counted();
   assert_true(after == 0 ? before == 0 : after == before + 1);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(no_solve_allocates) };
-  return cmocka_run_group_tests_name("no_allocation", tests, NULL, NULL);
 }

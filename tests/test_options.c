@@ -2,6 +2,7 @@
 #include "check.h"
 #include "compare/command/commands.h"
 #include "compare/command/list.h"
+#include "tests/said.h"
 
 struct some_options {
   struct request request;
@@ -9,11 +10,17 @@ struct some_options {
 };
 static const struct option options[] = {
   OPTION_T(NULL),
-  { "map", "X Y", "a map", NULL, &pair_option, offsetof(struct some_options, map), 0, 0, NULL, "a name" },
+  OPTION_TEXT("map", "X Y", "a map", NULL, some_options, map, "a name"),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
+static const struct option_rule rules[] = {
+  { "map", RULE_WITHOUT, "m2 T", NULL },
+  { "x quiet", RULE_WITH, "map T", "goes alone" },
+  { NULL, RULE_WITH, NULL, NULL },
+};
 static const struct command
+    ruled = { .name = "ruled", .options = options, .rules = rules, .size = sizeof(struct some_options) },
     one = { .name = "one", .operand = "FILE", .options = options, .size = sizeof(struct some_options) },
     many = { .name = "many", .operand = "SCENE.cfg...", .options = options, .size = sizeof(struct some_options) },
     none = { .name = "none", .options = options, .size = sizeof(struct some_options) };
@@ -102,6 +109,33 @@ static void values_are_counted(void **state)
   assert_int_equal(option_values(option_of(&many, "quiet")), 0);
 }
 
+/* An option is refused with one that it does not go with, and without the one that it needs. */
+static void rules_are_kept(void **state)
+{
+  (void)state;
+  static const struct {
+    const char *words, *message;
+  } cases[] = { { "", "" },
+                { "--map a b", "--map has nothing to do without --m2 T" },
+                { "--map a b --T 1", "" },
+                { "--quiet", "" },
+                { "--quiet --T 1", "--quiet goes alone" } };
+  for (int i = 0; i < 5; i++) {
+    struct arguments o;
+    struct said said;
+    enum exit_code code = EXIT_DONE;
+    char text[40];
+    snprintf(text, sizeof text, "%s", cases[i].words);
+    said_begin(&said);
+    bool read = read_words(&o, &ruled, text, &code);
+    said_end(&said);
+    assert_int_equal(read, *cases[i].message == '\0');
+    assert_true(read || code == EXIT_USAGE);
+    assert_non_null(strstr(said.text, cases[i].message));
+    options_free(&o);
+  }
+}
+
 /* Each command's struct has room where it is read, begins with the request, and each of its options a name of its own. */
 static void structs_have_room(void **state)
 {
@@ -124,6 +158,7 @@ int main(void)
     cmocka_unit_test(an_operand_is_wanted_or_refused),
     cmocka_unit_test(dots_at_the_end_mean_many),
     cmocka_unit_test(values_are_counted),
+    cmocka_unit_test(rules_are_kept),
     cmocka_unit_test(structs_have_room),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

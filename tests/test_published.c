@@ -16,8 +16,7 @@
 
 enum { POINTS = 2 };
 
-/* ---- points: m1, m2, F1, F2, T, l0, lT; l_start, l_end, v0, t1, dT, x_switch. F1 > F2, then F1 < F2 ---- */
-
+/* m1, m2, F1, F2, T, l0, lT; l_start, l_end, v0, t1, dT, x_switch. F1 > F2, then F1 < F2 */
 static const struct scallop_phase_point extension[POINTS] = {
   { 6743 / 4096., 4465 / 4096., 12979 / 4096., 7485 / 4096., 2459 / 4096., 37935 / 4096., -38861 / 4096., 0, 7089 / 4096.,
     2945 / 4096., 883 / 4096., 957 / 4096., -3521 / 4096. },
@@ -41,8 +40,6 @@ static const struct scallop_crawler crawler[POINTS] = {
   { 3353 / 4096., 5671 / 4096., 16901 / 4096., 6379 / 4096., 7727 / 4096., 2941 / 4096., 2599 / 4096., &lopsided },
   { 2949 / 4096., 3043 / 4096., 4217 / 4096., 13129 / 4096., 8005 / 4096., 4075 / 4096., 941 / 4096., &lopsided },
 };
-
-/* ---- the formulas, in the order of the paper ---- */
 
 struct wanted {
   const char *name;
@@ -170,8 +167,6 @@ static const struct {
 
 enum { FROM_REST = sizeof rest_of_contraction / sizeof *rest_of_contraction };
 
-/* ---- values ---- */
-
 /* Says which formula is off, and counts it, so that one run shows every difference. */
 static int differs(const char *name, int i, double got, double value, double size)
 {
@@ -188,9 +183,8 @@ static double value_at(const struct wanted *w, int i)
   return w->phase(w->setting == SCALLOP_MOVING_CONTRACTION ? &contraction[i] : &extension[i]);
 }
 
-static void every_formula_is_the_printed_one(void **state)
+TEST(every_formula_is_the_printed_one)
 {
-  (void)state;
   int differences = 0;
   for (const struct registry *r = registries; r < registries + REGISTRIES; r++)
     for (const struct wanted *w = r->wanted; w < r->wanted + r->count; w++)
@@ -208,9 +202,8 @@ static const char *name_of(double (*phase)(const struct scallop_phase_point *))
   return NULL;
 }
 
-static void rest_formulas_hold_for_a_contraction_with_the_bodies_exchanged(void **state)
+TEST(rest_formulas_hold_for_a_contraction_with_the_bodies_exchanged)
 {
-  (void)state;
   int differences = 0;
   for (int k = 0; k < FROM_REST; k++)
     for (int i = 0; i < POINTS; i++) {
@@ -221,9 +214,8 @@ static void rest_formulas_hold_for_a_contraction_with_the_bodies_exchanged(void 
   assert_int_equal(differences, 0);
 }
 
-static void froude_number_and_kinematic_length(void **state)
+TEST(froude_number_and_kinematic_length)
 {
-  (void)state;
   static const double froude[POINTS][2] = { { 1.4183941188428877, 1.5 }, { 0.68208503425879609, 0.69 } };
   static const double length[POINTS] = { 2.5684060060901695, 2.6608114505955489 };
   int differences = 0;
@@ -236,26 +228,22 @@ static void froude_number_and_kinematic_length(void **state)
 }
 
 /* "L_kin = L for a piecewise quadratic form [...] and pi^2 L / 8 for a sinusoidal form". */
-static void kinematic_length_of_the_two_gaits(void **state)
+TEST(kinematic_length_of_the_two_gaits)
 {
-  (void)state;
   double L = crawler[0].L, pi2 = 9.8696044010893586188;
   CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_quadratic, SCALLOP_EXTENSION, L), L, ROUNDING);
   CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_sinusoidal, SCALLOP_EXTENSION, L), pi2 / 8 * L, ROUNDING);
 }
 
-/* ---- how the printed formulas compare with each other: the sizes are the sums of those in the table ---- */
-
-static void equations_26_and_27_agree(void **state)
+/* How the printed formulas compare with each other: the sizes are the sums of those in the table. */
+TEST(equations_26_and_27_agree)
 {
-  (void)state;
   for (int i = 0; i < POINTS; i++)
     CHECK_NEAR(scallop_text_steady_velocity_l0_lT(&crawler[i]), scallop_text_steady_velocity(&crawler[i]), ROUNDING * 4);
 }
 
-static void equation_23_and_A25_differ_by_the_sign_of_the_last_term(void **state)
+TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
 {
-  (void)state;
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *p = &extension[i];
     double last = p->v0 * 2 * p->F1 / (p->m2 * p->l0) * p->T * p->T * p->T;
@@ -263,9 +251,8 @@ static void equation_23_and_A25_differ_by_the_sign_of_the_last_term(void **state
   }
 }
 
-static void equation_24_and_B12_differ_by_the_factor_T2(void **state)
+TEST(equation_24_and_B12_differ_by_the_factor_T2)
 {
-  (void)state;
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *p = &contraction[i];
     double friction = -(p->F1 - p->F2) / (p->m1 + p->m2) * p->T;
@@ -276,9 +263,8 @@ static void equation_24_and_B12_differ_by_the_factor_T2(void **state)
 }
 
 /* Appendix B is appendix A with the bodies exchanged, except where one of them is misprinted. */
-static void appendix_B_is_appendix_A_exchanged(void **state)
+TEST(appendix_B_is_appendix_A_exchanged)
 {
-  (void)state;
   static const struct {
     const char *name;
     double (*a)(const struct scallop_phase_point *), (*b)(const struct scallop_phase_point *);
@@ -305,9 +291,8 @@ static void appendix_B_is_appendix_A_exchanged(void **state)
 }
 
 /* The third line of (A.17) is the second with its products written out; that of (B.7) is so only with 1/2 in front of m1 l''(0) t1^2/M. */
-static void lines_of_A17_and_B7(void **state)
+TEST(lines_of_A17_and_B7)
 {
-  (void)state;
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *a = &extension[i], *b = &contraction[i];
     CHECK_NEAR(scallop_A_x1_switch_collected(a), scallop_A_x1_switch_from_times(a), ROUNDING * 9.4);
@@ -316,8 +301,6 @@ static void lines_of_A17_and_B7(void **state)
     assert_true(fabs(half) > 0.01);
   }
 }
-
-/* ---- points ---- */
 
 static void check_point(const struct scallop_crawler *c, enum scallop_phase_kind kind, double T, double l0)
 {
@@ -338,9 +321,8 @@ static void check_point(const struct scallop_crawler *c, enum scallop_phase_kind
 }
 
 /* l'' = +-4 L/T^2 for the quadratic gait, +-(pi^2/2) L/T^2 for the sinusoidal one; T of the phase. */
-static void phase_points(void **state)
+TEST(phase_points)
 {
-  (void)state;
   struct scallop_crawler c = { 1.25, 0.75, 3.5, 1.125, 2.5, 0.625, 0.6875, &scallop_gait_quadratic };
   check_point(&c, SCALLOP_EXTENSION, 0.4296875, 10);    /* 11/16 5/8 = 55/128 */
   check_point(&c, SCALLOP_CONTRACTION, 0.1953125, -10); /*  5/16 5/8 = 25/128 */
@@ -349,9 +331,8 @@ static void phase_points(void **state)
   check_point(&c, SCALLOP_CONTRACTION, 0.1953125, -12.337005501361698274); /* 5/4 pi^2 */
 }
 
-static void exchanged_is_the_same_motion(void **state)
+TEST(exchanged_is_the_same_motion)
 {
-  (void)state;
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *p = &contraction[i];
     struct scallop_phase_point x = scallop_exchanged(p);
@@ -377,17 +358,14 @@ static void check_exchanged_twice(const struct scallop_phase_point *p)
   assert_memory_not_equal(&once, p, sizeof once);
 }
 
-static void exchanged_twice_is_the_identity(void **state)
+TEST(exchanged_twice_is_the_identity)
 {
-  (void)state;
   _Static_assert(sizeof(struct scallop_phase_point) == 13 * sizeof(double), "no padding");
   for (int i = 0; i < POINTS; i++) {
     check_exchanged_twice(&extension[i]);
     check_exchanged_twice(&contraction[i]);
   }
 }
-
-/* ---- the registry ---- */
 
 static int registry_length(const struct registry *r)
 {
@@ -397,71 +375,28 @@ static int registry_length(const struct registry *r)
   return n;
 }
 
-/* All that asymptotics.h declares but text_froude, once each and in the order of the paper. */
-static void registry_lists_every_formula(void **state)
+/* All that asymptotics.h declares but text_froude, once each and in the order of the paper, with what is printed beside it */
+TEST(registry_lists_every_formula)
 {
-  (void)state;
   for (const struct registry *r = registries; r < registries + REGISTRIES; r++) {
     assert_int_equal(registry_length(r), r->count);
     for (int k = 0; k < r->count; k++) {
       const struct scallop_formula *f = &r->formulas[k];
-      assert_string_equal(f->name, r->wanted[k].name);
-      assert_true(f->phase == r->wanted[k].phase);
-      assert_true(f->steady == r->wanted[k].steady);
-      assert_true(!f->phase != !f->steady);
+      const struct wanted *w = &r->wanted[k];
+      assert_string_equal(f->name, w->name);
+      assert_true(f->phase == w->phase && f->steady == w->steady && !f->phase != !f->steady);
+      if (strcmp(f->equation, w->equation) != 0 || f->setting != w->setting || f->quantity != w->quantity
+          || f->remainder != w->remainder)
+        fail_msg("%s: %s, setting %d, quantity %d, remainder %d", f->name, f->equation, (int)f->setting, (int)f->quantity,
+                 f->remainder);
     }
   }
 }
 
-static bool is_as_printed(const struct scallop_formula *f, const struct wanted *w)
+TEST(registry_names_are_unique)
 {
-  return strcmp(f->equation, w->equation) == 0 && f->setting == w->setting && f->quantity == w->quantity
-         && f->remainder == w->remainder;
-}
-
-static void registry_says_what_is_printed(void **state)
-{
-  (void)state;
-  int differences = 0;
-  for (const struct registry *r = registries; r < registries + REGISTRIES; r++)
-    for (int k = 0; k < r->count; k++) {
-      const struct scallop_formula *f = &r->formulas[k];
-      if (is_as_printed(f, &r->wanted[k]))
-        continue;
-      print_error("%s: %s, setting %d, quantity %d, remainder %d\n", f->name, f->equation, (int)f->setting, (int)f->quantity,
-                  f->remainder);
-      differences++;
-    }
-  assert_int_equal(differences, 0);
-}
-
-static void registry_names_are_unique(void **state)
-{
-  (void)state;
   const struct registry *r = registries;
   for (int k = 0, n = registry_length(r); k < n; k++)
     for (int j = 0; j < k; j++)
       assert_string_not_equal(r->formulas[k].name, r->formulas[j].name);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(every_formula_is_the_printed_one),
-    cmocka_unit_test(rest_formulas_hold_for_a_contraction_with_the_bodies_exchanged),
-    cmocka_unit_test(froude_number_and_kinematic_length),
-    cmocka_unit_test(kinematic_length_of_the_two_gaits),
-    cmocka_unit_test(equations_26_and_27_agree),
-    cmocka_unit_test(equation_23_and_A25_differ_by_the_sign_of_the_last_term),
-    cmocka_unit_test(equation_24_and_B12_differ_by_the_factor_T2),
-    cmocka_unit_test(appendix_B_is_appendix_A_exchanged),
-    cmocka_unit_test(lines_of_A17_and_B7),
-    cmocka_unit_test(phase_points),
-    cmocka_unit_test(exchanged_is_the_same_motion),
-    cmocka_unit_test(exchanged_twice_is_the_identity),
-    cmocka_unit_test(registry_lists_every_formula),
-    cmocka_unit_test(registry_says_what_is_printed),
-    cmocka_unit_test(registry_names_are_unique),
-  };
-  return cmocka_run_group_tests_name("published", tests, NULL, NULL);
 }

@@ -9,16 +9,15 @@
 #include "numerics/odeiv.h"
 #include "numerics/smoothed.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 /* In units of L/T, with eps = T^2 (F1 + F2)/(M L); m1 = m2 and F1 = 4 F2, L and
  * T as they come. */
-static struct scallop_crawler in_units(double L, double T, double eps, double alpha, const struct scallop_gait *gait)
+static struct scallop_crawler crawler_in(double L, double T, double eps, double alpha, const struct scallop_gait *gait)
 {
   double friction = eps * (L / T) / T, M = friction < 1 ? 1e9 : 1; /* friction: (F1 + F2)/M */
   return (struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction, 0.2 * M * friction, L, T, alpha, gait };
 }
-
-/* ---- one phase ---- */
 
 enum phase_number { V_END, DX1, DX2, DXC, T1, DT, PHASE_NUMBERS };
 static const char *const phase_names[] = { "v_end", "dx1", "dx2", "dxC", "t1", "dT" };
@@ -41,19 +40,14 @@ static const struct {
   { 1e-290, 2e-300, 1e-9, 0, DT },
 };
 
-static void one_phase(void **state)
+TEST(one_phase)
 {
-  (void)state;
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    struct scallop_crawler c = in_units(phases[i].L, phases[i].T, phases[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_crawler moderate = in_units(1, 2, phases[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_phase_result r;
+    struct scallop_crawler c = crawler_in(phases[i].L, phases[i].T, phases[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler moderate = crawler_in(1, 2, phases[i].eps, 0.5, &scallop_gait_quadratic);
     double x[PHASE_NUMBERS], tau = c.T / 2;
-    memset(&r, 7, sizeof r);
-    const struct scallop_phase_result before = r;
-    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, phases[i].v0 * (c.L / tau), &r), SCALLOP_ERANGE);
-    assert_memory_equal(&r, &before, sizeof r);
-    assert_int_equal(scallop_phase(&moderate, SCALLOP_EXTENSION, phases[i].v0, &r), SCALLOP_OK);
+    REFUSES(scallop_phase_result, scallop_phase(&c, SCALLOP_EXTENSION, phases[i].v0 * (c.L / tau), &out), SCALLOP_ERANGE);
+    struct scallop_phase_result r = phase_of(&moderate, SCALLOP_EXTENSION, phases[i].v0);
     take(x, &r);
     const double unit[PHASE_NUMBERS] = { c.L / tau, c.L, c.L, c.L, tau, tau };
     for (int q = 0; q <= (int)phases[i].first; q++)
@@ -61,8 +55,6 @@ static void one_phase(void **state)
         fail_msg("%zu: %s = %g", i, phase_names[q], x[q] * unit[q]);
   }
 }
-
-/* ---- one period, and the rivals ---- */
 
 static void check_rivals(const struct scallop_crawler *c, double v0)
 {
@@ -77,9 +69,8 @@ static void check_rivals(const struct scallop_crawler *c, double v0)
     }
 }
 
-static void one_period(void **state)
+TEST(one_period)
 {
-  (void)state;
   static const struct {
     double L, T, eps, v0;
     bool overflows;
@@ -90,27 +81,20 @@ static void one_period(void **state)
     { 1e308, 1e3, 0.5, -50, true },
   };
   for (size_t i = 0; i < sizeof periods / sizeof *periods; i++) {
-    struct scallop_crawler c = in_units(periods[i].L, periods[i].T, periods[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_crawler moderate = in_units(1, 1, periods[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_period_result r;
-    memset(&r, 7, sizeof r);
-    const struct scallop_period_result before = r;
+    struct scallop_crawler c = crawler_in(periods[i].L, periods[i].T, periods[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler moderate = crawler_in(1, 1, periods[i].eps, 0.5, &scallop_gait_quadratic);
     double v0 = periods[i].v0 * (c.L / c.T);
-    assert_int_equal(scallop_period(&c, v0, &r), SCALLOP_ERANGE);
-    assert_memory_equal(&r, &before, sizeof r);
+    REFUSES(scallop_period_result, scallop_period(&c, v0, &out), SCALLOP_ERANGE);
     if (periods[i].overflows)
       check_rivals(&c, v0);
-    assert_int_equal(scallop_period(&moderate, periods[i].v0, &r), SCALLOP_OK);
+    struct scallop_period_result r = period_of(&moderate, periods[i].v0);
     assert_int_equal(in_range(r.v_mid * (c.L / c.T)), i != 0);
     assert_int_equal(in_range(r.v_mid * (c.L / c.T)) && in_range(r.v_end * (c.L / c.T)), i > 1);
   }
 }
 
-/* ---- the steady state ---- */
-
-static void steady_states(void **state)
+TEST(steady_states)
 {
-  (void)state;
   static const struct {
     double L, T, eps, alpha;
   } states[] = {
@@ -120,23 +104,17 @@ static void steady_states(void **state)
     { 3e-308, 1e-10, 0.1, 0.75 }, /* the displacement            */
   };
   for (size_t i = 0; i < sizeof states / sizeof *states; i++) {
-    struct scallop_crawler c = in_units(states[i].L, states[i].T, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
-    struct scallop_steady_result r;
-    memset(&r, 7, sizeof r);
-    const struct scallop_steady_result before = r;
-    assert_int_equal(scallop_steady(&c, &r), SCALLOP_ERANGE);
-    assert_memory_equal(&r, &before, sizeof r);
+    struct scallop_crawler c = crawler_in(states[i].L, states[i].T, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
+    REFUSES(scallop_steady_result, scallop_steady(&c, &out), SCALLOP_ERANGE);
     if (i > 0) {
-      struct scallop_crawler moderate = in_units(1, 1, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
-      assert_int_equal(scallop_steady(&moderate, &r), SCALLOP_OK);
+      struct scallop_crawler moderate = crawler_in(1, 1, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
+      struct scallop_steady_result r = steady_of(&moderate);
       double velocity = c.L / c.T;
       assert_int_equal(in_range(r.period.v_start * velocity), i != 1);
       assert_int_equal(in_range(r.period.v_start * velocity) && in_range(r.period.v_mid * velocity), i > 2);
     }
   }
 }
-
-/* ---- trajectories ---- */
 
 struct last_sample {
   long count;
@@ -157,11 +135,10 @@ static const struct {
 } motions[] = { { 1e308, 1e3, 0.5, -1 },  { 1e308, 1e3, 0.5, 1 },  { 1e308, 1e3, 1e-3, 0.5 },
                 { 8e307, 1, 0.01, -0.5 }, { 8e307, 1, 0.01, 0.5 }, { 1e10, 1e308, 1e300, 0 } };
 
-static void trajectories(void **state)
+TEST(trajectories)
 {
-  (void)state;
   for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
-    struct scallop_crawler c = in_units(motions[i].L, motions[i].T, motions[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(motions[i].L, motions[i].T, motions[i].eps, 0.5, &scallop_gait_quadratic);
     struct last_sample last = { 0 };
     assert_int_equal(scallop_trajectory(&c, motions[i].v0 * (c.L / c.T), 10, 64, keep, &last), SCALLOP_ERANGE);
     assert_true(last.count > 1 && last.count < 10 * 64);
@@ -169,17 +146,16 @@ static void trajectories(void **state)
   }
 }
 
-static void smoothed_phases(void **state)
+TEST(smoothed_phases)
 {
-  (void)state;
   enum { TIMES = 50 };
   static const double v0[] = { -50, 50, 1.45, -0.5, 0.5 };
   struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6);
   assert_non_null(rival);
   for (int i = 0; i < 5; i++) {
     bool fast = i >= 3; /* velocities overflow, and not positions */
-    struct scallop_crawler c = in_units(fast ? 8e307 : 1e308, fast ? 1 : 2e3, fast ? 0.01 : 0.1, 0.5,
-                                        &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(fast ? 8e307 : 1e308, fast ? 1 : 2e3, fast ? 0.01 : 0.1, 0.5,
+                                          &scallop_gait_quadratic);
     struct last_sample last = { 0 };
     double times[TIMES], unit = fast ? c.L / c.T : 2 * (c.L / c.T);
     for (int k = 0; k < TIMES; k++)
@@ -194,26 +170,17 @@ static void smoothed_phases(void **state)
 
 /* The bracket of the root, 1.01 times the largest velocity of a body, is beyond
  * the range. */
-static void a_root_beyond(void **state)
+TEST(a_root_beyond)
 {
-  (void)state;
   struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6);
   assert_non_null(rival);
   for (int lopsided = 0; lopsided < 2; lopsided++) { /* then forward only */
-    struct scallop_crawler c = in_units(lopsided ? 5e307 : 8.95e307, 1, 0.01, lopsided ? 0.3 : 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(lopsided ? 5e307 : 8.95e307, 1, 0.01, lopsided ? 0.3 : 0.5,
+                                          &scallop_gait_quadratic);
     struct scallop_rival_steady steady = { .v_start = 7 };
     c.m1 = lopsided ? c.m2 / 9 : c.m1;
     assert_int_equal(scallop_rival_root(rival, &c, 1e-6, NULL, &steady), SCALLOP_ERANGE);
     CHECK_EQUAL(steady.v_start, 7);
   }
   scallop_rival_destroy(rival);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(one_phase),    cmocka_unit_test(one_period),      cmocka_unit_test(steady_states),
-    cmocka_unit_test(trajectories), cmocka_unit_test(smoothed_phases), cmocka_unit_test(a_root_beyond),
-  };
-  return cmocka_run_group_tests_name("range", tests, NULL, NULL);
 }

@@ -14,9 +14,8 @@ static void judge(const struct stress_case *stressed)
     if (stress_broken(&j, q)) {
       const struct stress_number *n = &j.number[q];
       stress_arguments(stressed, text);
-      print_error("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s\n",
-                  stress_quantity_name(stressed->kind, q), n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
-      fail();
+      fail_msg("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s", stress_quantity_name(stressed->kind, q),
+               n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
     }
 }
 
@@ -31,9 +30,8 @@ static struct stress_case draw(struct random *r, const struct scallop_gait *gait
   return s;
 }
 
-static void within_units(void **state)
+TEST(within_units)
 {
-  (void)state;
   struct random r = { 20261501 };
   struct rises g;
   for (int i = 0; i < 42; i++) {
@@ -46,9 +44,8 @@ static void within_units(void **state)
 }
 
 /* Three rises of 1e-8 between dwells: dx1 was off by 7e6 units. */
-static void steps_of_a_motor(void **state)
+TEST(steps_of_a_motor)
 {
-  (void)state;
   struct rises g = { .knots = { { { 0 } }, { { 0, 1, 0 }, { 1, 0, 0 } } } };
   const struct scallop_knot *const knots[2] = { g.knots[0], g.knots[1] };
   const double times[8] = { 0, 1, 1.00000001, 2, 2.00000001, 3, 3.00000001 }, lengths[8] = { 0, 0, 1, 1, 2, 2, 3 };
@@ -66,9 +63,8 @@ static void steps_of_a_motor(void **state)
 }
 
 /* Where friction brings all to rest v_start is 0, and not -0. */
-static void no_minus_zero(void **state)
+TEST(no_minus_zero)
 {
-  (void)state;
   struct random r = { 20261502 };
   struct rises g;
   int zeros = 0;
@@ -84,11 +80,4 @@ static void no_minus_zero(void **state)
     }
   }
   assert_true(zeros > 60);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(within_units), cmocka_unit_test(steps_of_a_motor),
-                                      cmocka_unit_test(no_minus_zero) };
-  return cmocka_run_group_tests_name("rises", tests, NULL, NULL);
 }

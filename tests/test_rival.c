@@ -2,18 +2,15 @@
  * the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
 #include "tests/check.h"
 
-#include <float.h>
-
 #include <gsl/gsl_errno.h>
 
 #include "numerics/odeiv.h"
-#include "tests/random_crawler.h"
+#include "tests/rivals.h"
 
 enum { CRAWLERS = 40, STEPPERS = 3 };
-static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_odeiv.c */
+static const double bound_of[STEPPERS] = { 32, 32, 512 }; /* of tests/test_integrators.c */
 
-/* ---- maps whose answer is known, in units where L/T = 1 ---- */
-
+/* A map whose answer is known, in units where L/T = 1 */
 struct map {
   struct scallop_rival rival;
   double (*value)(struct map *map, double v);
@@ -83,10 +80,9 @@ static struct scallop_rival_steady simulated(struct map *m, double v0, double to
 }
 
 /* To the tolerance, after few more periods than the change needs to fall to it. */
-static void simulates_slow_maps(void **state)
+TEST(simulates_slow_maps)
 {
   const double multipliers[] = { 0, 3e-3, 0.5, 0.99, 0.9999, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-6, 1e-9 };
-  (void)state;
   for (size_t i = 0; i < sizeof multipliers / sizeof *multipliers; i++)
     for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
@@ -103,29 +99,26 @@ static void simulates_slow_maps(void **state)
 }
 
 /* Begun near the end, where rounding leaves two digits of a change and so none of 1 - m. */
-static void rounding_does_not_end_a_simulation(void **state)
+TEST(rounding_does_not_end_a_simulation)
 {
   struct map m = map_of(rounded, 1 - 1e-6, -0.385);
-  (void)state;
   struct scallop_rival_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
   CHECK_NEAR(s.v_start, -0.385, 1.385e-9);
 }
 
 /* A change that stays the same is no reason to end, nor to believe the end is near. */
-static void simulates_what_is_braked(void **state)
+TEST(simulates_what_is_braked)
 {
   struct map m = map_of(braked, 0.9, 0.25);
-  (void)state;
   struct scallop_rival_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
   CHECK_NEAR(s.v_start, 0.25, 1.25e-8);
   assert_true(s.periods > 19000);
 }
 
 /* With a tolerance that the noise of the map does not allow, the simulation ends where the noise does. */
-static void noise_ends_a_simulation(void **state)
+TEST(noise_ends_a_simulation)
 {
   const double multipliers[] = { 0.5, 0.99, 0.9999 };
-  (void)state;
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 2; k++) {
       struct map m = map_of(noisy, multipliers[i], 0.731);
@@ -145,10 +138,9 @@ static void noise_ends_a_simulation(void **state)
   assert_int_equal(simulated(&m, 0.3, 1e-9, SCALLOP_OK).periods, 1);
 }
 
-static void simulation_passes_failures_on(void **state)
+TEST(simulation_passes_failures_on)
 {
   struct map m = map_of(linear, 3, 0);
-  (void)state;
   assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ERANGE).v_start)); /* runs away */
   m.status = SCALLOP_ECONVERGE;
   assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ECONVERGE).v_start));
@@ -166,10 +158,9 @@ static struct scallop_rival_steady rooted(struct map *m, double tolerance, enum 
   return s;
 }
 
-static void roots_of_maps(void **state)
+TEST(roots_of_maps)
 {
   const double multipliers[] = { 0, 0.5, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-9, 0 };
-  (void)state;
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
@@ -190,10 +181,9 @@ static void roots_of_maps(void **state)
 }
 
 /* A map that does not slow down what is too fast has no root that could be trusted. */
-static void no_root(void **state)
+TEST(no_root)
 {
   struct map m = map_of(escaping, 1, 0);
-  (void)state;
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
   m = map_of(linear, 1, 0); /* nor one that changes nothing */
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
@@ -207,54 +197,36 @@ static void no_root(void **state)
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
 }
 
-/* ---- GSL's integrators beside the exact solver ---- */
-
-static double worst_share;
-
-static void check_share(double got, double wanted, double tolerance)
+static struct scallop_rival *make(int stepper, double tolerance)
 {
-  worst_share = fmax(worst_share, fabs(got - wanted) / tolerance);
-  CHECK_NEAR(got, wanted, tolerance);
+  return scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance);
 }
 
-/* By root and by simulation. The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that
- * differs on the two sides of the steady state. */
-static void compare(const struct scallop_crawler *c, enum scallop_odeiv_stepper stepper, double tolerance, double v0)
+/* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two sides of the steady
+ * state. */
+static void compare(const struct scallop_crawler *c, int stepper, double tolerance, double v0)
 {
-  struct scallop_rival *rival = scallop_odeiv_rival(stepper, tolerance);
-  struct scallop_rival_steady s;
-  struct scallop_steady_result exact;
-  assert_non_null(rival);
-  assert_int_equal(scallop_steady(c, &exact), SCALLOP_OK);
-  double v = exact.period.v_start, size = c->L / (c->T * fmin(c->alpha, 1 - c->alpha)) + fabs(v);
-  double off = (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier);
-  assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), SCALLOP_OK);
-  check_share(s.v_start, v, off);
-  check_share(s.displacement, exact.period.displacement, off * c->T);
-  assert_true(s.periods > 2 && s.periods <= s.root_iterations + 2 && s.root_iterations < 60);
-  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), SCALLOP_OK);
-  check_share(s.v_start, v, off);
-  check_share(s.displacement, exact.period.displacement, off * c->T);
-  scallop_rival_destroy(rival);
+  RIVAL(rival, make(stepper, tolerance));
+  struct scallop_steady_result exact = steady_of(c);
+  double size = fastest_l(c) + fabs(exact.period.v_start);
+  check_steady(rival, c, v0, tolerance, (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier));
 }
 
-static void agrees(void **state)
+static void agrees_for(const struct scallop_gait *gait)
 {
-  const struct scallop_gait *gait = scallop_gait_named(*state);
   struct random r = { 2718 };
   int regimes[3] = { 0 };
   worst_share = 0;
   for (int i = 0; i < CRAWLERS; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : EQUAL_FORCES, gait);
-    struct scallop_steady_result exact;
     set_eps(&c, i % 2 ? random_decades(&r, 1, 300) : random_decades(&r, 0.1, 1));
     c.F1 *= i % 4 ? 1 : 3;
     c.alpha = random_between(&r, 0.2, 0.8);
-    assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+    struct scallop_steady_result exact = steady_of(&c);
     regimes[exact.period.regime]++;
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
     for (int stepper = 0; stepper < STEPPERS; stepper++)
-      compare(&c, (enum scallop_odeiv_stepper)stepper, i % 3 ? 1e-9 : 1e-6, v0);
+      compare(&c, stepper, i % 3 ? 1e-9 : 1e-6, v0);
   }
   print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0], regimes[1],
                 regimes[2], worst_share);
@@ -262,146 +234,116 @@ static void agrees(void **state)
     assert_true(regimes[i] >= 3);
 }
 
+TEST(agrees_quadratic) { agrees_for(&scallop_gait_quadratic); }
+TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
+
 /* A body that has been stuck forgets how it began: the third period shows that nothing changes. */
-static void forgets_at_once(void **state)
+TEST(forgets_at_once)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_steady_result exact;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_rival_steady s;
-  (void)state;
-  c.gait = &scallop_gait_sinusoidal;
   c.T = 6;
-  assert_int_equal(scallop_steady(&c, &exact), SCALLOP_OK);
+  struct scallop_steady_result exact = steady_of(&c);
   CHECK_EQUAL(exact.period.multiplier, 0);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+    RIVAL(rival, make(stepper, 1e-9));
     assert_int_equal(scallop_rival_simulate(rival, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
     assert_true(s.periods <= 3 && s.events > 0);
-    compare(&c, (enum scallop_odeiv_stepper)stepper, 1e-9, 0.37);
-    scallop_rival_destroy(rival);
+    compare(&c, stepper, 1e-9, 0.37);
   }
 }
 
 /* Nothing tells forward from backward: the crawler stays where it is. */
-static void goes_nowhere(void **state)
+TEST(goes_nowhere)
 {
   struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, NULL };
   struct scallop_rival_steady s;
-  (void)state;
   for (int i = 0; scallop_gait_name(i); i++)
     for (int stepper = 0; stepper < STEPPERS; stepper++) {
       c.gait = scallop_gait_named(scallop_gait_name(i));
-      struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-9);
+      RIVAL(rival, make(stepper, 1e-9));
       assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
       assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-      scallop_rival_destroy(rival);
     }
 }
 
-/* ---- patience ---- */
-
-struct counter {
-  long asked, most;
-};
-
-static bool count_down(void *context)
+TEST(patience_in_a_period)
 {
-  struct counter *c = context;
-  return ++c->asked <= c->most;
-}
-
-static void patience_in_a_period(void **state)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  (void)state;
-  c.gait = &scallop_gait_sinusoidal;
+  const long enough = 1000000;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival *rival = scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, 1e-11);
-    struct scallop_rival_period whole, p;
-    struct counter counter = { 0, 1000000 };
-    const struct scallop_patience patience = { count_down, &counter };
+    RIVAL(rival, make(stepper, 1e-11));
+    struct scallop_rival_period whole;
+    long left = enough;
+    PATIENCE(patience, left);
     assert_int_equal(rival->period(rival, &c, 1.3, &patience, &whole), SCALLOP_OK);
-    assert_true(2 * counter.asked > whole.steps); /* those that are rejected are not asked for */
-    for (long most = 0, asked = counter.asked; most < asked; most += asked / 7) {
-      counter = (struct counter){ 0, most };
-      memset(&p, 0x5a, sizeof p);
-      const struct scallop_rival_period before = p;
-      assert_int_equal(rival->period(rival, &c, 1.3, &patience, &p), SCALLOP_ESTOPPED);
-      assert_int_equal(counter.asked, most + 1);
-      assert_memory_equal(&p, &before, sizeof p);
+    long asked = enough - left;
+    assert_true(2 * asked > whole.steps); /* those that are rejected are not asked for */
+    for (long most = 0; most < asked; most += asked / 7) {
+      left = most;
+      check_refused(rival, &c, 1.3, &patience, SCALLOP_ESTOPPED);
+      assert_int_equal(left, -1);
     }
-    assert_int_equal(rival->period(rival, &c, 1.3, NULL, &p), SCALLOP_OK); /* and as good as new */
-    CHECK_EQUAL(p.v_end, whole.v_end);
-    scallop_rival_destroy(rival);
+    CHECK_EQUAL(rival_period(rival, &c, 1.3).v_end, whole.v_end); /* and as good as new */
   }
 }
 
 /* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. */
-static void patience_in_a_search(void **state)
+TEST(patience_in_a_search)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-12);
+  RIVAL(rival, make(SCALLOP_ODEIV_RKF45, 1e-12));
   struct scallop_rival_steady s;
-  struct counter counter = { 0, 0 };
-  const struct scallop_patience patience = { count_down, &counter };
-  (void)state;
+  long left = 0;
+  PATIENCE(patience, left);
   c.T = 1e-4;
   assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, 0.25);
   CHECK_EQUAL(s.displacement, NAN);
   assert_int_equal(s.periods, 0);
+  left = 0;
   assert_int_equal(scallop_rival_root(rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, NAN);
   CHECK_EQUAL(s.displacement, NAN);
-  counter = (struct counter){ 0, 20000 };
+  left = 20000;
   assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 100 && s.v_start != 0.25 && isfinite(s.displacement));
-  counter = (struct counter){ 0, 60 };
+  left = 60;
   assert_int_equal(scallop_rival_root(rival, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 2 && isfinite(s.v_start) && isfinite(s.displacement));
-  scallop_rival_destroy(rival);
 }
 
 /* It ends a search also of a rival that never asks. */
-static void patience_between_periods(void **state)
+TEST(patience_between_periods)
 {
   struct map m = map_of(linear, 1 - 1e-6, 0.2);
   struct scallop_crawler c = unit_crawler();
   struct scallop_rival_steady s;
-  struct counter counter = { 0, 11 };
-  const struct scallop_patience patience = { count_down, &counter };
-  (void)state;
+  long left = 11;
+  PATIENCE(patience, left);
   assert_int_equal(scallop_rival_simulate(&m.rival, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 11);
   CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
-  counter = (struct counter){ 0, 3 };
+  left = 3;
   assert_int_equal(scallop_rival_root(&m.rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 3);
 }
 
-/* ---- bad input ---- */
-
 static void refused(const struct scallop_crawler *c, double v0, double tolerance, enum scallop_status wanted)
 {
-  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-9);
-  struct scallop_rival_steady s, before;
-  memset(&s, 0x5a, sizeof s);
-  before = s;
-  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), wanted);
+  RIVAL(rival, make(SCALLOP_ODEIV_RKF45, 1e-9));
+  REFUSES(scallop_rival_steady, scallop_rival_simulate(rival, c, v0, tolerance, NULL, &out), wanted);
   if (isfinite(v0))
-    assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), wanted);
-  assert_memory_equal(&s, &before, sizeof s);
-  scallop_rival_destroy(rival);
+    REFUSES(scallop_rival_steady, scallop_rival_root(rival, c, tolerance, NULL, &out), wanted);
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
   const double bad_tolerances[] = { -1e-9, NAN, INFINITY }, bad_settings[] = { 0, 0.2, -1, 1e-17, NAN, INFINITY };
   struct scallop_crawler good = scallop_crawler_default(), c = good;
   struct map m = map_of(linear, 0.5, 0);
-  (void)state;
   for (int i = 0; i < 3; i++)
     refused(&good, 1, bad_tolerances[i], SCALLOP_EDOMAIN);
   refused(&good, NAN, 1e-9, SCALLOP_EDOMAIN);
@@ -422,24 +364,6 @@ static void bad_input(void **state)
 
 int main(void)
 {
-  static char quadratic[] = "quadratic", sinusoidal[] = "sinusoidal";
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(simulates_slow_maps),
-    cmocka_unit_test(rounding_does_not_end_a_simulation),
-    cmocka_unit_test(simulates_what_is_braked),
-    cmocka_unit_test(noise_ends_a_simulation),
-    cmocka_unit_test(simulation_passes_failures_on),
-    cmocka_unit_test(roots_of_maps),
-    cmocka_unit_test(no_root),
-    { "agrees: quadratic", agrees, NULL, NULL, quadratic },
-    { "agrees: sinusoidal", agrees, NULL, NULL, sinusoidal },
-    cmocka_unit_test(forgets_at_once),
-    cmocka_unit_test(goes_nowhere),
-    cmocka_unit_test(patience_in_a_period),
-    cmocka_unit_test(patience_in_a_search),
-    cmocka_unit_test(patience_between_periods),
-    cmocka_unit_test(bad_input),
-  };
   gsl_set_error_handler_off();
-  return cmocka_run_group_tests_name("rival", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

@@ -26,9 +26,8 @@ static double between(const struct power *p, double from, double to)
   return root_between(power, p, a, b);
 }
 
-static void at_the_ends(void **state)
+TEST(at_the_ends)
 {
-  (void)state;
   for (int n = 1; n <= 3; n += 2)
     for (int sign = -1; sign <= 1; sign += 2) {
       const struct power p = { 0.375, sign, 0, n };
@@ -39,9 +38,8 @@ static void at_the_ends(void **state)
 }
 
 /* Simple roots to the last digit, and from either side */
-static void simple_roots(void **state)
+TEST(simple_roots)
 {
-  (void)state;
   for (int n = 1; n <= 5; n++)
     for (int sign = -1; sign <= 1; sign += 2) {
       const struct power p = { 0, sign, -sign * pow(0.3, n), n };
@@ -51,9 +49,8 @@ static void simple_roots(void **state)
 }
 
 /* f' = 0 at the root: as near as f tells. */
-static void flat_roots(void **state)
+TEST(flat_roots)
 {
-  (void)state;
   for (int sign = -1; sign <= 1; sign += 2) {
     const struct power p = { 0.3, sign, 0, 3 };
     CHECK_NEAR(between(&p, 0.1, 1), 0.3, 1e-6);
@@ -74,9 +71,8 @@ static double flattened(const void *context, double u, double *slope)
 }
 
 /* From the end where a high power rules a step comes a fixed part nearer to the root: more steps than there are, and the last may cross it. */
-static void roots_far_from_the_steep_end(void **state)
+TEST(roots_far_from_the_steep_end)
 {
-  (void)state;
   for (int n = 2; n <= 6; n++)
     for (int k = 1; k < 400; k++) {
       const struct flattened p = { pow(0.93, k), 1e6, n };
@@ -87,8 +83,6 @@ static void roots_far_from_the_steep_end(void **state)
       CHECK_NEAR(rest / slope, 0, 4 * DBL_EPSILON * root);
     }
 }
-
-/* ---- the ITP method alone ---- */
 
 struct counted { /* a function that counts how often it is asked */
   double (*value)(double u, double root);
@@ -130,9 +124,8 @@ static int evaluations(double (*value)(double, double), double root, double from
 }
 
 /* To the last digit, in no more evaluations than are promised, whatever the function and the bracket */
-static void itp_keeps_its_count(void **state)
+TEST(itp_keeps_its_count)
 {
-  (void)state;
   static const double begins[] = { 0, 1e-310, 1e-30, 0.2385 };
   for (int f = 0; f < FUNCTIONS; f++)
     for (int i = 0; i < 4; i++)
@@ -144,17 +137,15 @@ static void itp_keeps_its_count(void **state)
 }
 
 /* And a quarter of that where the function is nearly straight */
-static void itp_is_fast(void **state)
+TEST(itp_is_fast)
 {
-  (void)state;
   for (int k = 1; k < 200; k++)
     assert_true(evaluations(parabola, 0.2 + 0.004 * k, 0.2, 1) <= itp_most(0.2, 1) / 4);
 }
 
 /* What is no bracket: the end that is nearer to a root. */
-static void itp_without_a_bracket(void **state)
+TEST(itp_without_a_bracket)
 {
-  (void)state;
   int count = 0;
   const struct counted c = { line, 0.25, &count };
   CHECK_EQUAL(itp_root(counted, &c, 0.5, 1), 0.5);
@@ -163,18 +154,4 @@ static void itp_without_a_bracket(void **state)
   CHECK_EQUAL(itp_root(counted, &c, 0, 0.25), 0.25);
   CHECK_EQUAL(itp_root(counted, &c, 0.5, 0.5), 0.5);
   assert_true(count == 10 && itp_most(0.5, 0.5) == 2);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(at_the_ends),
-    cmocka_unit_test(simple_roots),
-    cmocka_unit_test(flat_roots),
-    cmocka_unit_test(roots_far_from_the_steep_end),
-    cmocka_unit_test(itp_keeps_its_count),
-    cmocka_unit_test(itp_is_fast),
-    cmocka_unit_test(itp_without_a_bracket),
-  };
-  return cmocka_run_group_tests_name("root", tests, NULL, NULL);
 }

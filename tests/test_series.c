@@ -3,12 +3,9 @@
 
 #include "tests/random_series.h"
 
-/* ---- the laws of a ring ---- */
-
 static void check_laws(const struct series *a, const struct series *b, const struct series *c)
 {
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   series_add(&w[0], a, b, &ring);
   series_add(&w[1], b, a, &ring);
   check_same(&w[0], &w[1], "a + b = b + a");
@@ -36,15 +33,12 @@ static void check_laws(const struct series *a, const struct series *b, const str
   series_sub(&w[1], a, a, &ring);
   series_add(&w[1], &w[1], b, &ring);
   check_same(&w[1], b, "(a - a) + b = b");
-  work_clear(w);
 }
 
-static void laws_of_a_ring(void **state)
+TEST(laws_of_a_ring)
 {
-  (void)state;
   struct random r = { 20260801 };
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   for (int i = 0; i < 400; i++) {
     for (int k = 0; k < 3; k++)
       random_series(&w[k], &r, random_below(&r, 9) - 4);
@@ -54,14 +48,12 @@ static void laws_of_a_ring(void **state)
     check_laws(&w[3], &w[4], &w[5]);
     check_laws(&w[0], &w[4], &w[2]);
   }
-  work_clear(w);
 }
 
 /* A quotient of series with n known terms from their first on has n known terms, wherever they begin. */
 static void check_division(const struct series *a, const struct series *b)
 {
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   assert_true(series_div(&w[0], a, b, &ring));
   check_known(&w[0], least(least(a->known - a->first, b->known - b->first), LENGTH) + a->first - b->first, "a/b");
   series_mul(&w[1], &w[0], b, &ring);
@@ -73,15 +65,12 @@ static void check_division(const struct series *a, const struct series *b)
   series_set(&w[2], b);
   assert_true(series_div(&w[2], a, &w[2], &ring));
   check_same(&w[2], &w[0], "a/b in place of b");
-  work_clear(w);
 }
 
-static void division_undoes_multiplication(void **state)
+TEST(division_undoes_multiplication)
 {
-  (void)state;
   struct random r = { 20260802 };
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   for (int i = 0; i < 400; i++) {
     random_series(&w[0], &r, random_below(&r, 9) - 4);
     random_series(&w[1], &r, random_below(&r, 9) - 4);
@@ -92,17 +81,13 @@ static void division_undoes_multiplication(void **state)
     check_division(&w[0], &w[3]);
     check_division(&w[2], &w[1]);
   }
-  work_clear(w);
 }
 
 /* A divisor whose first coefficients are exactly 0 begins later. */
-static void division_by_a_series_with_leading_zeros(void **state)
+TEST(division_by_a_series_with_leading_zeros)
 {
-  (void)state;
-  struct series w[WORK];
-  arb_poly_t poly;
-  work_init(w);
-  arb_poly_init(poly);
+  SCOPED(work, w);
+  SCOPED(arb_poly, poly);
   arb_poly_set_coeff_si(poly, 2, 4); /* 4 x^2, with two zeros in front */
   series_set_ball_poly(&w[0], poly, SERIES_ALL);
   series_set_si(&w[1], 1);
@@ -111,19 +96,14 @@ static void division_by_a_series_with_leading_zeros(void **state)
   series_shift(&w[2], &w[2], 2);
   check_same(&w[2], &w[1], "4 x^2/(4 x^2)");
   check_known(&w[2], LENGTH, "4 x^2/(4 x^2)");
-  arb_poly_clear(poly);
-  work_clear(w);
 }
 
 /* Refused, with the quotient as it was: 0, 0 with an error term, and a ball that holds 0. */
-static void division_by_what_may_be_zero(void **state)
+TEST(division_by_what_may_be_zero)
 {
-  (void)state;
   struct random r = { 20260803 };
-  struct series w[WORK];
-  arb_t ball;
-  work_init(w);
-  arb_init(ball);
+  SCOPED(work, w);
+  SCOPED(arb, ball);
   random_terms(&w[0], &r, -2, 5);
   series_set(&w[1], &w[0]);
   series_set_si(&w[2], 1);
@@ -142,11 +122,7 @@ static void division_by_what_may_be_zero(void **state)
   assert_false(series_div(&w[0], &w[2], &w[3], &ring));
   assert_true(w[0].exact && w[0].first == -2 && w[0].known == SERIES_ALL);
   check_same(&w[0], &w[1], "unchanged");
-  arb_clear(ball);
-  work_clear(w);
 }
-
-/* ---- what a series claims to know ---- */
 
 /* One step of a random calculation, the same in both rings. In `shorter` every series may have been cut. */
 static void random_step(struct series *to, const struct series *a, const struct series *b, int step, const struct ring *in)
@@ -171,9 +147,7 @@ static void random_step(struct series *to, const struct series *a, const struct 
 static void check_calculation(struct random *r, bool balls)
 {
   enum { NUMBERS = 6, STEPS = 12 };
-  struct series few[WORK], many[WORK];
-  work_init(few);
-  work_init(many);
+  SCOPED(work, few, many);
   for (int i = 0; i < NUMBERS; i++) {
     random_terms(&many[i], r, random_below(r, 5) - 2, 1 + random_below(r, LENGTH));
     if (balls && i % 2)
@@ -191,29 +165,22 @@ static void check_calculation(struct random *r, bool balls)
     check_known(&many[to], least(few[to].known, FAR / 4), "with three times the terms");
     check_same(&few[to], &many[to], "n and 3 n terms");
   }
-  work_clear(few);
-  work_clear(many);
 }
 
-static void what_is_known_is_right(void **state)
+TEST(what_is_known_is_right)
 {
-  (void)state;
   struct random r = { 20260808 };
   for (int i = 0; i < 400; i++)
     check_calculation(&r, i % 2);
 }
 
 /* The ball of each coefficient holds the fraction, and is thin. */
-static void balls_hold_the_fractions(void **state)
+TEST(balls_hold_the_fractions)
 {
-  (void)state;
   struct random r = { 20260809 };
-  struct series w[WORK];
-  fmpq_t exact;
-  arb_t ball;
-  work_init(w);
-  fmpq_init(exact);
-  arb_init(ball);
+  SCOPED(work, w);
+  SCOPED(fmpq, exact);
+  SCOPED(arb, ball);
   for (int i = 0; i < 300; i++) {
     int step = random_below(&r, 6);
     for (int k = 0; k < 2; k++) {
@@ -230,20 +197,4 @@ static void balls_hold_the_fractions(void **state)
       assert_true(mag_cmp_2exp_si(arb_radref(ball), -PRECISION / 2) < 0);
     }
   }
-  fmpq_clear(exact);
-  arb_clear(ball);
-  work_clear(w);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(laws_of_a_ring),
-    cmocka_unit_test(division_undoes_multiplication),
-    cmocka_unit_test(division_by_a_series_with_leading_zeros),
-    cmocka_unit_test(division_by_what_may_be_zero),
-    cmocka_unit_test(what_is_known_is_right),
-    cmocka_unit_test(balls_hold_the_fractions),
-  };
-  return cmocka_run_group_tests_name("series", tests, NULL, NULL);
 }

@@ -6,42 +6,31 @@
 /* The coefficient of x^k in a b */
 static void convolution(fmpq_t sum, const struct series *a, const struct series *b, slong k)
 {
-  fmpq_t p, q;
-  fmpq_init(p);
-  fmpq_init(q);
+  SCOPED(fmpq, p, q);
   fmpq_zero(sum);
   for (slong i = a->first; i <= k - b->first; i++) {
     series_rational_coefficient(p, a, i);
     series_rational_coefficient(q, b, k - i);
     fmpq_addmul(sum, p, q);
   }
-  fmpq_clear(p);
-  fmpq_clear(q);
 }
 
 static void check_coefficient(const struct series *s, slong power, const fmpq_t wanted, const char *what)
 {
-  fmpq_t got;
-  fmpq_init(got);
+  SCOPED(fmpq, got);
   assert_true(series_rational_coefficient(got, s, power));
-  if (!fmpq_equal(got, wanted)) {
-    print_error("%s: x^%ld\n", what, (long)power);
-    fail();
-  }
-  fmpq_clear(got);
+  if (!fmpq_equal(got, wanted))
+    fail_msg("%s: x^%ld", what, (long)power);
 }
 
 /* What is known to all orders stays so. */
 static slong shifted(slong known, slong power) { return known >= SERIES_ALL ? SERIES_ALL : known + power; }
 
-static void products_are_convolutions(void **state)
+TEST(products_are_convolutions)
 {
-  (void)state;
   struct random r = { 20260804 };
-  struct series w[WORK];
-  fmpq_t sum;
-  work_init(w);
-  fmpq_init(sum);
+  SCOPED(work, w);
+  SCOPED(fmpq, sum);
   for (int i = 0; i < 300; i++) {
     random_series(&w[0], &r, random_below(&r, 9) - 4);
     random_series(&w[1], &r, random_below(&r, 9) - 4);
@@ -61,18 +50,13 @@ static void products_are_convolutions(void **state)
       check_coefficient(&w[0], k, sum, "a b in place of a");
     }
   }
-  fmpq_clear(sum);
-  work_clear(w);
 }
 
 /* f(g) by Horner's rule in the ring */
 static void horner(struct series *to, const struct series *f, const struct series *g, const struct ring *in)
 {
-  struct series sum, term;
-  fmpq_t c;
-  fmpq_init(c);
-  series_init(&sum);
-  series_init(&term);
+  SCOPED(fmpq, c);
+  SCOPED(series, sum, term);
   for (slong k = 2 * LENGTH; k >= 0; k--) {
     series_rational_coefficient(c, f, k);
     series_set_rational(&term, c);
@@ -80,17 +64,12 @@ static void horner(struct series *to, const struct series *f, const struct serie
     series_add(&sum, &sum, &term, in);
   }
   series_set(to, &sum);
-  series_clear(&sum);
-  series_clear(&term);
-  fmpq_clear(c);
 }
 
-static void composition(void **state)
+TEST(composition)
 {
-  (void)state;
   struct random r = { 20260805 };
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   for (int i = 0; i < 200; i++) {
     random_terms(&w[0], &r, random_below(&r, 3), 1 + random_below(&r, LENGTH));
     random_terms(&w[1], &r, 1 + random_below(&r, 3), 1 + random_below(&r, LENGTH));
@@ -112,15 +91,12 @@ static void composition(void **state)
     series_compose(&w[0], &w[0], &w[1], &ring);
     check_same(&w[0], &w[2], "f(g) in place of f");
   }
-  work_clear(w);
 }
 
 static void check_inflated(const struct series *a, slong power)
 {
-  struct series w;
-  fmpq_t c;
-  fmpq_init(c);
-  series_init(&w);
+  SCOPED(fmpq, c);
+  SCOPED(series, w);
   series_inflate(&w, a, power);
   assert_true(a->known < SERIES_ALL ? w.known == power * a->known : w.known >= FAR);
   for (slong k = -FAR; k < least(w.known, FAR); k++) {
@@ -130,19 +106,13 @@ static void check_inflated(const struct series *a, slong power)
       series_rational_coefficient(c, a, k / power);
     check_coefficient(&w, k, c, "a(x^power)");
   }
-  series_clear(&w);
-  fmpq_clear(c);
 }
 
-static void shift_scale_and_inflate(void **state)
+TEST(shift_scale_and_inflate)
 {
-  (void)state;
   struct random r = { 20260806 };
-  struct series w[WORK];
-  fmpq_t c, factor;
-  work_init(w);
-  fmpq_init(c);
-  fmpq_init(factor);
+  SCOPED(work, w);
+  SCOPED(fmpq, c, factor);
   for (int i = 0; i < 200; i++) {
     random_series(&w[0], &r, random_below(&r, 9) - 4);
     random_fraction(factor, &r);
@@ -159,19 +129,13 @@ static void shift_scale_and_inflate(void **state)
     }
     check_inflated(&w[0], 1 + random_below(&r, 3));
   }
-  fmpq_clear(c);
-  fmpq_clear(factor);
-  work_clear(w);
 }
 
-static void integral_and_derivative(void **state)
+TEST(integral_and_derivative)
 {
-  (void)state;
   struct random r = { 20260807 };
-  struct series w[WORK];
-  fmpq_t c;
-  work_init(w);
-  fmpq_init(c);
+  SCOPED(work, w);
+  SCOPED(fmpq, c);
   for (int i = 0; i < 200; i++) {
     random_series(&w[0], &r, random_below(&r, 4));
     as_balls(&w[1], &w[0]);
@@ -199,38 +163,26 @@ static void integral_and_derivative(void **state)
     }
     assert_true(series_coefficient_is_zero(&w[1], 0));
   }
-  fmpq_clear(c);
-  work_clear(w);
 }
 
 /* Terms below x^before, by powers of an exact x */
 static void sum_of_terms(fmpq_t sum, const struct series *s, const fmpq_t x, slong before)
 {
-  fmpq_t c, power;
-  fmpq_init(c);
-  fmpq_init(power);
+  SCOPED(fmpq, c, power);
   fmpq_zero(sum);
   for (slong k = s->first; k < before; k++) {
     series_rational_coefficient(c, s, k);
     fmpq_pow_si(power, x, k);
     fmpq_addmul(sum, c, power);
   }
-  fmpq_clear(c);
-  fmpq_clear(power);
 }
 
-static void values(void **state)
+TEST(values)
 {
-  (void)state;
   struct random r = { 20260810 };
-  struct series w[WORK];
-  fmpq_t x, sum;
-  arb_t at, value;
-  work_init(w);
-  fmpq_init(x);
-  fmpq_init(sum);
-  arb_init(at);
-  arb_init(value);
+  SCOPED(work, w);
+  SCOPED(fmpq, x, sum);
+  SCOPED(arb, at, value);
   for (int i = 0; i < 200; i++) {
     random_positive(x, &r);
     arb_set_fmpq(at, x, PRECISION);
@@ -244,20 +196,13 @@ static void values(void **state)
       assert_true(mag_cmp_2exp_si(arb_radref(value), -PRECISION / 2) < 0);
     }
   }
-  fmpq_clear(x);
-  fmpq_clear(sum);
-  arb_clear(at);
-  arb_clear(value);
-  work_clear(w);
 }
 
 /* A coefficient that is proven to be 0 becomes 0 and nothing else changes. */
-static void a_term_set_to_zero(void **state)
+TEST(a_term_set_to_zero)
 {
-  (void)state;
   struct random r = { 20260811 };
-  struct series w[WORK];
-  work_init(w);
+  SCOPED(work, w);
   for (int i = 0; i < 100; i++) {
     random_series(&w[0], &r, random_below(&r, 9) - 4);
     as_balls(&w[1], &w[0]);
@@ -270,14 +215,4 @@ static void a_term_set_to_zero(void **state)
         assert_true(j == power || same_coefficient(&w[2], &w[k], j, PRECISION));
     }
   }
-  work_clear(w);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(products_are_convolutions), cmocka_unit_test(composition), cmocka_unit_test(shift_scale_and_inflate),
-    cmocka_unit_test(integral_and_derivative),   cmocka_unit_test(values),      cmocka_unit_test(a_term_set_to_zero),
-  };
-  return cmocka_run_group_tests_name("series terms", tests, NULL, NULL);
 }

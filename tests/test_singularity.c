@@ -9,6 +9,10 @@
 #include "asymptotics/derived/derived.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
+#include "tests/scoped.h"
+#include "tests/solved.h"
+
+SCOPED_FLINT(acb)
 
 enum { PRECISION = 128 };
 
@@ -44,11 +48,13 @@ static void end(struct subject *s)
   scallop_singularity_clear(&s->singularity);
 }
 
-static void find_steady(struct subject *s, const struct scallop_crawler *crawler)
-{
-  begin(s, crawler);
-  assert_int_equal(scallop_steady_singularity(&s->singularity, &s->crawler, PRECISION, NULL), SCALLOP_OK);
-}
+#define SUBJECT(s, of) \
+  struct subject s __attribute__((cleanup(end))); \
+  begin(&(s), of)
+/* With the singularity of its steady state */
+#define STEADY_SUBJECT(s, of) \
+  SUBJECT(s, of); \
+  assert_int_equal(scallop_steady_singularity(&(s).singularity, &(s).crawler, PRECISION, NULL), SCALLOP_OK)
 
 /* Found, and nothing is nearer */
 static void check_proven(const struct scallop_singularity *s)
@@ -58,17 +64,13 @@ static void check_proven(const struct scallop_singularity *s)
   assert_true(arb_rel_accuracy_bits(s->T) > 80);
 }
 
-/* ---- growth of the coefficients ---- */
-
 /* How far the coefficients a_j of Z^j, Z = T^4, are from those of branch points at Z and its conjugate: b_j = j^(3/2) a_j |Z|^j is then
  * Re(A e^(i j arg Z)) but for terms of the order of 1/j, and b_(j+1) - 2 cos(arg Z) b_j + b_(j-1), of a real Z b_(j+1) -+ b_j, is of the
  * order of 1/j^2 beside it. */
 static double strangeness(const struct series *a, double T, double angle, slong j)
 {
   double b[3];
-  arb_t ball, power;
-  arb_init(ball);
-  arb_init(power);
+  SCOPED(arb, ball, power);
   for (int i = 0; i < 3; i++) {
     slong k = j - 1 + i;
     series_coefficient(ball, a, 4 * k, PRECISION);
@@ -77,8 +79,6 @@ static double strangeness(const struct series *a, double T, double angle, slong 
     arb_mul(ball, ball, power, PRECISION);
     b[i] = middle(ball) * pow((double)k, 1.5);
   }
-  arb_clear(ball);
-  arb_clear(power);
   double most = fmax(fabs(b[0]), fmax(fabs(b[1]), fabs(b[2])));
   bool real = fabs(sin(angle)) < 1e-9;
   return fabs(real ? b[2] - cos(angle) * b[1] : b[2] - 2 * cos(angle) * b[1] + b[0]) / most;
@@ -88,8 +88,7 @@ static double strangeness(const struct series *a, double T, double angle, slong 
 static void check_growth(const struct subject *s, double error)
 {
   enum { FEW = 14, MANY = 28, ORDER = 4 * MANY + 8, BITS = 1024 };
-  struct scallop_steady_expansion e;
-  scallop_steady_expansion_init(&e);
+  SCOPED(scallop_steady_expansion, e);
   assert_int_equal(scallop_expand_steady(&s->crawler, ORDER, BITS, &e, NULL), SCALLOP_OK);
   double T = middle(s->singularity.T) * (1 + error);
   double angle = 2 * atan2(middle(acb_imagref(s->singularity.place)), middle(acb_realref(s->singularity.place)));
@@ -97,18 +96,15 @@ static void check_growth(const struct subject *s, double error)
   bool agrees = many < 0.04 && (many < few / 2 || many < 1e-3);
   if (agrees != (error == 0))
     fail_msg("T %.17g (error %g), angle %g: %g, then %g", T, error, angle, few, many);
-  scallop_steady_expansion_clear(&e);
 }
 
-static void coefficients_grow_as_the_singularity_says(void **state)
+TEST(coefficients_grow_as_the_singularity_says)
 {
-  (void)state;
   enum { CRAWLERS = 20 };
   struct random r = { 82 };
   for (int i = 0; i < CRAWLERS; i++) {
-    struct subject s;
     const struct scallop_crawler c = draw(&r, &scallop_gait_sinusoidal);
-    find_steady(&s, &c);
+    STEADY_SUBJECT(s, &c);
     check_proven(&s.singularity);
     assert_true(s.singularity.even && s.singularity.shows[TRAVEL] && s.singularity.shows[AT_START]);
     check_growth(&s, 0);
@@ -116,45 +112,34 @@ static void coefficients_grow_as_the_singularity_says(void **state)
       check_growth(&s, 0.01);
       check_growth(&s, -0.01);
     }
-    end(&s);
   }
 }
 
 /* Of the default crawler, where other sheets have branch points too: one nearer, which the branch does not meet, and one on the real axis a
  * thousandth farther, between the two that are the nearest. */
-static void branch_points_of_other_sheets(void **state)
+TEST(branch_points_of_other_sheets)
 {
-  (void)state;
-  struct subject s;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &scallop_gait_sinusoidal;
-  find_steady(&s, &c);
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_false(arb_contains_zero(acb_imagref(s.singularity.place)));
   check_growth(&s, 0);
   check_growth(&s, 0.02);
   check_growth(&s, -0.02);
-  end(&s);
 }
-
-/* ---- one phase ---- */
 
 /* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
  * one that it meets at x = 4.4934, where eps < 0. */
-static void from_rest(void **state)
+TEST(from_rest)
 {
-  (void)state;
-  struct scallop_crawler c = scallop_crawler_default();
-  struct subject s;
-  fmpq_t v0;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   double x = 4.5;
   for (int i = 0; i < 10; i++)
     x -= (x * cos(x) - sin(x)) / (-x * sin(x));
-  c.gait = &scallop_gait_sinusoidal;
   double q = c.m2 / (c.m1 + c.m2), beta = (c.F1 - c.F2) / (c.F1 + c.F2), pi = acos(-1);
   double eps = q * pi * pi / 2 * cos(x) / beta, T = sqrt(-eps * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
-  begin(&s, &c);
-  fmpq_init(v0);
+  SUBJECT(s, &c);
+  SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
                    SCALLOP_OK);
   check_proven(&s.singularity);
@@ -163,21 +148,15 @@ static void from_rest(void **state)
   for (int k = AFTER_FIRST_PHASE; k < CONTINUED_VALUES; k++)
     assert_true(s.singularity.shows[k]);
   assert_false(s.singularity.shows[AT_START]);
-  fmpq_clear(v0);
-  end(&s);
 }
 
 /* The first crossing knows nothing of the second: its series goes on converging where that of the second does not. */
-static void first_crossing_alone(void **state)
+TEST(first_crossing_alone)
 {
-  (void)state;
-  struct scallop_crawler c = scallop_crawler_default();
-  struct subject s;
-  fmpq_t v0;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   double T[2];
-  c.gait = &scallop_gait_sinusoidal;
-  begin(&s, &c);
-  fmpq_init(v0);
+  SUBJECT(s, &c);
+  SCOPED(fmpq, v0);
   fmpq_set_si(v0, 1, 2);
   for (int i = 0; i < 2; i++) {
     assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_CONTRACTION, v0, 1 + i, PRECISION, NULL),
@@ -186,57 +165,39 @@ static void first_crossing_alone(void **state)
     T[i] = middle(s.singularity.T);
   }
   assert_true(T[0] > 1.5 * T[1]);
-  fmpq_clear(v0);
-  end(&s);
 }
 
-/* ---- what else there is ---- */
-
 /* T goes as the square root of L; w = 0 in the limit at alpha = 1/2; nothing is singular of a crawler that rests. */
-static void special_crawlers(void **state)
+TEST(special_crawlers)
 {
-  (void)state;
-  struct scallop_crawler c = scallop_crawler_default();
-  struct subject s, longer;
-  c.gait = &scallop_gait_sinusoidal;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   c.alpha = 0.5;
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_true(s.singularity.shows[AT_START] && !s.singularity.shows[TRAVEL]);
   c.L *= 4;
-  find_steady(&longer, &c);
+  STEADY_SUBJECT(longer, &c);
   CHECK_RELATIVE(middle(longer.singularity.T), 2 * middle(s.singularity.T), 4 * 0x1p-53);
-  end(&longer);
-  end(&s);
   c.F1 = c.F2;
-  find_steady(&s, &c);
-  assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
-  end(&s);
+  STEADY_SUBJECT(resting, &c);
+  assert_true(!resting.singularity.found && arf_is_pos_inf(arb_midref(resting.singularity.low)));
 }
 
 /* Of a polynomial gait, whose crossings are joined as those of the sine are */
-static void minimum_jerk(void **state)
+TEST(minimum_jerk)
 {
-  (void)state;
-  struct subject s;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &minimum_jerk_gait;
-  find_steady(&s, &c);
+  struct scallop_crawler c = with_gait(&minimum_jerk_gait);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   check_growth(&s, 0);
-  end(&s);
 }
 
-static void no_expansion_no_singularity(void **state)
+TEST(no_expansion_no_singularity)
 {
-  (void)state;
   const char *why = NULL;
-  struct subject s;
-  fmpq_t v0;
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = &minimum_jerk_gait;
-  begin(&s, &c);
-  fmpq_init(v0);
+  struct scallop_crawler c = with_gait(&minimum_jerk_gait);
+  SUBJECT(s, &c);
+  SCOPED(fmpq, v0);
   assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, &why),
                    SCALLOP_EDOMAIN);
   assert_ptr_equal(why, branch_without_ends);
@@ -252,18 +213,13 @@ static void no_expansion_no_singularity(void **state)
   assert_non_null(why);
   assert_int_equal(scallop_steady_singularity(&s.singularity, &s.crawler, PRECISION, NULL), SCALLOP_EDOMAIN);
   assert_true(!s.singularity.found && arf_is_pos_inf(arb_midref(s.singularity.low)));
-  fmpq_clear(v0);
-  end(&s);
 }
-
-/* ---- the curves ---- */
 
 /* D = (f(b) - f(a))/(b - a) of the law f: D_a = (D - f'(a))/(b - a), D_b = (f'(b) - D)/(b - a) and so on, in balls */
 static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr b)
 {
   acb_ptr d = _acb_vec_init(JET), fa = _acb_vec_init(JET), fb = _acb_vec_init(JET), wanted = _acb_vec_init(JET);
-  acb_t way;
-  acb_init(way);
+  SCOPED(acb, way);
   acb_sub(way, b, a, PRECISION);
   at->joined = true;
   continued_law(d, at, a, b, PRECISION);
@@ -283,21 +239,17 @@ static void check_joined(struct continued_crossing *at, acb_srcptr a, acb_srcptr
     assert_true(acb_overlaps(d + k, wanted + k));
     assert_true(acb_rel_accuracy_bits(d + k) > 60);
   }
-  acb_clear(way);
   _acb_vec_clear(d, JET);
   _acb_vec_clear(fa, JET);
   _acb_vec_clear(fb, JET);
   _acb_vec_clear(wanted, JET);
 }
 
-static void joined_crossings(void **state)
+TEST(joined_crossings)
 {
-  (void)state;
   struct random r = { 83 };
   struct continued_crossing at = { .sine = true };
-  acb_t a, b;
-  acb_init(a);
-  acb_init(b);
+  SCOPED(acb, a, b);
   arb_init(at.q);
   arb_init(at.base);
   arb_poly_init(at.law);
@@ -321,25 +273,18 @@ static void joined_crossings(void **state)
   arb_clear(at.q);
   arb_clear(at.base);
   arb_poly_clear(at.law);
-  acb_clear(a);
-  acb_clear(b);
 }
 
 /* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the equations is singular and the
  * branch is not: for every other crawler or so on the imaginary axis of T^2. */
-static void a_crossing_does_not_meet_itself(void **state)
+TEST(a_crossing_does_not_meet_itself)
 {
-  (void)state;
-  struct subject s;
   const struct scallop_crawler c = { 2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal };
-  find_steady(&s, &c);
+  STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_true(arb_contains_zero(acb_realref(s.singularity.place)));
   check_growth(&s, 0);
-  end(&s);
 }
-
-/* ---- where the proof ends early ---- */
 
 enum gathered { NOTHING, MANY_PLACES, MANY_FOLDS, MANY_SECTORS, MORE_SECTORS };
 
@@ -364,15 +309,12 @@ struct outcome {
 /* Of the steady state of the default crawler, sinusoidal. shift: of the velocity at z = 0 from where the branch begins */
 static struct outcome search_after(enum gathered what, slong shift)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  struct subject subject;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct continuation both[2];
   struct limit l;
-  fmpq_t kappa;
-  c.gait = &scallop_gait_sinusoidal;
-  begin(&subject, &c);
+  SUBJECT(subject, &c);
   limit_init(&l, &subject.crawler);
-  fmpq_init(kappa);
+  SCOPED(fmpq, kappa);
   fmpq_one(kappa);
   assert_int_equal(limit_find(&l, &subject.crawler, PRECISION, NULL), SCALLOP_OK);
   for (int join = 0; join < 2; join++)
@@ -385,16 +327,13 @@ static struct outcome search_after(enum gathered what, slong shift)
   search_free(s);
   for (int join = 0; join < 2; join++)
     continuation_clear(&both[join]);
-  fmpq_clear(kappa);
   limit_clear(&l);
-  end(&subject);
   return outcome;
 }
 
 /* Without room the search finds nothing, and the proof goes no farther than the branch point that there is. */
-static void a_search_without_room(void **state)
+TEST(a_search_without_room)
 {
-  (void)state;
   struct outcome whole = search_after(NOTHING, 0);
   assert_true(whole.covered > 0 && whole.covered >= whole.reach);
   for (int what = MANY_PLACES; what <= MORE_SECTORS; what++) {
@@ -404,26 +343,4 @@ static void a_search_without_room(void **state)
   }
 }
 
-static void a_search_from_beside_the_branch(void **state)
-{
-  (void)state;
-  CHECK_EQUAL(search_after(NOTHING, 100).covered, 0);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(coefficients_grow_as_the_singularity_says),
-    cmocka_unit_test(branch_points_of_other_sheets),
-    cmocka_unit_test(from_rest),
-    cmocka_unit_test(first_crossing_alone),
-    cmocka_unit_test(special_crawlers),
-    cmocka_unit_test(minimum_jerk),
-    cmocka_unit_test(no_expansion_no_singularity),
-    cmocka_unit_test(joined_crossings),
-    cmocka_unit_test(a_crossing_does_not_meet_itself),
-    cmocka_unit_test(a_search_without_room),
-    cmocka_unit_test(a_search_from_beside_the_branch),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST(a_search_from_beside_the_branch) { CHECK_EQUAL(search_after(NOTHING, 100).covered, 0); }

@@ -2,15 +2,16 @@
 #include "compare/answers/sweep.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "tests/check.h"
 
-static struct sweep_variable listed(const char *name, double *numbers, long count)
+static struct sweep_variable listed(const char *name, const char **texts, long count)
 {
   struct sweep_variable v;
   assert_true(sweep_variable_of_name(&v, name));
-  v.numbers = numbers;
+  v.texts = texts;
   v.count = count;
   return v;
 }
@@ -25,7 +26,7 @@ static double no_formula(void *context, const struct formula *formula)
 static void every_combination_the_first_slowest(void **state)
 {
   (void)state;
-  double F1[] = { 2.385, 7.0 }, F2[] = { 0.7, 3.0 }, T[] = { 0.1, 0.2, 0.3 };
+  const char *F1[] = { "2.385", "7.0" }, *F2[] = { "0.7", "3.0" }, *T[] = { "0.1", "0.2", "0.3" };
   struct sweep_product product = {
     .groups = 2, .group = { { 2, { listed("F1", F1, 2), listed("F2", F2, 2) }, 2 }, { 1, { listed("T", T, 3) }, 3 } }
   };
@@ -40,8 +41,8 @@ static void every_combination_the_first_slowest(void **state)
     struct point point = point_initial(NULL);
     sweep_move(&at, &point, &product, index, no_formula, NULL);
     assert_string_equal(at.why, "");
-    assert_true(point.crawler.F1 == F1[points / 3] && point.crawler.F2 == F2[points / 3]);
-    assert_true(point.crawler.T == T[points % 3]);
+    assert_true(point.crawler.F1 == strtod(F1[points / 3], NULL) && point.crawler.F2 == strtod(F2[points / 3], NULL));
+    assert_true(point.crawler.T == strtod(T[points % 3], NULL));
     more = sweep_next(&product, index);
   }
   assert_int_equal(points, 6);
@@ -52,7 +53,7 @@ static void every_combination_the_first_slowest(void **state)
 static void ratios_are_settled_last(void **state)
 {
   (void)state;
-  double froude = 3.25, ratio = 4.5, F2 = 0.7;
+  const char *froude = "3.25", *ratio = "4.5", *F2 = "0.7";
   struct sweep_product product = { .groups = 2,
                                    .group = { { 2, { listed("froude", &froude, 1), listed("F1_over_F2", &ratio, 1) }, 1 },
                                               { 1, { listed("F2", &F2, 1) }, 1 } } };
@@ -61,8 +62,8 @@ static void ratios_are_settled_last(void **state)
   struct swept at = { .why = "" };
   sweep_move(&at, &point, &product, (const long[]){ 0, 0 }, no_formula, NULL);
   assert_string_equal(at.why, "");
-  CHECK_RELATIVE(c->F1 / c->F2, ratio, 1e-15);
-  CHECK_RELATIVE((c->m1 + c->m2) * c->L / (c->F1 + c->F2) / (c->T * c->T), froude, 1e-14);
+  CHECK_RELATIVE(c->F1 / c->F2, 4.5, 1e-15);
+  CHECK_RELATIVE((c->m1 + c->m2) * c->L / (c->F1 + c->F2) / (c->T * c->T), 3.25, 1e-14);
   assert_string_equal(sweep_variable(&(struct sweep){ 1, &product }, 1)->sets, "F1");
   product.group[1].variable[0] = listed("T", &F2, 1);
   assert_string_equal(sweep_set_twice(&product)->name, "T");
@@ -90,20 +91,20 @@ static void ranges_are_decimal(void **state)
 static void what_is_not_allowed_is_said(void **state)
 {
   (void)state;
-  double alpha[] = { 0.5, 1.0 };
+  const char *alpha[] = { "0.5", "1.0" };
   struct sweep_variable v = listed("alpha", alpha, 2);
   struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 2 } } };
   struct point point = point_initial(NULL);
   struct swept at = { .why = "" };
-  assert_null(sweep_wrong(&v, &point, 0.5, NULL));
-  assert_non_null(strstr(sweep_wrong(&v, &point, 1, "1.0"), "'1.0' is not allowed"));
+  assert_null(sweep_wrong(&v, &point, "0.5"));
+  assert_non_null(strstr(sweep_wrong(&v, &point, "1.0"), "'1.0' is not allowed"));
   sweep_move(&at, &point, &product, (const long[]){ 1 }, no_formula, NULL);
-  assert_non_null(strstr(at.why, "alpha: '1' is not allowed"));
+  assert_non_null(strstr(at.why, "alpha: '1.0' is not allowed"));
   assert_true(point.crawler.alpha == point_initial(NULL).crawler.alpha);
   assert_false(sweep_variable_of_name(&v, "F3"));
   v = listed("froude", alpha, 2);
-  assert_non_null(sweep_wrong(&v, &point, 0, NULL));
-  assert_non_null(sweep_wrong(&v, &point, INFINITY, NULL));
+  assert_non_null(sweep_wrong(&v, &point, "0"));
+  assert_non_null(sweep_wrong(&v, &point, "inf"));
 }
 
 int main(void)

@@ -9,30 +9,10 @@
 
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { BOUND = 8, CRAWLERS = 600 };
 #define ULP DBL_EPSILON
-
-static struct scallop_phase_result phase_of(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
-{
-  struct scallop_phase_result r;
-  assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
-  return r;
-}
-
-static struct scallop_period_result period_of(const struct scallop_crawler *c, double v0)
-{
-  struct scallop_period_result r;
-  assert_int_equal(scallop_period(c, v0, &r), SCALLOP_OK);
-  return r;
-}
-
-static struct scallop_steady_result steady_of(const struct scallop_crawler *c)
-{
-  struct scallop_steady_result r;
-  assert_int_equal(scallop_steady(c, &r), SCALLOP_OK);
-  return r;
-}
 
 static double velocity_unit(const struct scallop_crawler *c) { return c->L / c->T; }
 
@@ -53,25 +33,9 @@ static double displacement_size(const struct scallop_crawler *c, const struct sc
   return c->T * steady_size(c, s) + (s->period.regime == SCALLOP_SLIDING ? 0 : c->L);
 }
 
-static void same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
-{
-  char text[2][SCALLOP_MODES_TEXT];
-  scallop_modes_text(a, text[0]);
-  scallop_modes_text(b, text[1]);
-  assert_string_equal(text[0], text[1]);
-}
-
-/* The crawler under test, if for_crawlers was left by a failure. */
 static struct scallop_crawler under_test;
 
-static int name_the_culprit(void **state)
-{
-  (void)state;
-  if (under_test.gait)
-    print_crawler(&under_test);
-  under_test.gait = NULL;
-  return 0;
-}
+static void name_the_culprit(void) { print_crawler(&under_test); }
 
 typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
 
@@ -79,25 +43,13 @@ typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
 static void for_crawlers(uint64_t seed, crawler_test *test)
 {
   struct random r = { seed };
+  check_failed = name_the_culprit;
   for (int family = 0; family < FAMILIES; family++)
     for (int n = 0; n < check_cases(CRAWLERS); n++) {
       under_test = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
       test(&r, &under_test);
     }
-  under_test.gait = NULL;
-}
-
-/* ---- units ---- */
-
-struct units {
-  double mass, length, time;
-};
-
-static struct scallop_crawler in_units(const struct scallop_crawler *c, const struct units *u)
-{
-  double force = u->mass * u->length / (u->time * u->time);
-  return (struct scallop_crawler){ c->m1 * u->mass,  c->m2 * u->mass, c->F1 * force, c->F2 * force,
-                                   c->L * u->length, c->T * u->time,  c->alpha,      c->gait };
+  check_failed = NULL;
 }
 
 /* Powers of two change no digit. */
@@ -108,15 +60,15 @@ static void binary_units(struct random *r, const struct scallop_crawler *c)
   struct scallop_crawler d = in_units(c, &u);
   double speed = u.length / u.time, v0 = random_start(r, c, SCALLOP_EXTENSION);
   for (int kind = 0; kind < 2; kind++) {
-    struct scallop_phase_result a = phase_of(c, (enum scallop_phase_kind)kind, v0);
-    struct scallop_phase_result b = phase_of(&d, (enum scallop_phase_kind)kind, v0 * speed);
+    struct scallop_phase_result a = phase_of(c, kind, v0);
+    struct scallop_phase_result b = phase_of(&d, kind, v0 * speed);
     CHECK_EQUAL(b.t1, a.t1 * u.time);
     CHECK_EQUAL(b.dT, a.dT * u.time);
     CHECK_EQUAL(b.v_end, a.v_end * speed);
     CHECK_EQUAL(b.dx1, a.dx1 * u.length);
     CHECK_EQUAL(b.dx2, a.dx2 * u.length);
     CHECK_EQUAL(b.dxC, a.dxC * u.length);
-    same_modes(&a.modes, &b.modes);
+    assert_true(same_modes(&a.modes, &b.modes));
   }
   struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
   CHECK_EQUAL(b.froude, a.froude);
@@ -178,35 +130,19 @@ static void any_units(struct random *r, const struct scallop_crawler *c)
   }
 }
 
-static void units_of_powers_of_two(void **state)
-{
-  (void)state;
-  for_crawlers(11, binary_units);
-}
+TEST(units_of_powers_of_two) { for_crawlers(11, binary_units); }
 
 /* EQUAL_FORCES and its like would not stay equal: the families without them, one by one. */
-static void units_of_any_size(void **state)
+TEST(units_of_any_size)
 {
-  (void)state;
   struct random r = { 12 };
   const enum family families[] = { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD };
+  check_failed = name_the_culprit;
   for (int n = 0; n < check_cases(4 * CRAWLERS); n++) {
     under_test = random_crawler(&r, families[n % 4], every_gait[n / 4 % SMOOTH_GAITS]);
     any_units(&r, &under_test);
   }
-  under_test.gait = NULL;
-}
-
-/* ---- mirror and exchange ---- */
-
-static struct scallop_crawler exchanged(const struct scallop_crawler *c)
-{
-  struct scallop_crawler d = *c;
-  d.m1 = c->m2;
-  d.m2 = c->m1;
-  d.F1 = c->F2;
-  d.F2 = c->F1;
-  return d;
+  check_failed = NULL;
 }
 
 /* x -> -x makes body 1 of body 2; l stays. Negation rounds nothing. */
@@ -215,8 +151,8 @@ static void mirrored(struct random *r, const struct scallop_crawler *c)
   struct scallop_crawler d = exchanged(c);
   double v0 = random_start(r, c, SCALLOP_CONTRACTION);
   for (int kind = 0; kind < 2; kind++) {
-    struct scallop_phase_result a = phase_of(c, (enum scallop_phase_kind)kind, v0);
-    struct scallop_phase_result b = phase_of(&d, (enum scallop_phase_kind)kind, -v0);
+    struct scallop_phase_result a = phase_of(c, kind, v0);
+    struct scallop_phase_result b = phase_of(&d, kind, -v0);
     CHECK_EQUAL(b.v_end, -a.v_end);
     CHECK_EQUAL(b.dx1, -a.dx2);
     CHECK_EQUAL(b.dx2, -a.dx1);
@@ -253,18 +189,8 @@ static void relabelled(struct random *r, const struct scallop_crawler *given)
   CHECK_NEAR(t.period.displacement, s.period.displacement, BOUND * ULP * displacement_size(&c, &s));
 }
 
-static void mirror_image(void **state)
-{
-  (void)state;
-  for_crawlers(13, mirrored);
-}
-static void bodies_exchanged(void **state)
-{
-  (void)state;
-  for_crawlers(14, relabelled);
-}
-
-/* ---- the period map ---- */
+TEST(mirror_image) { for_crawlers(13, mirrored); }
+TEST(bodies_exchanged) { for_crawlers(14, relabelled); }
 
 static double largest_velocity(const struct scallop_crawler *c, double v0)
 {
@@ -304,15 +230,10 @@ static void multiplier_is_the_derivative(struct random *r, const struct scallop_
   sharp_differences += 2 * spread + noise < 1e-3 * fmax(1, 1e-3 / eps);
 }
 
-static void period_map(void **state)
-{
-  (void)state;
-  for_crawlers(15, map_is_monotone_and_nonexpansive);
-}
+TEST(period_map) { for_crawlers(15, map_is_monotone_and_nonexpansive); }
 
-static void multiplier(void **state)
+TEST(multiplier)
 {
-  (void)state;
   for_crawlers(16, multiplier_is_the_derivative);
   print_message("%ld of %ld differences sharp\n", sharp_differences, differences);
   assert_true(sharp_differences > differences / 2);
@@ -331,24 +252,17 @@ static void fast_start(struct random *r, const struct scallop_crawler *c)
   }
 }
 
-static void above_every_curve(void **state)
-{
-  (void)state;
-  for_crawlers(17, fast_start);
-}
+TEST(above_every_curve) { for_crawlers(17, fast_start); }
 
 /* At a kink: m1 = m2, F1 = F2, eps of the phase 1/16, the start such that the rear body comes to rest
  * for an instant at the middle of the extension, where l' peaks. To the right it never turns back. */
-static void multiplier_at_grazing_is_the_right_one(void **state)
+TEST(multiplier_at_grazing_is_the_right_one)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 0.25, 0.25, 1, 1, 0.5, &scallop_gait_quadratic };
   double v0 = 2.0625, step = 0x1p-12;
   struct scallop_period_result at = period_of(&c, v0), right = period_of(&c, v0 + step);
   CHECK_NEAR(at.multiplier, (right.v_end - at.v_end) / step, 64 * ULP / step);
 }
-
-/* ---- the steady state ---- */
 
 static void steady_is_a_fixed_point(struct random *r, const struct scallop_crawler *c)
 {
@@ -421,9 +335,8 @@ static void symmetric_goes_nowhere(struct random *r, const struct scallop_crawle
 
 /* Where a root finder that keeps its bracket badly has gone wrong: Newton's method jumps between the two
  * ends of the bracket (the balance is piecewise linear), or is thrown off a root it has found. */
-static void awkward_fixed_points(void **state)
+TEST(awkward_fixed_points)
 {
-  (void)state;
   const struct scallop_crawler awkward[] = {
     { 0.8600653530882657, 0.091638556541162694, 0.14221223671773683, 0.6712699065680231, 15.404457108972549,
       1.6337619364041711, 0.64779187280096906, &trapezoid_gait },
@@ -432,46 +345,14 @@ static void awkward_fixed_points(void **state)
     { 1.005555104355869, 0.34464279269686077, 0.20340021387305435, 1.9351561748532251, 6.2489810736853961,
       0.00042542337761461294, 0.13370486197499587, &scallop_gait_sinusoidal },
   };
+  check_failed = name_the_culprit;
   for (size_t k = 0; k < sizeof awkward / sizeof *awkward; k++) {
     under_test = awkward[k];
     steady_is_a_fixed_point(NULL, &under_test);
   }
-  under_test.gait = NULL;
+  check_failed = NULL;
 }
 
-static void fixed_point(void **state)
-{
-  (void)state;
-  for_crawlers(18, steady_is_a_fixed_point);
-}
-static void reached_from_anywhere(void **state)
-{
-  (void)state;
-  for_crawlers(19, steady_is_reached);
-}
-static void no_displacement(void **state)
-{
-  (void)state;
-  for_crawlers(20, symmetric_goes_nowhere);
-}
-
-#define TEST(name) cmocka_unit_test_teardown(name, name_the_culprit)
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    TEST(units_of_powers_of_two),
-    TEST(units_of_any_size),
-    TEST(mirror_image),
-    TEST(bodies_exchanged),
-    TEST(period_map),
-    TEST(multiplier),
-    TEST(above_every_curve),
-    TEST(multiplier_at_grazing_is_the_right_one),
-    TEST(fixed_point),
-    TEST(reached_from_anywhere),
-    TEST(awkward_fixed_points),
-    TEST(no_displacement),
-  };
-  return cmocka_run_group_tests_name("symmetry", tests, NULL, NULL);
-}
+TEST(fixed_point) { for_crawlers(18, steady_is_a_fixed_point); }
+TEST(reached_from_anywhere) { for_crawlers(19, steady_is_reached); }
+TEST(no_displacement) { for_crawlers(20, symmetric_goes_nowhere); }

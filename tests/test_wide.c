@@ -1,43 +1,35 @@
 /* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
 #include <float.h>
 
-#include "model/ball.h"
-#include "numerics/certified.h"
 #include "numerics/wide.h"
 #include "tests/check.h"
 #include "tests/random_crawler.h"
+#include "tests/scoped.h"
+#include "tests/solved.h"
 
 enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
 
-/* ---- certified values, as a double and the rest ---- */
-
 static struct scallop_wide two_doubles(const arb_t x)
 {
-  arb_t rest;
   struct scallop_wide w = { arf_get_d(arb_midref(x), ARF_RND_NEAR), 0 };
   if (arb_contains_zero(x))
     return (struct scallop_wide){ 0, 0 };
-  arb_init(rest);
+  SCOPED(arb, rest);
   arb_set_d(rest, w.high);
   arb_sub(rest, x, rest, 400);
   w.low = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
-  arb_clear(rest);
   return w;
 }
 
 static bool certified(const struct scallop_crawler *crawler, struct scallop_wide out[NUMBERS])
 {
-  struct scallop_rational_crawler exact;
-  struct scallop_certified_steady c;
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&c);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, c);
   scallop_rational_of(&exact, crawler);
   bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
   const arb_struct *const numbers[NUMBERS] = { c.froude, c.v_start, c.v_mid, c.displacement, c.mean_velocity, c.multiplier };
   for (int i = 0; solved && i < NUMBERS; i++)
     out[i] = two_doubles(numbers[i]);
-  scallop_certified_steady_clear(&c);
-  scallop_rational_clear(&exact);
   return solved;
 }
 
@@ -53,18 +45,14 @@ static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NU
   memcpy(out, all, sizeof all);
 }
 
-/* ---- tests ---- */
-
 /* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared with. */
-static void near_certified(void **state)
+TEST(near_certified)
 {
-  (void)state;
   struct random r = { 20261201 };
   int solved = 0;
   double worst[2] = { 0, 0 };
   for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
-                                              n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
     struct scallop_wide exact[NUMBERS], got[NUMBERS];
     struct scallop_wide_steady w;
     if (!certified(&c, exact))
@@ -97,20 +85,17 @@ static double generosity(double estimate, double got, const struct scallop_wide 
 }
 
 /* They bound the error, and are not more than a hundred times that. */
-static void estimates_of_steady_states(void **state)
+TEST(estimates_of_steady_states)
 {
-  (void)state;
   struct random r = { 20261202 };
   double most = 0;
   for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
-                                              n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
     struct scallop_wide exact[NUMBERS];
-    struct scallop_steady_result s;
     struct scallop_steady_error e;
     if (!certified(&c, exact))
       continue;
-    assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+    struct scallop_steady_result s = steady_of(&c);
     assert_int_equal(scallop_steady_error(&c, &s, &e), SCALLOP_OK);
     const double got[NUMBERS] = { s.froude,        s.period.v_start,   s.period.v_mid, s.period.displacement,
                                   s.mean_velocity, s.period.multiplier };
@@ -123,13 +108,11 @@ static void estimates_of_steady_states(void **state)
 }
 
 /* A wrong number is told so: by how much it is wrong. */
-static void estimate_of_a_wrong_number(void **state)
+TEST(estimate_of_a_wrong_number)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_phase_result p;
   struct scallop_phase_error e;
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 2.5, &p), SCALLOP_OK);
+  struct scallop_phase_result p = phase_of(&c, SCALLOP_EXTENSION, 2.5);
   p.v_end += 1e-9;
   p.dx1 -= 1e-3;
   p.t1 = NAN;
@@ -141,17 +124,14 @@ static void estimate_of_a_wrong_number(void **state)
 }
 
 /* A period from the steady start velocity ends where it began, to what the rounding of that to a double changes. */
-static void period_and_steady_state_agree(void **state)
+TEST(period_and_steady_state_agree)
 {
-  (void)state;
   for (int g = 0; g < 2; g++)
     for (int width = 0; width < 2; width++) {
-      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_crawler c = with_gait(every_gait[g]);
       struct scallop_wide_steady s;
       struct scallop_wide_period p;
-      struct scallop_period_result d;
       struct scallop_period_error e;
-      c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
       assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &s), SCALLOP_OK);
       assert_int_equal(scallop_wide_period((enum scallop_width)width, &c, s.period.v_start.high, &p), SCALLOP_OK);
       double rounded = -s.period.v_start.low; /* v_end - v_start = multiplier times the distance */
@@ -159,7 +139,7 @@ static void period_and_steady_state_agree(void **state)
       CHECK_NEAR(change, s.period.multiplier.high * rounded,
                  ldexp(100, width == SCALLOP_LONG_DOUBLE ? 1 - LDBL_MANT_DIG : -104));
       CHECK_EQUAL(p.multiplier.high, s.period.multiplier.high);
-      assert_int_equal(scallop_period(&c, 1, &d), SCALLOP_OK);
+      struct scallop_period_result d = period_of(&c, 1);
       assert_int_equal(scallop_period_error(&c, 1, &d, &e), SCALLOP_OK);
       CHECK_AT_MOST(e.v_mid, 1e-14);
       CHECK_AT_MOST(e.v_end, 1e-14);
@@ -169,20 +149,18 @@ static void period_and_steady_state_agree(void **state)
 }
 
 /* Modes and regime are those of the double solver where nothing is close to call. */
-static void modes(void **state)
+TEST(modes)
 {
-  (void)state;
   static const double T[] = { 0.5, 3, 5, 50 };
   for (int g = 0; g < 2; g++)
     for (int i = 0; i < 4; i++) {
       struct scallop_crawler c = scallop_crawler_default();
       struct scallop_wide_steady w;
-      struct scallop_steady_result s;
       char wide[SCALLOP_MODES_TEXT], plain[SCALLOP_MODES_TEXT];
       c.T = T[i];
-      c.gait = g ? &scallop_gait_sinusoidal : &scallop_gait_quadratic;
+      c.gait = every_gait[g];
       assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &w), SCALLOP_OK);
-      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(w.period.regime, s.period.regime);
       for (int kind = 0; kind < 2; kind++) {
         scallop_modes_text(&w.period.modes[kind], wide);
@@ -193,18 +171,15 @@ static void modes(void **state)
 }
 
 /* Gaits of polynomial pieces, against the same in double. */
-static void polynomial_gaits(void **state)
+TEST(polynomial_gaits)
 {
-  (void)state;
   const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
   for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
     for (double T = 0.1; T < 40; T *= 3) {
-      struct scallop_crawler c = scallop_crawler_default();
-      struct scallop_steady_result s;
+      struct scallop_crawler c = with_gait(gaits[i]);
       struct scallop_wide_steady w;
-      c.gait = gaits[i];
       c.T = T;
-      assert_int_equal(scallop_steady(&c, &s), SCALLOP_OK);
+      struct scallop_steady_result s = steady_of(&c);
       assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
       CHECK_NEAR(s.period.v_start, w.period.v_start.high, 64 * DBL_EPSILON * c.L / c.T);
       CHECK_NEAR(s.period.displacement, w.period.displacement.high, 64 * DBL_EPSILON * c.L);
@@ -212,45 +187,28 @@ static void polynomial_gaits(void **state)
     }
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default(), small = c, jumping = c;
-  struct scallop_wide_steady s, s_before;
-  struct scallop_wide_phase p, p_before;
-  struct scallop_wide_period q, q_before;
-  memset(&s, 7, sizeof s);
-  memset(&p, 7, sizeof p);
-  memset(&q, 7, sizeof q);
-  s_before = s;
-  p_before = p;
-  q_before = q;
+  const struct scallop_steady_result steady = { 0 };
+  const struct scallop_phase_result phase = { .t1 = 0 };
+  const struct scallop_period_result period = { 0 };
   c.m1 = -1;
   small.T = 1e-200;
   jumping.gait = &sawtooth_gait;
-  assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &s), SCALLOP_EDOMAIN);
-  assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, &c, SCALLOP_EXTENSION, 0, &p), SCALLOP_EDOMAIN);
-  assert_int_equal(scallop_wide_period(SCALLOP_LONG_DOUBLE, &c, 0, &q), SCALLOP_EDOMAIN);
-  assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &small, &s), SCALLOP_ERANGE);
-  assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &jumping, &s), SCALLOP_EDOMAIN);
-  assert_int_equal(scallop_wide_phase(SCALLOP_LONG_DOUBLE, &small, SCALLOP_EXTENSION, NAN, &p), SCALLOP_ERANGE);
-  small.T = 1;
-  assert_int_equal(scallop_wide_phase(SCALLOP_LONG_DOUBLE, &small, SCALLOP_EXTENSION, NAN, &p), SCALLOP_EDOMAIN);
-  assert_memory_equal(&s, &s_before, sizeof s);
-  assert_memory_equal(&p, &p_before, sizeof p);
-  assert_memory_equal(&q, &q_before, sizeof q);
-  struct scallop_steady_error e = { 7, 7, 7, 7, 7, 7 };
-  struct scallop_steady_result r = { 0 };
-  assert_int_equal(scallop_steady_error(&c, &r, &e), SCALLOP_EDOMAIN);
-  CHECK_EQUAL(e.v_start, 7);
-  struct scallop_phase_error f = { 7, 7, 7, 7, 7, 7 };
-  struct scallop_phase_result g = { 0 };
-  assert_int_equal(scallop_phase_error(&c, SCALLOP_EXTENSION, 0, &g, &f), SCALLOP_EDOMAIN);
-  CHECK_EQUAL(f.t1, 7);
-  struct scallop_period_error h = { 7, 7, 7, 7 };
-  struct scallop_period_result k = { 0 };
-  assert_int_equal(scallop_period_error(&c, 0, &k, &h), SCALLOP_EDOMAIN);
-  CHECK_EQUAL(h.v_mid, 7);
+  for (int i = 0; i < 2; i++) {
+    enum scallop_width width = i ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &c, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &c, SCALLOP_EXTENSION, 0, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_period, scallop_wide_period(width, &c, 0, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &small, &out), SCALLOP_ERANGE);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &jumping, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &small, SCALLOP_EXTENSION, NAN, &out), SCALLOP_ERANGE);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &jumping, SCALLOP_EXTENSION, NAN, &out), SCALLOP_EDOMAIN);
+  }
+  REFUSES(scallop_steady_error, scallop_steady_error(&c, &steady, &out), SCALLOP_EDOMAIN);
+  REFUSES(scallop_phase_error, scallop_phase_error(&c, SCALLOP_EXTENSION, 0, &phase, &out), SCALLOP_EDOMAIN);
+  REFUSES(scallop_period_error, scallop_period_error(&c, 0, &period, &out), SCALLOP_EDOMAIN);
 }
 
 #if defined __x86_64__ || defined __i386__
@@ -258,9 +216,8 @@ static void set_control_word(unsigned short word) { __asm__ volatile("fldcw %0" 
 
 /* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for digits that never
  * come. */
-static void long_double_rounded_to_double(void **state)
+TEST(long_double_rounded_to_double)
 {
-  (void)state;
   enum { USUAL = 0x37f, ROUNDED = 0x27f };
   struct random r = { 20261205 };
   struct scallop_wide_steady w;
@@ -273,9 +230,9 @@ static void long_double_rounded_to_double(void **state)
   assert_int_equal(status, SCALLOP_EDOMAIN);
   assert_int_equal(scallop_width_bits(SCALLOP_LONG_DOUBLE), LDBL_MANT_DIG);
   for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_steady_result usual, rounded;
-    c = random_crawler(&r, NEARLY_EQUAL_FORCES, n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
-    assert_int_equal(scallop_steady(&c, &usual), SCALLOP_OK);
+    struct scallop_steady_result rounded;
+    c = random_crawler(&r, NEARLY_EQUAL_FORCES, every_gait[n % 2]);
+    struct scallop_steady_result usual = steady_of(&c);
     set_control_word(ROUNDED);
     status = scallop_steady(&c, &rounded);
     set_control_word(USUAL);
@@ -284,8 +241,6 @@ static void long_double_rounded_to_double(void **state)
   }
 }
 #endif
-
-/* ---- the end of the range ---- */
 
 /* One phase, or a period, in double; the largest of the numbers in *size */
 static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
@@ -329,16 +284,15 @@ static struct scallop_crawler in_unit(const struct scallop_crawler *c, double un
 
 /* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is said, and else never.
  * With so long a period and such small masses no number is larger than the displacement. */
-static void beyond_the_range(void **state)
+TEST(beyond_the_range)
 {
-  (void)state;
   enum { TRIES = 120, LAST = 6 };
   struct random r = { 20261203 };
   int beyond[2] = { 0 };
   for (int n = 0; n < TRIES; n++) {
     const double T = 1e3, mass = 1e-12;
     bool whole = n % 4 < 2, kept;
-    struct scallop_crawler c = random_crawler(&r, ORDINARY, n % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, every_gait[n % 2]);
     double shorter = c.T / T, v0 = random_between(&r, -80, 80) * c.L / T, low = 1, high = 0x1p1023, size;
     c.m1 *= mass;
     c.m2 *= mass;
@@ -362,22 +316,4 @@ static void beyond_the_range(void **state)
     }
   }
   assert_true(beyond[0] > 0 && beyond[1] > 0);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(near_certified),
-    cmocka_unit_test(estimates_of_steady_states),
-    cmocka_unit_test(estimate_of_a_wrong_number),
-    cmocka_unit_test(period_and_steady_state_agree),
-    cmocka_unit_test(beyond_the_range),
-    cmocka_unit_test(modes),
-    cmocka_unit_test(polynomial_gaits),
-    cmocka_unit_test(refusals),
-#if defined __x86_64__ || defined __i386__
-    cmocka_unit_test(long_double_rounded_to_double),
-#endif
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,36 +3,31 @@
 #include <time.h>
 
 #include "check.h"
-#include "compare/workprec/measure.h"
-#include "compare/workprec/summary.h"
+#include "compare/workprec/setting.h"
 #include "tests/scratch_folder.h"
 
 /* What a made-up setting does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
-static enum scallop_status give(struct setting *s, const struct scallop_patience *patience, struct setting_answer *answer)
+static enum scallop_status give(struct setting *s, struct setting_answer *answer)
 {
   const struct timespec pause = { .tv_nsec = s->kind == METHOD_SIMULATION ? 3000000 : 0 };
-  (void)patience;
   if (pause.tv_nsec > 0)
     nanosleep(&pause, NULL);
   answer->value[VELOCITY] = s->reference->v_start * (1 + 1e-3 * (double)s->number);
   return SCALLOP_OK;
 }
 
-static enum scallop_status end_with(struct setting *s, const struct scallop_patience *patience,
-                                    struct setting_answer *answer)
+static enum scallop_status end_with(struct setting *s, struct setting_answer *answer)
 {
-  (void)patience;
   answer->periods = 17;
   answer->value[VELOCITY] = s->tolerance;
   return (enum scallop_status)s->number;
 }
 
-static enum scallop_status work_forever(struct setting *s, const struct scallop_patience *patience,
-                                        struct setting_answer *answer)
+static enum scallop_status work_forever(struct setting *s, struct setting_answer *answer)
 {
-  (void)s, (void)answer;
-  assert_non_null(patience); /* it is not timed again */
-  while (patience->lasts(patience->context))
+  (void)answer;
+  assert_non_null(s->patience); /* it is not timed again */
+  while (s->patience->lasts(s->patience->context))
     ;
   return SCALLOP_ESTOPPED;
 }
@@ -117,7 +112,7 @@ static void those_without_an_answer(void **state)
   add(b, METHOD_ROOT, 0, work_forever);
   add(b, METHOD_ROOT, SCALLOP_OK, end_with)->tolerance = INFINITY;
   add(b, METHOD_ROOT, 0, give)->release = free; /* and no memory                                         */
-  add(b, METHOD_LEFT_OUT, 0, NULL);
+  add(b, METHOD_ROOT, 0, NULL);
   measure(b, 0.002);
   static const char *const status[] = { "no convergence",
                                         "cut off after 0.002 s: 17 periods",
@@ -206,7 +201,7 @@ static void the_cheapest(void **state)
   struct table table;
   char line[400], wanted[400];
   assert_true(table_open_at(&table, &style, file));
-  table_columns(&table, summary_columns);
+  summary_begin(&table);
   table_begin_rows(&table);
   summary_write(&table, &b->settings);
   assert_true(table_close(&table));

@@ -38,15 +38,17 @@ void point_blank(struct table *table, int count)
     table_number(table, NAN);
 }
 
+const char *name_among(const char *const *names, const char *name)
+{
+  while (names && *names && strcmp(*names, name) != 0)
+    names++;
+  return names ? *names : NULL;
+}
+
 static const char *known_parameter(const char *name, const char *const *extra)
 {
-  for (const char *const *p = crawler_parameters; *p; p++)
-    if (strcmp(name, *p) == 0)
-      return *p;
-  for (; *extra; extra++)
-    if (strcmp(name, *extra) == 0)
-      return *extra;
-  return NULL;
+  const char *own = name_among(crawler_parameters, name);
+  return own ? own : name_among(extra, name);
 }
 
 /* What other programs call a parameter */
@@ -90,14 +92,6 @@ static const char *meant(const char *name, const char *const *extra)
   return known;
 }
 
-static bool is_there(const struct reader *r, const char *parameter, int columns)
-{
-  for (int i = 0; i < columns; i++)
-    if (r->parameter[i] && strcmp(r->parameter[i], parameter) == 0)
-      return true;
-  return false;
-}
-
 /* Names with commas between; of many the first ones */
 static void add_name(char names[MESSAGE], const char *name, int before)
 {
@@ -114,8 +108,9 @@ static const char *read_column(struct reader *r, int i, const char *const *extra
 {
   const char *name = r->tsv.column[i], *parameter = known_parameter(name, extra);
   const char *near = parameter ? NULL : meant(name, extra);
-  if (parameter && is_there(r, parameter, i))
-    return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
+  for (int k = 0; k < i; k++)
+    if (parameter && r->parameter[k] == parameter)
+      return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
   if (near)
     return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(near));
   r->parameter[i] = parameter;
@@ -287,13 +282,6 @@ enum exit_code for_each_point(const struct request *request, const struct point_
   return (request->points ? points_of_file : one_point)(request, of);
 }
 
-static bool is_among(const char *name, const char *const *names)
-{
-  while (names && *names && strcmp(*names, name) != 0)
-    names++;
-  return names && *names;
-}
-
 void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
 {
   char line[CRAWLER_NUMBERS * (NUMBER_LENGTH + COLUMN_NAME) + GAIT_TEXT] = "";
@@ -301,7 +289,7 @@ void note_parameters(struct table *t, const struct point *p, const char *const *
   for (int i = 0; crawler_parameters[i]; i++) {
     const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? p->written[i] : NULL;
     char number[NUMBER_TEXT];
-    if (is_among(name, not_held))
+    if (name_among(not_held, name))
       continue;
     if (i < CRAWLER_NUMBERS)
       number_text(number, crawler_parameter(&p->crawler, name), 0);

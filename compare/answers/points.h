@@ -30,6 +30,9 @@ enum exit_code for_each_point(const struct request *request, const struct point_
 
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
+/* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
+const char *name_among(const char *const *names, const char *name);
+
 /* The leading cells: the crawler's parameters; of a point that was refused, nan and -. */
 void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused);
 

@@ -32,17 +32,13 @@ bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
   return false;
 }
 
-const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, double x, const char *text)
+const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, const char *text)
 {
   struct point probe = *point;
-  char written[DIGITS_TEXT];
-  if (v->target == TARGET_NUMBER) {
-    number_text(written, x, 0);
-    return point_set_number(&probe, v->place, text ? text : written);
-  }
-  if (!isfinite(x))
-    return "a finite number is wanted";
-  return v->target == TARGET_V0 || x > 0 ? NULL : "a number > 0 is wanted";
+  double x;
+  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT)
+    return point_set(&probe, v->name, text);
+  return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
 }
 
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product)
@@ -92,7 +88,6 @@ void sweep_free(struct sweep *s)
 {
   const struct sweep_variable *v;
   for (int i = 0; (v = sweep_variable(s, i)); i++) {
-    free(v->numbers);
     free(v->texts);
   }
   free(s->product);
@@ -107,28 +102,16 @@ struct move {
   void *context;
 };
 
-static void fail(const struct move *m, const char *name, const char *wrong)
+/* Sets a parameter, m1 to alpha or v0; text: as it was written, or NULL. */
+static void set(const struct move *m, const char *parameter, double x, const char *text, const char *name)
 {
-  if (m->swept->why[0] == '\0')
-    snprintf(m->swept->why, sizeof m->swept->why, "%s: %s", name, wrong);
-}
-
-static void set_number(const struct move *m, int place, double x, const char *text, const char *name)
-{
-  char *written = m->swept->written[place];
-  number_text(written, x, 0);
-  const char *wrong = point_set_number(m->point, place, text ? text : written);
-  if (wrong)
-    fail(m, name, wrong);
-}
-
-static void set_v0(const struct move *m, double x, const char *text)
-{
-  char *written = m->swept->written_v0;
-  number_text(written, x, 0);
-  const char *wrong = point_set(m->point, "v0", text ? text : written);
-  if (wrong)
-    fail(m, "v0", "a finite velocity is wanted");
+  struct swept *s = m->swept;
+  char *written = s->written[crawler_place(parameter)];
+  if (!text)
+    number_text(written, x, 0);
+  const char *wrong = point_set(m->point, parameter, text ? text : written);
+  if (wrong && s->why[0] == '\0')
+    snprintf(s->why, sizeof s->why, "%s: %s", name, wrong);
 }
 
 static double rounded(double x, long digits)
@@ -163,11 +146,15 @@ static void set_variable(const struct move *m, const struct sweep_variable *v, l
 {
   long place = v->count == 1 ? 0 : i;
   const char *text = v->texts ? v->texts[place] : NULL;
-  double x = v->numbers ? v->numbers[place] : v->texts ? 0 : range_value(m, v, place);
+  double x = 0;
+  if (!text)
+    x = range_value(m, v, place);
+  else if (v->target != TARGET_GAIT && v->target != TARGET_LABEL)
+    read_number(text, &x);
   switch (v->target) {
-  case TARGET_NUMBER: set_number(m, v->place, x, text, v->name); break;
+  case TARGET_NUMBER:
+  case TARGET_V0: set(m, v->name, x, text, v->name); break;
   case TARGET_GAIT: point_set(m->point, "gait", text); break; /* it was made when the sweep was read */
-  case TARGET_V0: set_v0(m, x, text); break;
   case TARGET_LABEL: m->swept->label[v->place] = text; break;
   case TARGET_F1_OVER_F2: m->swept->F1_over_F2 = x; break;
   case TARGET_M1_OVER_M2: m->swept->m1_over_m2 = x; break;
@@ -182,11 +169,11 @@ static void settle(const struct move *m)
   const struct scallop_crawler *c = &m->point->crawler;
   point_complete(m->point);
   if (!isnan(s->F1_over_F2))
-    set_number(m, crawler_place("F1"), s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
+    set(m, "F1", s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
   if (!isnan(s->m1_over_m2))
-    set_number(m, crawler_place("m1"), s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
+    set(m, "m1", s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
   if (!isnan(s->froude))
-    set_number(m, crawler_place("T"), sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
+    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
 }
 
 void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,

@@ -39,8 +39,7 @@ struct sweep_variable {
   enum sweep_target target;
   int place;          /* of a number among the crawler's, of a label among the labels */
   long count;         /* values; 1: the same throughout its group */
-  double *numbers;    /* a list of numbers, or NULL */
-  const char **texts; /* a list of texts: labels, gaits, numbers as they were written (NULL: as a double), or NULL */
+  const char **texts; /* a list of values as they were written; NULL: a range */
   bool is_log;        /* a range */
   bool needs_onset;   /* to know its ends: they are formulas of sticking_onset */
   struct sweep_end from, to;
@@ -62,8 +61,8 @@ struct sweep {
 
 /* Sets name, sets, target and place, but of a label. False: there is no such variable. */
 bool sweep_variable_of_name(struct sweep_variable *variable, const char *name);
-/* NULL, or what is wrong with a number of the variable, at the point. text: as it was written, or NULL. Lives until the next call. */
-const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, double x, const char *text);
+/* NULL, or what is wrong with a value of the variable, at the point. Lives until the next call. */
+const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
 /* The variable of the product that sets the same as another one, or NULL. */
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
 /* The variables of all products, one after another: number i, or NULL after the last. */
@@ -74,10 +73,10 @@ void sweep_free(struct sweep *sweep);
 
 /* Where a sweep is: what is beside the point, and the numbers of the point as they are written. */
 struct swept {
-  const char *label[SWEEP_LABELS];       /* NULL: none */
-  double F1_over_F2, m1_over_m2, froude; /* where they are set; else nan */
-  char why[SWEEP_WHY];                   /* the first value that is not allowed, or "" */
-  char written[CRAWLER_NUMBERS][DIGITS_TEXT], written_v0[DIGITS_TEXT];
+  const char *label[SWEEP_LABELS];                /* NULL: none */
+  double F1_over_F2, m1_over_m2, froude;          /* where they are set; else nan */
+  char why[SWEEP_WHY];                            /* the first value that is not allowed, or "" */
+  char written[CRAWLER_NUMBERS + 1][DIGITS_TEXT]; /* the last: v0 */
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);

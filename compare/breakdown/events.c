@@ -19,37 +19,19 @@ static const double PROVEN = 0x1p-40;
 
 /* What a motion is made of: it changes where the expansion ends. */
 struct signature {
-  struct answer answer;             /* its modes are those that have an interval                     */
-  int part[2 * SCALLOP_MODES_KEPT]; /* of the phase, in which a mode begins                          */
+  struct answer answer;                                     /* its modes are those that have an interval */
+  const struct scallop_piece *piece[2][SCALLOP_MODES_KEPT]; /* in which a mode begins */
 };
 
-struct finder {
-  const struct motion *motion;
-  struct events *events;
-  int *part[2]; /* of each piece of the phases: where l' goes on with the same analytic function two pieces are one part */
-};
-
-static bool finder_init(struct finder *f, const struct motion *motion, struct events *events)
+/* The parts of a phase are the pieces, but where l' goes on with the same analytic function two pieces are one part: number of the one
+ * that holds the piece. */
+static int part_of(const struct scallop_shape *shape, const struct scallop_piece *piece)
 {
-  *f = (struct finder){ .motion = motion, .events = events };
-  for (int kind = 0; kind < 2; kind++) {
-    const struct scallop_shape *shape = &motion->crawler.gait->phase[kind];
-    f->part[kind] = calloc((size_t)shape->count, sizeof *f->part[kind]);
-    if (!f->part[kind])
-      return false;
-    for (int i = 1; i < shape->count; i++) {
-      const struct scallop_piece *p = &shape->pieces[i];
-      bool turned, goes_on = p->direction == p[-1].direction && scallop_piece_goes_on(p - 1, p, &turned);
-      f->part[kind][i] = f->part[kind][i - 1] + !goes_on;
-    }
-  }
-  return true;
-}
-
-static void finder_clear(struct finder *f)
-{
-  free(f->part[0]);
-  free(f->part[1]);
+  int part = 0;
+  bool turned;
+  for (const struct scallop_piece *p = shape->pieces + 1; p <= piece; p++)
+    part += p->direction != p[-1].direction || !scallop_piece_goes_on(p - 1, p, &turned);
+  return part;
 }
 
 static int phases_of(const struct motion *m) { return m->of == OF_STEADY ? 2 : 1; }
@@ -61,47 +43,56 @@ static enum scallop_phase_kind kind_of(const struct motion *m, int phase)
 }
 
 struct collector {
-  const struct finder *finder;
-  struct signature *signature;
-  int phase;
+  struct scallop_modes *modes;
+  const struct scallop_piece **piece;
+  const struct scallop_shape *shape;
 };
 
 static void collect(void *context, const struct scallop_interval *interval)
 {
   const struct collector *c = context;
-  enum scallop_phase_kind kind = kind_of(c->finder->motion, c->phase);
-  const struct scallop_piece *first = c->finder->motion->crawler.gait->phase[kind].pieces;
-  struct scallop_modes *modes = &c->signature->answer.modes[c->phase];
-  int n = modes->count;
-  if (n == SCALLOP_MODES_KEPT
-      || (n > 0 && modes->kept[n - 1].s1 == interval->mode.s1 && modes->kept[n - 1].s2 == interval->mode.s2))
+  int n = (int)c->modes->count;
+  const struct scallop_mode *last = n > 0 ? &c->modes->kept[n - 1] : NULL;
+  if (n == SCALLOP_MODES_KEPT || (last && last->s1 == interval->mode.s1 && last->s2 == interval->mode.s2))
     return;
-  modes->kept[n] = interval->mode;
-  c->signature->part[c->phase * SCALLOP_MODES_KEPT + n] = n ? c->finder->part[kind][interval->piece - first] : 0;
-  modes->count++;
+  c->modes->kept[n] = interval->mode;
+  c->piece[n] = n ? interval->piece : c->shape->pieces;
+  c->modes->count++;
 }
 
-static bool signature_at(struct signature *out, const struct finder *f, double T)
+static bool signature_at(struct signature *out, const struct motion *motion, double T)
 {
-  const struct motion m = motion_at(f->motion, T);
+  const struct motion m = motion_at(motion, T);
   struct answer *a = &out->answer;
-  *out = (struct signature){ .part = { 0 } };
   if (!answer_in_double(a, &m))
     return false;
   for (int phase = 0; phase < phases_of(&m); phase++) {
-    struct collector collector = { f, out, phase };
+    enum scallop_phase_kind kind = kind_of(&m, phase);
+    struct collector collector = { &a->modes[phase], out->piece[phase], &m.crawler.gait->phase[kind] };
     double v = m.of == OF_PHASE ? m.v0 : a->value[phase == 0 ? Q_V_START : Q_V_MID].high;
     a->modes[phase].count = 0;
-    if (scallop_phase_intervals(&m.crawler, kind_of(&m, phase), v, collect, &collector) < 0)
+    if (scallop_phase_intervals(&m.crawler, kind, v, collect, &collector) < 0)
       return false;
   }
   return true;
 }
 
-static bool same(const struct signature *a, const struct signature *b)
+/* The first of the modes, counted through the phases, that begins in another part than before; -1: none does. Of the same modes. */
+static int moved(const struct motion *m, const struct signature *a, const struct signature *b)
 {
-  return same_modes(a->answer.modes, b->answer.modes) && a->answer.regime == b->answer.regime
-         && memcmp(a->part, b->part, sizeof a->part) == 0;
+  for (int phase = 0; phase < phases_of(m); phase++)
+    for (int i = 0; i < a->answer.modes[phase].count; i++) {
+      const struct scallop_shape *shape = &m->crawler.gait->phase[kind_of(m, phase)];
+      const struct scallop_piece *p = a->piece[phase][i], *q = b->piece[phase][i];
+      if (p != q && part_of(shape, p) != part_of(shape, q))
+        return phase * SCALLOP_MODES_KEPT + i;
+    }
+  return -1;
+}
+
+static bool same(const struct motion *m, const struct signature *a, const struct signature *b)
+{
+  return same_modes(a->answer.modes, b->answer.modes) && a->answer.regime == b->answer.regime && moved(m, a, b) < 0;
 }
 
 /* Has the motion these modes at T, in binary128? At most SCALLOP_MODES_KEPT are compared. */
@@ -111,15 +102,15 @@ static bool is_in_wide(const struct motion *m, double T, const struct signature 
   return motion_in_wide(m, T, &a) && same_modes(a.modes, s->answer.modes);
 }
 
-/* Halves [*low, *high] in binary128 until they are neighbours. False: the modes there are not those that doubles saw outside. */
-static bool settle(double *low, double *high, const struct motion *m, const struct signature *before,
-                   const struct signature *after)
+/* Halves [*low, *high] until they are neighbours. Of a change of modes in binary128; that a switching time leaves its part no mode shows,
+ * so that doubles have to do. */
+static void settle(double *low, double *high, const struct motion *m, const struct signature *before, bool of_modes)
 {
-  if (!is_in_wide(m, *low, before) || !is_in_wide(m, *high, after))
-    return false;
-  for (double T; halfway(&T, *low, *high);)
-    *(is_in_wide(m, T, before) ? low : high) = T;
-  return true;
+  struct signature middle;
+  for (double T; halfway(&T, *low, *high);) {
+    bool is_before = of_modes ? is_in_wide(m, T, before) : signature_at(&middle, m, T) && same(m, &middle, before);
+    *(is_before ? low : high) = T;
+  }
 }
 
 /* Are these proven to be the modes at T? */
@@ -134,23 +125,16 @@ static bool is_certified(const struct motion *m, double T, const struct signatur
   return proven;
 }
 
-/* A body turns in another piece than before: which one, in which phase. */
-static void tell_place(struct event *e, const struct motion *m, const struct signature *before,
-                       const struct signature *after)
-{
-  static const char *const phase_text[] = { "extension", "contraction" };
-  int i = 0;
-  while (i < 2 * SCALLOP_MODES_KEPT - 1 && before->part[i] == after->part[i])
-    i++;
-  snprintf(e->what, sizeof e->what, "switching time %d of the %s moves from piece %d of l' to piece %d",
-           i % SCALLOP_MODES_KEPT, phase_text[kind_of(m, i / SCALLOP_MODES_KEPT)], before->part[i] + 1, after->part[i] + 1);
-}
-
 static void describe(struct event *e, const struct motion *m, const struct signature *before, const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
-  if (same_modes(was.modes, is.modes) && was.regime == is.regime) {
-    tell_place(e, m, before, after);
+  if (same_modes(was.modes, is.modes) && was.regime == is.regime) { /* a body turns in another part */
+    int place = moved(m, before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
+    enum scallop_phase_kind kind = kind_of(m, phase);
+    const struct scallop_shape *shape = &m->crawler.gait->phase[kind];
+    snprintf(e->what, sizeof e->what, "switching time %d of the %s moves from piece %d of l' to piece %d", i,
+             kind == SCALLOP_EXTENSION ? "extension" : "contraction", part_of(shape, before->piece[phase][i]) + 1,
+             part_of(shape, after->piece[phase][i]) + 1);
     return;
   }
   if (kind_of(m, 0) == SCALLOP_CONTRACTION) { /* the extension has no modes */
@@ -160,25 +144,14 @@ static void describe(struct event *e, const struct motion *m, const struct signa
   mode_change_text(e->what, &was, &is);
 }
 
-/* A switching time that leaves its piece: no mode shows it, so that doubles have to do. */
-static double settle_place(const struct finder *f, double low, double high, const struct signature *before)
-{
-  struct signature middle;
-  for (double T; halfway(&T, low, high) && signature_at(&middle, f, T);)
-    *(same(&middle, before) ? &low : &high) = T;
-  return low;
-}
-
 /* Something changes between low and high, which are close. Events that doubles cannot tell apart are one. */
-static void enter(struct finder *f, double low, double high)
+static void enter(struct events *events, const struct motion *m, double low, double high)
 {
-  struct events *events = f->events;
-  const struct motion *m = f->motion;
   struct signature before, after;
   low *= 1 - WIDE;
   high *= 1 + WIDE;
-  if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, f, low)
-      || !signature_at(&after, f, high) || same(&before, &after))
+  if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, m, low)
+      || !signature_at(&after, m, high) || same(m, &before, &after))
     return;
   struct event *larger = with_room(events->event, events->count, sizeof *larger);
   if (!larger)
@@ -188,39 +161,40 @@ static void enter(struct finder *f, double low, double high)
   *e = (struct event){ .T = low + (high - low) / 2, .status = "double" };
   memcpy(e->modes, after.answer.modes, sizeof e->modes);
   describe(e, m, &before, &after);
-  if (same_modes(before.answer.modes, after.answer.modes)) {
-    e->T = settle_place(f, low, high, &before);
-  } else if (settle(&low, &high, m, &before, &after)) {
+  bool of_modes = !same_modes(before.answer.modes, after.answer.modes);
+  if (of_modes && !(is_in_wide(m, low, &before) && is_in_wide(m, high, &after)))
+    return; /* not the modes that doubles see */
+  settle(&low, &high, m, &before, of_modes);
+  e->T = low;
+  if (of_modes) {
     bool proven = is_certified(m, low * (1 - PROVEN), &before) && is_certified(m, low * (1 + PROVEN), &after);
-    e->T = low;
     e->status = proven ? "certified" : "binary128";
   }
 }
 
-static void search(struct finder *f, double low, double high, const struct signature *at_low,
+static void search(struct events *events, const struct motion *m, double low, double high, const struct signature *at_low,
                    const struct signature *at_high)
 {
   struct signature middle;
   double T = sqrt(low) * sqrt(high);
-  if (same(at_low, at_high))
+  if (same(m, at_low, at_high))
     return;
-  if (high - low <= NARROW * high || !(T > low && T < high) || !signature_at(&middle, f, T)) {
-    enter(f, low, high);
+  if (high - low <= NARROW * high || !(T > low && T < high) || !signature_at(&middle, m, T)) {
+    enter(events, m, low, high);
     return;
   }
-  search(f, low, T, at_low, &middle);
-  search(f, T, high, &middle, at_high);
+  search(events, m, low, T, at_low, &middle);
+  search(events, m, T, high, &middle, at_high);
 }
 
 /* From where the modes are those of T -> 0; false: there is nothing there. */
-static bool begin(struct finder *f, const char *limit_modes, struct signature *low)
+static bool begin(struct events *events, const struct motion *m, const char *limit_modes, struct signature *low)
 {
   char text[MOTION_MODES_TEXT];
-  struct events *events = f->events;
   for (int i = 0; i < 8; i++) {
-    if (!signature_at(low, f, events->from))
+    if (!signature_at(low, m, events->from))
       return false;
-    motion_modes_text(text, f->motion->of, low->answer.modes);
+    motion_modes_text(text, m->of, low->answer.modes);
     if (*limit_modes == '\0' || strcmp(text, limit_modes) == 0)
       break;
     events->from = ldexp(events->from, -OCTAVES_BELOW);
@@ -231,23 +205,21 @@ static bool begin(struct finder *f, const char *limit_modes, struct signature *l
 
 void events_find(struct events *events, const struct motion *m, const char *limit_modes)
 {
-  struct finder f;
   struct signature low, high;
   *events = (struct events){ .from = ldexp(motion_natural_time(m), -OCTAVES_BELOW), .until = motion_last_time(m) };
-  bool going = finder_init(&f, m, events) && begin(&f, limit_modes, &low);
+  bool going = begin(events, m, limit_modes, &low);
   double before = events->from;
   long steps = (long)ceil(PER_OCTAVE * log2(events->until / events->from));
   for (long i = 1; going && i <= steps; i++) {
     double T = events->from * exp2((double)i / PER_OCTAVE);
-    going = signature_at(&high, &f, T);
+    going = signature_at(&high, m, T);
     if (going)
-      search(&f, before, T, &low, &high);
+      search(events, m, before, T, &low, &high);
     else
       events->until = before;
     low = high;
     before = T;
   }
-  finder_clear(&f);
 }
 
 void events_clear(struct events *events) { free(events->event); }

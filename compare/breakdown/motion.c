@@ -32,11 +32,7 @@ double motion_froude(const struct motion *s, double T)
   return (c->m1 + c->m2) / (c->F1 + c->F2) * c->L / T / T;
 }
 
-double motion_natural_time(const struct motion *s)
-{
-  const struct scallop_crawler *c = &s->crawler;
-  return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L);
-}
+double motion_natural_time(const struct motion *s) { return sqrt(motion_froude(s, 1)); }
 
 /* max |l''|: l'' is monotone within a piece */
 static double most_acceleration(const struct scallop_shape *shape)

@@ -6,7 +6,7 @@
 
 #include "compare/breakdown/radius.h"
 
-/* sum over j of a_j T^(first + stride j): the terms that are not 0 by symmetry */
+/* sum over j of a_j T^(first + stride j), j < count: the terms that are not 0 by symmetry */
 struct terms {
   slong first, stride, count;
   const struct series *series;
@@ -14,66 +14,62 @@ struct terms {
 
 static slong gcd(slong a, slong b) { return b == 0 ? a : gcd(b, a % b); }
 
-/* count = 0 for a series with fewer than two terms */
 static struct terms terms_of(const struct series *s, slong order)
 {
   struct terms t = { .series = s };
-  bool found = false;
-  slong last = 0;
   for (slong k = s->first; k < order && k < s->known; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
-    if (found)
-      t.stride = gcd(k - t.first, t.stride);
-    else
+    if (t.count == 0)
       t.first = k;
-    found = true;
-    last = k;
+    t.stride = gcd(k - t.first, t.stride);
+    t.count = t.stride > 0 ? (k - t.first) / t.stride + 1 : 1; /* with those between, so far */
   }
-  t.count = t.stride > 0 ? (last - t.first) / t.stride + 1 : 0;
   return t;
 }
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
-/* The shortest linear recurrence of a[count] (Berlekamp and Massey, over the rationals): sum over k of c[k] a[n - k] = 0, c[0] = 1.
+/* The shortest linear recurrence of a[count] (Berlekamp and Massey, over the rationals): sum over k of c_k a[n - k] = 0, c_0 = 1.
  * Returns its length, or -1 if it is longer than MOST_POLES. */
-static slong recurrence(fmpq *c, const fmpq *a, slong count)
+static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
 {
-  enum { SIZE = 2 * MOST_POLES + 2 };
-  fmpq *last = _fmpq_vec_init(SIZE), *kept = _fmpq_vec_init(SIZE);
-  fmpq_t d, before, factor;
+  fmpq_poly_t last, next;
+  fmpq_t d, before, x;
+  slong length = 0, shift = 1;
+  fmpq_poly_init(last);
+  fmpq_poly_init(next);
   fmpq_init(d);
   fmpq_init(before);
-  fmpq_init(factor);
-  slong length = 0, shift = 1;
-  fmpq_one(&c[0]);
-  fmpq_one(&last[0]);
+  fmpq_init(x);
+  fmpq_poly_one(c);
+  fmpq_poly_one(last);
   fmpq_one(before);
   for (slong n = 0; n < count && length <= MOST_POLES; n++, shift++) {
     fmpq_zero(d);
-    for (slong k = 0; k <= length; k++)
-      fmpq_addmul(d, &c[k], &a[n - k]);
+    for (slong k = 0; k <= length; k++) {
+      fmpq_poly_get_coeff_fmpq(x, c, k);
+      fmpq_addmul(d, x, &a[n - k]);
+    }
     if (fmpq_is_zero(d))
       continue;
-    for (slong k = 0; k < SIZE; k++)
-      fmpq_set(&kept[k], &c[k]);
-    fmpq_div(factor, d, before);
-    for (slong k = 0; k + shift < SIZE; k++)
-      fmpq_submul(&c[k + shift], factor, &last[k]);
-    if (2 * length > n)
-      continue;
-    length = n + 1 - length;
-    for (slong k = 0; k < SIZE; k++)
-      fmpq_set(&last[k], &kept[k]);
-    fmpq_set(before, d);
-    shift = 0;
+    fmpq_div(x, d, before);
+    fmpq_poly_shift_left(next, last, shift);
+    fmpq_poly_scalar_mul_fmpq(next, next, x);
+    fmpq_poly_sub(next, c, next);
+    if (2 * length <= n) {
+      length = n + 1 - length;
+      fmpq_poly_swap(last, c);
+      fmpq_set(before, d);
+      shift = 0;
+    }
+    fmpq_poly_swap(c, next);
   }
   fmpq_clear(d);
   fmpq_clear(before);
-  fmpq_clear(factor);
-  _fmpq_vec_clear(last, SIZE);
-  _fmpq_vec_clear(kept, SIZE);
+  fmpq_clear(x);
+  fmpq_poly_clear(last);
+  fmpq_poly_clear(next);
   return length <= MOST_POLES ? length : -1;
 }
 
@@ -141,56 +137,39 @@ static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct ter
 
 static bool by_poles(struct radius *r, const struct terms *t)
 {
-  enum { SIZE = 2 * MOST_POLES + 2 };
-  fmpq *a = _fmpq_vec_init(t->count), *c = _fmpq_vec_init(SIZE);
+  fmpq *a = _fmpq_vec_init(t->count);
+  fmpq_poly_t q;
+  fmpz_poly_t whole, common;
   bool found = true;
+  fmpq_poly_init(q);
+  fmpz_poly_init(whole);
+  fmpz_poly_init(common);
   for (slong j = 0; j < t->count && found; j++)
     found = series_rational_coefficient(&a[j], t->series, t->first + j * t->stride);
-  slong length = found ? recurrence(c, a, t->count) : -1;
+  slong length = found ? recurrence(q, a, t->count) : -1;
   found = length > 0 && t->count >= 2 * length + CONFIRMED;
   if (found) {
-    fmpq_poly_t q;
-    fmpz_poly_t whole, common;
-    fmpq_poly_init(q);
-    fmpz_poly_init(whole);
-    fmpz_poly_init(common);
-    for (slong k = 0; k <= length; k++)
-      fmpq_poly_set_coeff_fmpq(q, k, &c[k]);
     fmpq_poly_get_numerator(whole, q);
     fmpz_poly_derivative(common, whole);
     fmpz_poly_gcd(common, common, whole);
     fmpz_poly_div(whole, whole, common); /* each root once */
-    *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
+    snprintf(r->note, sizeof r->note, "the series ends: a polynomial in T");
     if (fmpz_poly_degree(whole) > 0)
       nearest_root(r, whole, t, length);
-    else
-      snprintf(r->note, sizeof r->note, "the series ends: a polynomial in T");
-    fmpq_poly_clear(q);
-    fmpz_poly_clear(whole);
-    fmpz_poly_clear(common);
   }
+  fmpq_poly_clear(q);
+  fmpz_poly_clear(whole);
+  fmpz_poly_clear(common);
   _fmpq_vec_clear(a, t->count);
-  _fmpq_vec_clear(c, SIZE);
   return found;
-}
-
-static bool is_zero(const struct series *s, slong order)
-{
-  for (slong k = s->first; k < order && k < s->known; k++)
-    if (!series_coefficient_is_zero(s, k))
-      return false;
-  return true;
 }
 
 bool radius_from_poles(struct radius *r, const struct series *series, slong order)
 {
   struct terms t = terms_of(series, order);
-  if (is_zero(series, order)) {
-    *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
-    snprintf(r->note, sizeof r->note, "every coefficient below T^%ld is 0", (long)order);
-    return true;
-  }
-  return t.count > 0 && by_poles(r, &t);
+  *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
+  snprintf(r->note, sizeof r->note, "every coefficient below T^%ld is 0", (long)order);
+  return t.count == 0 || (t.count > 1 && by_poles(r, &t));
 }
 
 static enum continued_value continued(enum quantity_id quantity)
@@ -226,13 +205,9 @@ void radius_from_singularity(struct radius *r, const struct scallop_singularity 
 
 bool singularity_of(struct scallop_singularity *s, const struct expansions *e, bool first_crossing)
 {
-  fmpq_t v0;
-  fmpq_init(v0);
-  scallop_rational_set_double(v0, e->motion->v0);
-  enum scallop_status status = e->motion->of == OF_STEADY
-                                   ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
-                                   : scallop_phase_singularity(s, &e->crawler, e->motion->phase, v0,
-                                                               first_crossing ? 1 : INT_MAX, PLACE_BITS, NULL);
-  fmpq_clear(v0);
-  return status == SCALLOP_OK;
+  const struct motion *m = e->motion;
+  return SCALLOP_OK
+         == (m->of == OF_STEADY ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
+                                : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0, first_crossing ? 1 : INT_MAX,
+                                                            PLACE_BITS, NULL));
 }

@@ -2,26 +2,28 @@
 #ifndef SCALLOP_BREAKDOWN_SERIES_H
 #define SCALLOP_BREAKDOWN_SERIES_H
 
-#include "asymptotics/derived/evaluate.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/breakdown.h"
 
-enum { BREAKDOWN_BITS = 256 }; /* of the balls that errors are formed in                            */
+enum {
+  BREAKDOWN_BITS = 256, /* of the balls that errors are formed in */
+  MOST_ITEMS = 16
+};
 
-struct series_item { /* one series for one quantity                                               */
-  struct breakdown_series which;
-  const struct scallop_formula *formula; /* published                                             */
-  const struct series *series;           /* derived and limit                                     */
-  slong before;                          /* their terms below T^before                            */
-  bool divide_by_T, add_v0;              /* published: what is done to the formula's value           */
+struct series_item { /* one series for one quantity */
+  enum breakdown_source source;
+  enum quantity_id quantity;
   const char *name;
+  const struct scallop_formula *formula; /* published */
+  const struct series *series;           /* derived and limit: their terms below T^before */
+  slong before;
 };
 
 struct expansions {
   const struct motion *motion;
   struct scallop_rational_crawler crawler;
+  fmpq_t v0;
   struct series_answer derived;
-  struct scallop_symbols symbols;
 };
 /* Derives all terms below T^order, in balls of so many bits where they are not rational. */
 void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision);
@@ -30,9 +32,9 @@ void expansions_clear(struct expansions *e);
 const char *expansions_modes(const struct expansions *e);
 const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity);
 
-/* The next series of a quantity after item->name (NULL: the first); order: of the derived one. False: there is none left. */
-bool series_item_next(struct series_item *item, const struct expansions *e, enum quantity_id quantity, long order);
+/* All series of a quantity, by their source; order: of the derived one. Returns how many. */
+int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity, long order);
 /* Value at T; nan or not finite where there is none. */
-void series_item_value(arb_t value, const struct series_item *item, struct expansions *e, double T, slong precision);
+void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T, slong precision);
 
 #endif

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "compare/answers/defaults.h"
-#include "compare/breakdown/asked.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
@@ -13,22 +12,18 @@
 #include "compare/text/table.h"
 #include "model/version.h"
 
-static const char *const columns[] = { "what",   "quantity", "series", "order", "tolerance", "T",
-                                       "froude", "error",    "modes",  "note",  "status",    NULL };
-
 /* Terms below T^MANY tell the best order, and where the poles of a rational function are. */
 enum { MANY = 96, MANY_BITS = 1024, BOUND_BITS = 128 };
-struct sought {
-  bool done, found;
-  struct scallop_singularity singularity;
-};
 
 struct report {
   const struct breakdown_options *options;
   struct motion motion;
   struct expansions expansions, many;
   struct events events;
-  struct sought sought[2]; /* of all crossings; of the first */
+  struct sought { /* a singularity: of all crossings; of the first */
+    bool done, found;
+    struct scallop_singularity singularity;
+  } sought[2];
   struct exact_cache *cache;
   struct table table;
   long rows;
@@ -37,56 +32,31 @@ struct report {
 
 static bool is_wanted(const struct report *r, const char *what)
 {
-  return !r->options->only || strcmp(r->options->only, what) == 0;
+  return !r->options->only.given || strcmp(r->options->only.value, what) == 0;
 }
 
-static bool is_wanted_quantity(const struct report *r, enum quantity_id quantity)
-{
-  const char *only = r->options->quantity;
-  return motion_has(&r->motion, quantity) && (!only || strcmp(only, quantity_rows[quantity].name) == 0);
-}
-
-static bool is_wanted_source(const struct report *r, enum breakdown_source source)
-{
-  return !r->options->source.given || strcmp(r->options->source.value, breakdown_source_text(source)) == 0;
-}
-
-struct row {
+struct row { /* a text that is NULL is a dash */
   const char *what, *quantity, *series;
-  double order, tolerance, T, error;
+  double order, tolerance /* 0: none */, T, error;
   const struct scallop_modes *modes;
   const char *note, *status;
 };
 
-/* With nothing but this */
-static struct row row_of(const char *what, const char *quantity, double T)
-{
-  return (struct row){ .what = what,
-                       .quantity = quantity,
-                       .series = "-",
-                       .order = NAN,
-                       .tolerance = NAN,
-                       .T = T,
-                       .error = NAN,
-                       .note = "-",
-                       .status = "-" };
-}
-
-static void write_row(struct report *r, const struct row *row)
+static void write_row(struct report *r, struct row row)
 {
   struct table *t = &r->table;
   char modes[MOTION_MODES_TEXT];
-  table_text(t, row->what);
-  table_text(t, row->quantity);
-  table_text(t, row->series);
-  table_number(t, row->order);
-  table_number(t, row->tolerance);
-  table_number(t, row->T);
-  table_number(t, motion_froude(&r->motion, row->T));
-  table_rounded(t, row->error, "%.4g");
-  table_text(t, row->modes ? motion_modes_text(modes, r->motion.of, row->modes) : "-");
-  table_text(t, row->note);
-  table_text(t, row->status);
+  const char *const texts[] = { row.what, row.quantity, row.series };
+  for (int i = 0; i < 3; i++)
+    table_text(t, texts[i] ? texts[i] : "-");
+  table_number(t, row.order);
+  table_number(t, row.tolerance > 0 ? row.tolerance : NAN);
+  table_number(t, row.T);
+  table_number(t, motion_froude(&r->motion, row.T));
+  table_rounded(t, row.error, "%.4g");
+  table_text(t, row.modes ? motion_modes_text(modes, r->motion.of, row.modes) : "-");
+  table_text(t, row.note);
+  table_text(t, row.status ? row.status : "-");
   r->rows++;
 }
 
@@ -125,14 +95,12 @@ static const char *where(const struct report *r, double T)
 static void write_limit(struct report *r)
 {
   char note[120] = "the limit T -> 0";
-  struct row row = row_of("event", "-", 0);
+  struct row row = { .what = "event", .order = NAN, .error = NAN, .modes = r->events.first, .note = note };
   const char *ends;
   arb_t T;
   arf_t least;
   arb_init(T);
   arf_init(least);
-  row.modes = r->events.first;
-  row.note = note;
   row.status = *expansions_modes(&r->expansions) ? "derived" : "double";
   if (r->motion.of == OF_STEADY
       && scallop_steady_modes_hold(&r->expansions.crawler, BOUND_BITS, T, &ends, NULL) == SCALLOP_OK) {
@@ -141,7 +109,7 @@ static void write_limit(struct report *r)
              arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
     row.status = "certified";
   }
-  write_row(r, &row);
+  write_row(r, row);
   arf_clear(least);
   arb_clear(T);
 }
@@ -149,67 +117,58 @@ static void write_limit(struct report *r)
 static void write_events(struct report *r)
 {
   write_limit(r);
-  for (const struct event *e = r->events.event; e < r->events.event + r->events.count; e++) {
-    struct row row = row_of("event", "-", e->T);
-    row.modes = e->modes;
-    row.note = e->what;
-    row.status = e->status;
-    write_row(r, &row);
-  }
+  for (const struct event *e = r->events.event; e < r->events.event + r->events.count; e++)
+    write_row(r, (struct row){ "event", .order = NAN, .T = e->T, .error = NAN, .modes = e->modes, .note = e->what,
+                               .status = e->status });
 }
 
 /* The error is proven to be below the tolerance just below T, and not just above. Of gaits with many pieces a proof takes seconds, and
  * there would be hundreds. */
-static bool is_proven(const struct comparison *c, double T, double tolerance)
+static bool is_proven(const struct comparison *c, double T)
 {
   enum { DIGITS = 40, MOST_PIECES = 32 };
   const double off = 0x1p-50;
-  const struct scallop_shape *phase = c->motion->crawler.gait->phase;
+  const struct scallop_shape *phase = c->expansions->motion->crawler.gait->phase;
   return phase[0].count <= MOST_PIECES && phase[1].count <= MOST_PIECES
-         && comparison_certified_side(c, T * (1 - off), tolerance, DIGITS) < 0
-         && comparison_certified_side(c, T * (1 + off), tolerance, DIGITS) > 0;
+         && comparison_certified_side(c, T * (1 - off), DIGITS) < 0
+         && comparison_certified_side(c, T * (1 + off), DIGITS) > 0;
 }
 
-static void write_reach(struct report *r, const struct comparison *c, double tolerance)
+static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
-  double T = comparison_reach(c, tolerance), limit = T == 0 ? comparison_limit(c) : NAN;
-  struct row row = row_of("reach", quantity_rows[c->item.which.quantity].name, T);
-  row.series = c->item.name;
-  row.order = c->item.which.source == FROM_DERIVED ? (double)c->item.which.order : NAN;
-  row.tolerance = tolerance;
-  row.note = text;
+  double T = comparison_reach(c), limit = T == 0 ? comparison_limit(c) : NAN;
+  struct row row = { "reach", quantity_rows[c->item.quantity].name, c->item.name, .T = T, .error = limit, .note = text };
+  row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
+  row.tolerance = c->tolerance;
   row.status = "binary128";
   if (T > 0 && isfinite(T)) {
     row.modes = modes_at(r, T);
     row.error = comparison_error(c, T);
     row.note = where(r, T);
-    row.status = is_proven(c, T, tolerance) ? "certified" : row.status;
+    row.status = is_proven(c, T) ? "certified" : row.status;
   } else if (isnan(T)) {
-    snprintf(text, sizeof text,
-             "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion");
+    row.note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
   } else if (T > 0) {
-    snprintf(text, sizeof text, "for every T%s", r->events.count > 0 ? " up to permanent rest" : "");
+    row.note = r->events.count > 0 ? "for every T up to permanent rest" : "for every T";
   } else if (isnan(limit)) {
-    snprintf(text, sizeof text, "the error does not fall below the tolerance as T -> 0");
+    row.note = "the error does not fall below the tolerance as T -> 0";
   } else {
     snprintf(text, sizeof text, "the error tends to %.6g as T -> 0, which is not below the tolerance", limit);
-    row.error = limit;
   }
-  write_row(r, &row);
+  write_row(r, row);
 }
 
 static void write_reaches(struct report *r, enum quantity_id quantity)
 {
-  static const double tolerances[] = { BREAKDOWN_TOLERANCES };
-  enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
-  struct comparison c = { &r->motion, &r->expansions, { .name = NULL }, r->cache };
-  while (series_item_next(&c.item, &r->expansions, quantity, r->options->order.value)) {
-    if (!is_wanted_source(r, c.item.which.source))
-      continue;
-    for (int i = 0; i < (r->options->tolerance.given ? 1 : TOLERANCES); i++)
-      write_reach(r, &c, r->options->tolerance.given ? r->options->tolerance.value : tolerances[i]);
-  }
+  static const double usual[] = { BREAKDOWN_TOLERANCES };
+  const struct given_number *given = &r->options->tolerance;
+  struct series_item items[MOST_ITEMS];
+  int count = series_items(items, &r->expansions, quantity, r->options->order.value);
+  for (int i = 0; i < count; i++)
+    for (int k = 0; k < (given->given ? 1 : (int)(sizeof usual / sizeof *usual)); k++)
+      if (breakdown_takes(r->options, items[i].source))
+        write_reach(r, &(struct comparison){ &r->expansions, items[i], r->cache, given->given ? given->value : usual[k] });
 }
 
 static const char *which_first(const struct report *r, double radius)
@@ -222,35 +181,30 @@ static const char *which_first(const struct report *r, double radius)
   return text;
 }
 
-/* The singularity that the quantity depends on: looked for once */
-static const struct scallop_singularity *singularity_for(struct report *r, enum quantity_id quantity)
+/* False: radius.note says why there is none. */
+static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
 {
+  const struct series *s = expansions_of(&r->many, quantity);
   struct sought *sought = &r->sought[quantity == Q_T1];
-  if (!sought->done) {
+  if (s && radius_from_poles(radius, s, MANY))
+    return true;
+  *radius = (struct radius){ .note = "there is no derived series" };
+  if (s && !sought->done) { /* once for all quantities that depend on it */
+    scallop_singularity_init(&sought->singularity);
     progress_show(&r->progress, "singularities ...");
     sought->found = singularity_of(&sought->singularity, &r->many, quantity == Q_T1);
     sought->done = true;
   }
-  return sought->found ? &sought->singularity : NULL;
-}
-
-static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
-{
-  const struct series *s = expansions_of(&r->many, quantity);
-  if (s && radius_from_poles(radius, s, MANY))
-    return true;
-  const struct scallop_singularity *found = s ? singularity_for(r, quantity) : NULL;
-  if (found)
-    radius_from_singularity(radius, found, quantity);
-  return found;
+  if (s && sought->found)
+    radius_from_singularity(radius, &sought->singularity, quantity);
+  return s && sought->found;
 }
 
 static void write_radius(struct report *r, enum quantity_id quantity)
 {
-  struct radius radius = { .note = "there is no derived series" };
+  struct radius radius;
   char text[sizeof radius.note + 100];
-  struct row row = row_of("radius", quantity_rows[quantity].name, NAN);
-  row.note = radius.note;
+  struct row row = { "radius", quantity_rows[quantity].name, .order = NAN, .T = NAN, .error = NAN, .note = radius.note };
   if (find_radius(&radius, r, quantity)) {
     snprintf(text, sizeof text, "%s; %s", radius.note, which_first(r, radius.T));
     row.series = radius.method;
@@ -259,7 +213,7 @@ static void write_radius(struct report *r, enum quantity_id quantity)
     row.note = text;
     row.status = radius.status;
   }
-  write_row(r, &row);
+  write_row(r, row);
 }
 
 /* The order with the least |error| at T, of those below MANY; *error: that. False: the motion has no such value. */
@@ -272,9 +226,7 @@ static bool best_order(const struct report *r, enum quantity_id quantity, double
   for (slong k = s->first; exact && k < MANY; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
-    struct breakdown_series which = { FROM_DERIVED, k + 1, quantity };
-    struct series_item item = { .which = which, .series = s, .before = k + 1, .name = "derived" };
-    struct comparison c = { &r->motion, (struct expansions *)&r->many, item, NULL };
+    struct comparison c = { &r->many, { FROM_DERIVED, quantity, .series = s, .before = k + 1 }, .tolerance = 0 };
     double here = fabs(comparison_error_beside(&c, T, exact, MANY_BITS));
     if (here < *error) {
       *error = here;
@@ -309,20 +261,15 @@ static void write_best(struct report *r, enum quantity_id quantity, const struct
 {
   const struct series *s = expansions_of(&r->many, quantity);
   for (int i = 0; s && i < BEST; i++) {
-    struct row row = row_of("best", quantity_rows[quantity].name, best_time(r, i));
+    double T = best_time(r, i), error;
     slong order;
-    if (!best_order(r, quantity, row.T, exact[i].value[quantity], &order, &row.error))
-      continue;
-    row.series = "derived";
-    row.order = (double)order;
-    row.modes = modes_at(r, row.T);
-    row.note = beyond(r, s, row.T, order);
-    row.status = "certified";
-    write_row(r, &row);
+    if (best_order(r, quantity, T, exact[i].value[quantity], &order, &error))
+      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error, modes_at(r, T),
+                                 beyond(r, s, T, order), "certified" });
   }
 }
 
-static void write_rows(struct report *r)
+static void write_rows(struct report *r, enum quantity_id only)
 {
   enum { DIGITS = 200 };
   struct ball_answer exact[BEST];
@@ -336,7 +283,7 @@ static void write_rows(struct report *r)
     write_events(r);
   for (int i = 0; i < QUANTITIES; i++) {
     enum quantity_id q = (enum quantity_id)i;
-    if (!is_wanted_quantity(r, q))
+    if (!motion_has(&r->motion, q) || (r->options->quantity && q != only))
       continue;
     progress_show(&r->progress, "%s ...", quantity_rows[q].name);
     if (is_wanted(r, "reach"))
@@ -377,15 +324,16 @@ static bool begin(struct report *r)
     table_note(t, "no derived series: %s", why_none(r));
   table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
              r->events.from, r->events.until);
-  table_columns(t, columns);
+  table_columns(t, (const char *const[]){ "what", "quantity", "series", "order", "tolerance", "T", "froude", "error",
+                                          "modes", "note", "status", NULL });
   table_begin_rows(t);
   return true;
 }
 
-static enum exit_code report(struct report *r)
+static enum exit_code report(struct report *r, enum quantity_id only)
 {
-  bool looks_far = is_wanted(r, "radius") || is_wanted(r, "best");
-  if (r->expansions.derived.status != SCALLOP_OK && looks_far && r->options->only) {
+  bool looks_far = is_wanted(r, "radius") || is_wanted(r, "best"), derived = r->expansions.derived.status == SCALLOP_OK;
+  if (!derived && looks_far && r->options->only.given) {
     complain("breakdown", "no derived series: %s", why_none(r));
     return EXIT_UNSOLVED;
   }
@@ -395,45 +343,64 @@ static enum exit_code report(struct report *r)
   progress_end(&r->progress);
   enum exit_code code = EXIT_FILE;
   if (begin(r)) {
-    write_rows(r);
+    write_rows(r, only);
     progress_end(&r->progress);
     code = !table_close(&r->table) ? EXIT_FILE : r->rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
     if (code == EXIT_UNSOLVED)
       complain("breakdown", "no row: %s",
-               r->expansions.derived.status != SCALLOP_OK ? why_none(r)
-                                                          : "there is no such series of this quantity, or all of it is 0");
+               derived ? "there is no such series of this quantity, or all of it is 0" : why_none(r));
   }
   events_clear(&r->events);
   expansions_clear(&r->many);
   return code;
 }
 
+/* Do the options go together? False: the message is on stderr. */
+static bool is_sound(const struct breakdown_options *o)
+{
+  static const double least_tolerance = 1e-20; /* errors are known to some 1e-32 */
+  bool not_derived = o->source.given && strcmp(o->source.value, "derived") != 0;
+  if (o->order.given && not_derived) {
+    complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");
+    return false;
+  }
+  bool reaches = !o->only.given || strcmp(o->only.value, "reach") == 0,
+       events = !reaches && strcmp(o->only.value, "event") == 0;
+  const char *idle = reaches                                      ? NULL
+                     : o->tolerance.given                         ? "tol"
+                     : o->quantity && events                      ? "quantity"
+                     : not_derived || (o->source.given && events) ? "source"
+                     : o->order.given                             ? "order"
+                                                                  : NULL;
+  if (idle)
+    complain("breakdown", "--%s has nothing to do with --only %s", idle, o->only.value);
+  else if (o->tolerance.given && o->tolerance.value < least_tolerance)
+    complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance.value);
+  else
+    return true;
+  return false;
+}
+
 enum exit_code breakdown_table(const struct breakdown_options *o)
 {
-  static struct report r;
+  struct report r = { .options = o, .progress = progress_begin(o->request.style.quiet) };
   struct scallop_scaled scaled;
   enum quantity_of of = o->request.point.has_phase || o->request.point.has_v0 ? OF_PHASE : OF_STEADY;
-  if (!breakdown_is_sound(o, of))
+  enum quantity_id only;
+  if (!breakdown_quantity(&only, o, of) || !is_sound(o))
     return EXIT_USAGE;
   enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
-  if (status != SCALLOP_OK) {
-    complain("breakdown", "%s", scallop_status_text(status));
+  r.motion = motion_of(&o->request.point, of);
+  r.cache = status == SCALLOP_OK ? exact_cache_new(&r.motion) : NULL;
+  if (!r.cache) {
+    complain("breakdown", "%s", status == SCALLOP_OK ? "out of memory" : scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  r = (struct report){ .options = o,
-                       .motion = motion_of(&o->request.point, of),
-                       .progress = progress_begin(o->request.style.quiet) };
-  r.cache = exact_cache_new(&r.motion);
   expansions_init(&r.expansions, &r.motion, o->order.value, BREAKDOWN_BITS);
+  enum exit_code code = report(&r, only);
   for (int i = 0; i < 2; i++)
-    scallop_singularity_init(&r.sought[i].singularity);
-  enum exit_code code = EXIT_UNSOLVED;
-  if (r.cache)
-    code = report(&r);
-  else
-    complain("breakdown", "out of memory");
-  for (int i = 0; i < 2; i++)
-    scallop_singularity_clear(&r.sought[i].singularity);
+    if (r.sought[i].done)
+      scallop_singularity_clear(&r.sought[i].singularity);
   expansions_clear(&r.expansions);
   free(r.cache);
   return code;

@@ -4,9 +4,9 @@
  * is one claim for one gait under one set of conditions. There are two kinds of claims:
  *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours). order.c goes
  *     through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c holds one against the other;
- *   - in words: one row in the table of words.c, with the function that decides it and the function's parameter (decide.h). Those
- *     functions use evidence.[ch] (certified solutions, random crawlers, the texts of a row) and family.[ch] (crawlers that differ in
- *     one number).
+ *   - in words: one row of texts (decide.h) in random.c (every crawler), examples.c or words.c (families): which motions, what is said of
+ *     them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c, boundary.c with family.[ch] and figures.c find
+ *     the numbers that some rows need, evidence.[ch] helps them.
  *
  * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. A claim in
  * words is decided by a certified example, by a proof in docs/theory.md that random crawlers accompany, or by a scan; conditions and

@@ -2,10 +2,7 @@
 #ifndef SCALLOP_CLAIMS_FAMILY_H
 #define SCALLOP_CLAIMS_FAMILY_H
 
-#include "compare/claims/evidence.h"
-
-/* x: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
-enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
+#include "compare/claims/decide.h"
 
 struct place {
   double x, speed, v_start; /* nan where there is no steady state                                    */
@@ -40,18 +37,5 @@ void family_prove_maxima(struct family *f);
 bool family_peaks_at_boundary(const struct family *f);
 /* Proven: v_start vanishes, mean velocity rises up to there and falls behind, and nowhere in the scan is it higher. */
 bool family_peak_is_proven(const struct family *f);
-
-/* "F1/F2", "F2", "T" */
-const char *family_name(const struct family *f);
-struct scallop_crawler family_member(const struct family *f, double x);
-/* Mean velocity T/L, T that of the family's crawler, even where T is varied; nan where there is none */
-double family_speed(const struct family *f, double x);
-/* Is the mean velocity at x proven to be lower than that at y? */
-bool family_rises(const struct family *f, double x, double y);
-
-/* A command, as reason, that prints the steady states of some members, and the rest of it */
-void family_command(struct question *q, const struct family *f, const double *x, int count, const char *rest);
-/* The rest that prints x, v_start (VARY_PERIOD: also) and mean velocity */
-const char *family_cut(const struct family *f);
 
 #endif

@@ -53,14 +53,14 @@ static void contradict(struct ledger *ledger, const struct claim_row *row, const
            what);
 }
 
-static void set_coefficient(struct claim_row *row, const struct series *coefficient)
+static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
 {
   fmpq_t q;
   arb_t x;
   fmpq_init(q);
   arb_init(x);
-  bool is_rational = series_rational_coefficient(q, coefficient, 0);
-  series_coefficient(x, coefficient, 0, 128);
+  bool is_rational = series_rational_coefficient(q, left_out, power);
+  series_coefficient(x, left_out, power, 128);
   if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
     arf_get_fmpq(q, arb_midref(x));
     is_rational = true;
@@ -99,7 +99,7 @@ void ledger_judge(struct claim_row *row, const struct proof *proof)
     judge_exact(row, proof);
     return;
   }
-  set_coefficient(row, &proof->coefficient);
+  set_coefficient(row, &proof->left_out, proof->order);
   row->verdict = row->derived_order == row->claimed_order  ? CLAIM_HOLDS
                  : row->derived_order > row->claimed_order ? CLAIM_SHARPER
                                                            : CLAIM_REFUTED;

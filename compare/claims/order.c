@@ -61,49 +61,43 @@ static void name_row(char name[CLAIM_NAME], const struct claimed *claimed)
            claimed->mirrored ? ":mirrored" : "");
 }
 
-/* Each motion is solved once, and serves all the formulas about it. */
-struct solved {
-  bool opened, expands; /* expands: it has an expansion                                            */
-  struct trial trial;
-  struct sample *samples;
-};
-
 /* One gait's part of the ledger while it is filled */
 struct part {
   const struct scallop_rational_crawler *crawler; /* with the gait                                */
   const char *only;                               /* the requested rows, NULL for all             */
   struct ledger *ledger;
-  struct solved solved[CONDITIONS][2]; /* [1]: in a mirror                                        */
+  /* Each motion is solved once, and serves all the formulas about it. [1]: in a mirror */
+  struct trial trial[CONDITIONS][2];
+  bool opened[CONDITIONS][2], expands[CONDITIONS][2];
 };
 
 /* NULL if it has no expansion */
-static const struct solved *solve(struct part *part, const struct condition *condition, bool mirrored)
+static const struct trial *solve(struct part *part, const struct condition *condition, bool mirrored)
 {
-  struct solved *s = &part->solved[condition - conditions][mirrored];
-  if (!s->opened) {
-    s->opened = true;
-    s->expands = trial_init(&s->trial, part->crawler, condition, mirrored);
-    s->samples = s->expands ? samples_take(&s->trial) : NULL;
+  ptrdiff_t i = condition - conditions;
+  struct trial *trial = &part->trial[i][mirrored];
+  if (!part->opened[i][mirrored]) {
+    part->opened[i][mirrored] = true;
+    part->expands[i][mirrored] = trial_init(trial, part->crawler, condition, mirrored);
+    trial->samples = part->expands[i][mirrored] ? samples_take(trial) : NULL;
   }
-  return s->expands ? s : NULL;
+  return part->expands[i][mirrored] ? trial : NULL;
 }
 
 static void clear_part(struct part *part)
 {
-  for (int i = 0; i < 2 * CONDITIONS; i++) {
-    struct solved *s = &part->solved[i / 2][i % 2];
-    if (s->opened) {
-      samples_free(s->samples);
-      trial_clear(&s->trial);
+  for (int i = 0; i < 2 * CONDITIONS; i++)
+    if (part->opened[i / 2][i % 2]) {
+      samples_free(part->trial[i / 2][i % 2].samples);
+      trial_clear(&part->trial[i / 2][i % 2]);
     }
-  }
 }
 
 /* Does a body turn in both phases of the limit? Seen in a mirror if the condition is reversed. */
 static enum scallop_turns turns_in_limit(struct part *part, const struct condition *condition)
 {
-  const struct solved *s = solve(part, condition, condition->reversed);
-  const char *modes = s ? trial_modes(&s->trial) : "", *bar = strchr(modes, '|');
+  const struct trial *trial = solve(part, condition, condition->reversed);
+  const char *modes = trial ? trial_modes(trial) : "", *bar = strchr(modes, '|');
   if (bar && strcmp(bar, "| ++") == 0)
     return SCALLOP_NO_TURN_IN_CONTRACTION;
   return strncmp(modes, "++ |", 4) == 0 ? SCALLOP_NO_TURN_IN_EXTENSION : SCALLOP_TURNS_IN_BOTH;
@@ -143,7 +137,7 @@ static void see_in_mirror(struct proof *proof, struct claim_row *row, enum scall
 {
   if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
     return;
-  series_neg(&proof->coefficient, &proof->coefficient);
+  series_neg(&proof->left_out, &proof->left_out);
   for (int i = 0; i < row->count; i++)
     row->points[i].err = -row->points[i].err;
 }
@@ -152,15 +146,15 @@ static void decide(struct part *part, struct claim_row *row, const struct claime
                    const struct condition *condition)
 {
   const struct scallop_formula *f = claimed->formula;
-  const struct solved *s = solve(part, condition, claimed->mirrored);
+  const struct trial *trial = solve(part, condition, claimed->mirrored);
   struct proof proof;
   proof_init(&proof);
-  if (!s || !trial_prove(&proof, &s->trial, f)) {
+  if (!trial || !trial_prove(&proof, trial, f)) {
     row->verdict = CLAIM_UNDECIDED;
     snprintf(row->reason, sizeof row->reason, "this motion has no expansion in powers of T");
   } else {
     const struct claimed right = correction(part, claimed, condition);
-    row->count = samples_measure(row->points, &row->slope, s->samples, &s->trial, f);
+    samples_measure(row, trial, f);
     if (claimed->mirrored)
       see_in_mirror(&proof, row, f->quantity);
     ledger_judge(row, &proof);
@@ -205,20 +199,18 @@ static bool is_for(const struct scallop_formula *f, const struct condition *cond
   return condition->setting == f->setting;
 }
 
-/* A formula as it stands under all conditions, or in a mirror under those that reverse the roles of the bodies */
-static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, bool mirrored)
-{
-  for (int i = 0; f->remainder != 0 && i < CONDITIONS; i++)
-    if (is_for(f, &conditions[i], false) && (!mirrored || conditions[i].reversed))
-      add_row(part, (struct claimed){ .formula = f, .ours = ours, .mirrored = mirrored }, &conditions[i]);
-}
+/* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror; corrected: one of ours
+ * that takes the place of another, where it claims to hold, there in a mirror too. */
+enum seen { AS_IT_STANDS, TURNED, CORRECTED };
 
-/* A formula of ours that takes the place of another, where it claims to hold */
-static void add_corrected(struct part *part, const struct scallop_formula *f)
+static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, enum seen seen)
 {
-  for (int i = 0; i < CONDITIONS; i++)
-    if (is_for(f, &conditions[i], true) && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
-      add_row(part, (struct claimed){ .formula = f, .ours = true, .mirrored = conditions[i].reversed }, &conditions[i]);
+  for (int i = 0; (f->remainder != 0 || seen == CORRECTED) && i < CONDITIONS; i++) {
+    const struct condition *condition = &conditions[i];
+    const struct claimed claimed = { .formula = f, .ours = ours, .mirrored = seen != AS_IT_STANDS && condition->reversed };
+    if (is_for(f, condition, seen == CORRECTED) && (seen != TURNED || condition->reversed))
+      add_row(part, claimed, condition);
+  }
 }
 
 /* (A.11), (A.12): l' and l near the end of an extension, T = L = 1. */
@@ -254,36 +246,33 @@ static void speed_before_end(struct series *speed, const struct scallop_piece *l
 static void prove_end(struct proof *proof, const struct end_claim *claim, const struct scallop_piece *last)
 {
   const struct ring ring = { 40, 256 };
-  struct series left_out, one;
+  struct series *left_out = &proof->left_out, one;
   arb_t x;
-  series_init(&left_out);
   series_init(&one);
   arb_init(x);
-  speed_before_end(&left_out, last, &ring);
+  speed_before_end(left_out, last, &ring);
   if (!claim->velocity) {
-    series_integral(&left_out, &left_out, &ring);
+    series_integral(left_out, left_out, &ring);
     series_set_si(&one, claim->with_length ? 0 : 1);
-    series_sub(&left_out, &one, &left_out, &ring);
+    series_sub(left_out, &one, left_out, &ring);
   }
-  while (proof->order < ring.length && series_coefficient_is_zero(&left_out, proof->order))
+  while (proof->order < ring.length && series_coefficient_is_zero(left_out, proof->order))
     proof->order++;
   proof->known = ring.length;
   proof->general = proof->order;
   proof->found = proof->order < ring.length;
-  proof_set_coefficient(proof, &left_out, proof->order);
-  series_coefficient(x, &proof->coefficient, 0, ring.precision);
+  series_coefficient(x, left_out, proof->order, ring.precision);
   proof->undecided = !arb_is_exact(x) && arb_contains_zero(x);
-  series_clear(&left_out);
   series_clear(&one);
   arb_clear(x);
 }
 
-/* The same, measured at h = 4^-k */
+/* The same, measured at h = 4^-k: l' and l of the gait, and h l'' and h^2/2 l'' of an extension at its end */
 static void measure_end(struct claim_row *row, const struct end_claim *claim, const struct scallop_piece *last)
 {
   enum { PRECISION = 1400 };
-  arb_ptr x = _arb_vec_init(5), h = x, zero = x + 1, error = x + 2, rate = x + 3, square = x + 4;
-  scallop_ball_rate(rate, last, zero, PRECISION); /* l''(T) of an extension */
+  arb_ptr x = _arb_vec_init(4), h = x, zero = x + 1, error = x + 2, rate = x + 3;
+  scallop_ball_rate(rate, last, zero, PRECISION);
   for (int k = 1; k < CLAIM_POINTS; k++) {
     arb_one(h);
     arb_mul_2exp_si(h, h, -2 * k);
@@ -292,18 +281,17 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
       arb_addmul(error, h, rate, PRECISION);
     } else {
       scallop_ball_way(error, last, h, zero, PRECISION);
+      arb_mul_2exp_si(h, h, -2 * k - 1);
+      arb_addmul(error, h, rate, PRECISION);
       arb_neg(error, error);
       arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
-      arb_mul(square, h, h, PRECISION);
-      arb_mul_2exp_si(square, square, -1);
-      arb_submul(error, square, rate, PRECISION);
     }
     row->points[row->count++] =
         (struct order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
   }
   const struct order_point *finest = &row->points[row->count - 1];
   row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
-  _arb_vec_clear(x, 5);
+  _arb_vec_clear(x, 4);
 }
 
 static void add_ends(struct part *part)
@@ -337,20 +325,21 @@ static void add_ends(struct part *part)
 static void fill(struct part *part)
 {
   for (const struct scallop_formula *f = scallop_equal_forces; f->name; f++)
-    add_formula(part, f, false, false);
+    add_formula(part, f, false, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    add_formula(part, f, false, false);
+    add_formula(part, f, false, AS_IT_STANDS);
     if (f->phase == scallop_A_x1_first_switch)
-      add_formula(part, &size_of_first_switch, false, false);
+      add_formula(part, &size_of_first_switch, false, AS_IT_STANDS);
   }
   add_ends(part);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
-    add_corrected(part, f);
-  add_formula(part, &limits[0], true, false);
-  add_formula(part, &limits[1], true, false);
+    if (f->setting != SCALLOP_STEADY || has_closed_limit(part))
+      add_formula(part, f, true, CORRECTED);
+  add_formula(part, &limits[0], true, AS_IT_STANDS);
+  add_formula(part, &limits[1], true, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (!f->corrected && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
-      add_formula(part, f, false, true);
+      add_formula(part, f, false, TURNED);
 }
 
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,

@@ -100,17 +100,6 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* fmpq_get_d does not round to nearest. */
-static double nearest_double(const fmpq_t x)
-{
-  arb_t ball;
-  arb_init(ball);
-  arb_set_fmpq(ball, x, 64);
-  double value = middle(ball);
-  arb_clear(ball);
-  return value;
-}
-
 /* log |error|, if the ball says something of it */
 static double log_size(const arb_t error)
 {
@@ -123,23 +112,18 @@ static double log_size(const arb_t error)
   return value;
 }
 
-int samples_measure(struct order_point points[CLAIM_POINTS], double *slope, const struct sample *samples,
-                    const struct trial *m, const struct scallop_formula *f)
+void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f)
 {
-  int count = 0;
   double last = NAN;
   arb_t error;
   arb_init(error);
-  *slope = NAN;
-  for (int k = 0; samples && k < CLAIM_POINTS; k++)
-    if (error_at(error, &samples[k], m, f)) {
+  for (const struct sample *s = m->samples; s && s < m->samples + CLAIM_POINTS; s++)
+    if (error_at(error, s, m, f)) {
       double before = last;
       last = log_size(error);
-      *slope = (before - last) / log(4);
-      points[count++] = (struct order_point){ .h = nearest_double(samples[k].T),
-                                              .err = middle(error),
-                                              .noise = mag_get_d(arb_radref(error)) };
+      row->slope = (before - last) / log(4);
+      row->points[row->count++] =
+          (struct order_point){ .h = nearest_double(s->T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
   arb_clear(error);
-  return count;
 }

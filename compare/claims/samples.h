@@ -9,9 +9,8 @@
 struct sample *samples_take(const struct trial *m);
 void samples_free(struct sample *samples);
 
-/* The certified error of the formula at every T where the motion has the modes of the limit: points[count], and the order
- * between the two smallest T (nan if there are not two, or the error is 0). */
-int samples_measure(struct order_point points[CLAIM_POINTS], double *slope, const struct sample *samples,
-                    const struct trial *m, const struct scallop_formula *formula);
+/* The certified error of the formula at every T where the motion has the modes of the limit: points and count of the row, and slope, the
+ * order between the two smallest T (nan if there are not two, or the error is 0). */
+void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula);
 
 #endif

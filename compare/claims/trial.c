@@ -133,28 +133,19 @@ static bool is_allowed(const struct scallop_rational_crawler *r, const struct sc
   return allowed;
 }
 
-static struct expanded *expand_other(const struct trial *m, uint64_t *state)
+/* A random crawler with the same modes, or, with a number, that number in the place of pi^2 */
+static struct expanded *expand_another(const struct trial *m, uint64_t *state, slong number)
 {
   struct expanded *e = expanded_new(m);
-  for (int i = 0; e && i < IDENTITY_TRIES; i++) {
-    randomise(e, m, state);
+  for (int i = 0; e && i < (number ? 1 : IDENTITY_TRIES); i++) {
+    if (number) {
+      e->has_pi_squared = true;
+      fmpq_set_si(e->pi_squared, number, 1);
+    } else
+      randomise(e, m, state);
     if (is_allowed(&e->crawler, &m->crawler) && expand(e, m, TERMS) && strcmp(modes_of(e, m), trial_modes(m)) == 0)
       return e;
   }
-  expanded_free(e);
-  return NULL;
-}
-
-/* With a whole number in the place of pi^2 */
-static struct expanded *expand_number(const struct trial *m, slong number)
-{
-  struct expanded *e = expanded_new(m);
-  if (!e)
-    return NULL;
-  e->has_pi_squared = true;
-  fmpq_set_si(e->pi_squared, number, 1);
-  if (expand(e, m, TERMS))
-    return e;
   expanded_free(e);
   return NULL;
 }
@@ -203,9 +194,9 @@ bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler,
   m->expanded = expanded_new(m);
   bool done = m->expanded && expand(m->expanded, m, TERMS);
   for (int i = 0; done && (rational || !trial_is_steady(m)) && i < TRIAL_IDENTITIES; i++)
-    m->others[i] = expand_other(m, &state);
+    m->others[i] = expand_another(m, &state, 0);
   for (int i = 0; done && !rational && !trial_is_steady(m) && i < TRIAL_NUMBERS; i++)
-    m->numbers[i] = expand_number(m, i + 1);
+    m->numbers[i] = expand_another(m, &state, i + 1);
   return done;
 }
 
@@ -225,10 +216,10 @@ void trial_clear(struct trial *m)
 void proof_init(struct proof *p)
 {
   *p = (struct proof){ .found = false };
-  series_init(&p->coefficient);
+  series_init(&p->left_out);
 }
 
-void proof_clear(struct proof *p) { series_clear(&p->coefficient); }
+void proof_clear(struct proof *p) { series_clear(&p->left_out); }
 
 slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
@@ -292,9 +283,9 @@ static bool vanishes(const struct trial *m, const struct scallop_formula *f, slo
   return zero;
 }
 
-static bool look_for_order(struct proof *proof, struct series *difference, const struct trial *m,
-                           const struct scallop_formula *f)
+static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
+  struct series *difference = &proof->left_out;
   if (!left_out(difference, m->expanded, m, f))
     return false;
   while ((proof->order = first_power(difference)) < difference->known && holds_zero(difference, proof->order)) {
@@ -308,38 +299,20 @@ static bool look_for_order(struct proof *proof, struct series *difference, const
   return true;
 }
 
-void proof_set_coefficient(struct proof *proof, const struct series *left_out_there, slong power)
-{
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
-  if (series_rational_coefficient(q, left_out_there, power))
-    series_set_rational(&proof->coefficient, q);
-  else {
-    series_coefficient(x, left_out_there, power, PRECISION);
-    series_set_ball(&proof->coefficient, x);
-  }
-  fmpq_clear(q);
-  arb_clear(x);
-}
-
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
-  struct series difference;
-  series_init(&difference);
-  bool expanded = look_for_order(proof, &difference, m, f);
+  bool expanded = look_for_order(proof, m, f);
   bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
   if (expanded && !proof->found && !proof->undecided && rational && m->expanded->terms < MANY_TERMS) /* perhaps further on */
-    expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, &difference, m, f);
-  if (expanded && proof->found)
-    proof_set_coefficient(proof, &difference, proof->order);
+    expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, m, f);
+  struct series other;
+  series_init(&other);
   proof->general = proof->order;
   for (int i = 0; expanded && i < TRIAL_IDENTITIES; i++)
     if (m->others[i]) {
-      slong order = left_out(&difference, m->others[i], m, f) ? first_power(&difference) : -4;
+      slong order = left_out(&other, m->others[i], m, f) ? first_power(&other) : -4;
       proof->general = order < proof->general ? order : proof->general;
     }
-  series_clear(&difference);
+  series_clear(&other);
   return expanded;
 }

@@ -33,6 +33,7 @@ struct trial {
   struct expanded *others[TRIAL_IDENTITIES];
   /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL where pi does not come in */
   struct expanded *numbers[TRIAL_NUMBERS];
+  struct sample *samples; /* samples.h */
 };
 /* False: it has no expansion in powers of T. To be cleared all the same. */
 bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
@@ -46,16 +47,14 @@ struct proof {
   bool found;  /* false: every coefficient below T^known vanishes                                    */
   slong order; /* of the first coefficient that does not                                             */
   slong known;
-  slong general;             /* that order for random crawlers; order where there are none                        */
-  struct series coefficient; /* a constant                                                            */
-  bool undecided;            /* a ball that holds 0 came before                                                  */
+  slong general; /* that order for random crawlers; order where there are none                        */
+  struct series left_out;
+  bool undecided; /* a ball that holds 0 came before                                                  */
 };
 void proof_init(struct proof *p);
 void proof_clear(struct proof *p);
 /* A formula without a text is the leading term of the derived expansion. False: it has no expansion there. */
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *formula);
-/* The coefficient of a proof, of a power of a series */
-void proof_set_coefficient(struct proof *proof, const struct series *left_out, slong power);
 
 /* Of the crawler: the expansion of a quantity */
 bool trial_is_steady(const struct trial *m);

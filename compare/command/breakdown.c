@@ -1,65 +1,54 @@
 #include <stddef.h>
 
 #include "compare/breakdown/breakdown.h"
-#include "compare/maps/axis.h"
 #include "compare/maps/maps.h"
 #include "compare/command/commands.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak breakdown_table
+#pragma weak breakdown_map
+#pragma weak breakdown_boundaries
+
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
 static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, NULL),
   OPTION_PHASE("with --v0 %s, else the steady state"),
   OPTION_V0("with --phase %s"),
-  { "source", "SOURCE", "this series only: published, derived or limit", "all", &word_option,
-    offsetof(struct breakdown_options, source), 0, 0, sources, "published, derived or limit" },
+  OPTION_WORD("source", "SOURCE", "this series only: published, derived or limit", "all", breakdown_options, source,
+              sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
   OPTION_TEXT("quantity", "NAME", "this quantity only", "all; with --map displacement", breakdown_options, quantity,
               "a name"),
   OPTION_NUMBER("tol", "D", "for this relative error only",
-                TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), &positive_option,
-                breakdown_options, tolerance),
-  OPTION_TEXT("only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", breakdown_options, only,
-              "a name"),
-  { "map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, &pair_option,
-    offsetof(struct breakdown_options, map), 0, 0, NULL, "the name of what varies" },
+                TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), breakdown_options,
+                tolerance, POSITIVE),
+  OPTION_WORD("only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", breakdown_options, only, kinds),
+  OPTION_TEXT("map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, breakdown_options, map,
+              "the name of what varies"),
   OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES, breakdown_options,
               range[0], "FROM:TO:COUNT"),
   OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
   OPTION_T("with --map %s"),
   OPTION_FLAG("boundaries", "with --map: the curves between its regions instead", breakdown_options, boundaries),
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTIONS_OF_DOUBLES,
 };
+static const struct option_rule rules[] = { { "only phase v0", RULE_WITH, "map", NULL },
+                                            { "x y boundaries T", RULE_WITHOUT, "map", NULL },
+                                            { NULL, RULE_WITH, NULL, NULL } };
 static const struct breakdown_options initial = { .source = { "published", false },
                                                   .order = { 8, false },
                                                   .tolerance = { 0.1, false } };
 
-/* An option that has no use where a map is drawn, or where none is; NULL if there is none. */
-static const char *useless(const struct breakdown_options *o)
-{
-  if (o->map[0])
-    return o->only ? "only" : o->request.point.has_phase ? "phase" : o->request.point.has_v0 ? "v0" : NULL;
-  return o->range[0] ? "x" : o->range[1] ? "y" : o->boundaries ? "boundaries" : o->request.point.written[5] ? "T" : NULL;
-}
-
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct breakdown_options *o = options;
-  const char *idle = useless(o);
-  if (idle) {
-    complain("breakdown", "--%s has nothing to do %s --map", idle, o->map[0] ? "with" : "without");
-    return EXIT_USAGE;
-  }
   if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return !o->map[0] ? with_flint.breakdown(o) : o->boundaries ? with_flint.boundaries(o) : with_flint.map(o);
+  return !o->map[0] ? breakdown_table(o) : o->boundaries ? breakdown_boundaries(o) : breakdown_map(o);
 }
 
 const struct command command_breakdown = {
@@ -67,6 +56,7 @@ const struct command command_breakdown = {
   .summary = "where the expansion stops being valid: how far each series holds, what ends it, and maps",
   .example = "scallop breakdown --F1 10 --only event",
   .options = options_of_breakdown,
+  .rules = rules,
   .size = sizeof(struct breakdown_options),
   .initial = &initial,
   .about =

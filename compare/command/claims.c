@@ -5,6 +5,8 @@
 #include "compare/answers/gaits.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak claims_table
+
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
   OPTIONS_TO_L(NULL),
@@ -13,27 +15,20 @@ static const struct option options_of_claims[] = {
               claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
               claims_options, check),
-  { "verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all", &word_option,
-    offsetof(struct claims_options, verdict), 0, 0, verdicts, "holds, sharper, refuted or undecided" },
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
+  OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
+              claims_options, verdict, verdicts),
   OPTION_DROPPED("against",
                  "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
-  NO_MORE_OPTIONS,
+  OPTIONS_OF_DOUBLES,
+};
+static const struct option_rule rules[] = {
+  { "errors", RULE_WITH, "check", "and --check exclude each other" },
+  { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
+  { "verdict", RULE_WITH, "check", "is for the ledger itself: leave --check out" },
+  { NULL, RULE_WITH, NULL, NULL },
 };
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
-
-static bool can_be_scaled(const struct claims_options *o)
-{
-  struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
-  if (status != SCALLOP_OK)
-    complain("claims", "%s", scallop_status_text(status));
-  return status == SCALLOP_OK;
-}
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
@@ -46,22 +41,18 @@ static enum exit_code run(const struct arguments *arguments, const void *options
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
   }
-  if (o->errors && o->check) {
-    complain("claims", "--errors and --check exclude each other");
-    return EXIT_USAGE;
-  }
-  if (o->verdict.given && (o->errors || o->check)) {
-    complain("claims", "--verdict is for the ledger itself: leave --%s out", o->errors ? "errors" : "check");
-    return EXIT_USAGE;
-  }
   if (!gait_has_ends(c->gait)) {
     complain("claims",
              "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
     return EXIT_UNSOLVED;
   }
-  if (!can_be_scaled(o))
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(c, &scaled);
+  if (status != SCALLOP_OK) {
+    complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
-  return has_flint(arguments, "the ledger") ? with_flint.claims(o) : EXIT_UNSOLVED;
+  }
+  return has_flint(arguments, "the ledger") ? claims_table(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_claims = {
@@ -69,6 +60,7 @@ const struct command command_claims = {
   .summary = "the ledger: every asymptotic and qualitative claim of the paper, decided",
   .example = "scallop claims --format json",
   .options = options_of_claims,
+  .rules = rules,
   .size = sizeof(struct claims_options),
   .about =
       "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"

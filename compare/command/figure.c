@@ -15,9 +15,7 @@ static const struct option options_of_figure[] = {
               stats),
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTIONS_LAST,
 };
 
 static enum exit_code run(const struct arguments *arguments, const void *options)

@@ -1,10 +1,8 @@
-#include <stddef.h>
 #include <string.h>
 
 #include "compare/command/list.h"
 
 #include "compare/command/commands.h"
-#include "compare/text/message.h"
 
 const struct command *const commands[] = { &command_phase,  &command_steady,    &command_trajectory, &command_series,
                                            &command_claims, &command_order,     &command_figure,     &command_workprec,
@@ -24,4 +22,82 @@ const char *nearest_command(const char *word)
   for (size_t i = 0; commands[i]; i++)
     names[i] = commands[i]->name;
   return nearest(word, names);
+}
+
+static const char program_text[] =
+    "\nscallop COMMAND --help prints what a command takes and what it returns. In place of a command:\n"
+    "  --help [COMMAND]    this text, or that of a command; also -h, and help without dashes\n"
+    "  --version           the version\n"
+    "  --completion bash   a script by which bash completes commands, options and file names\n"
+    "\nExit codes:\n"
+    "  0  done\n"
+    "  1  a check failed\n"
+    "  2  bad usage or input\n"
+    "  3  a computation could not be done\n"
+    "  4  a file or standard output could not be read or written; a closed pipe is such a case: scallop ... | head\n"
+    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the new table is "
+    "complete.\n";
+
+/* An option, what it takes, and what for. */
+static void option_line(FILE *to, const char *name, const char *placeholder, const char *help)
+{
+  char left[40];
+  snprintf(left, sizeof left, "--%s %s", name, placeholder ? placeholder : "");
+  fprintf(to, "  %-18s  %s\n", left, help);
+}
+
+void help_program(FILE *to)
+{
+  fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
+        "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
+        "asymptotic series said to describe it, side by side.\n\n"
+        "Commands:\n",
+        to);
+  for (const struct command *const *c = commands; *c; c++)
+    fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
+  fputs(program_text, to);
+}
+
+/* What an option is for and, in brackets, what holds where it is not given. */
+enum { HELP_OPTION = 320 };
+static void describe(const struct arguments *initial, const struct option *o, char text[HELP_OPTION])
+{
+  const char *otherwise = o->otherwise ? o->otherwise : o->kind->show ? "%s" : NULL;
+  char value[OPTION_VALUE] = "";
+  if (o->kind->show)
+    o->kind->show(&initial->options, o, value);
+  int used = snprintf(text, HELP_OPTION, "%s", o->help);
+  if (!otherwise)
+    return;
+  const char *place = strstr(otherwise, "%s");
+  int before = place ? (int)(place - otherwise) : (int)strlen(otherwise);
+  snprintf(text + used, HELP_OPTION - (size_t)used, " (%.*s%s%s)", before, otherwise, place ? value : "",
+           place ? place + 2 : "");
+}
+
+/* The columns of a motion, as their table has them */
+static void list_quantities(FILE *to, enum quantity_of of)
+{
+  fputs("\nQuantities (with their units):\n", to);
+  for (int q = (int)quantity_first(of); q < (int)quantity_end(of); q++)
+    fprintf(to, "  %-18s  %s [%s]\n", quantity_rows[q].name, quantity_rows[q].sentence, quantity_rows[q].unit);
+}
+
+void help_command(FILE *to, const struct command *command)
+{
+  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n", command->example, command->name,
+          command->operand ? " " : "", command->operand ? command->operand : "", command->summary, command->about);
+  if (command->quantities)
+    list_quantities(to, *command->quantities);
+  fputs("\nOptions (defaults in brackets):\n", to);
+  struct arguments initial;
+  options_initial(&initial, command);
+  for (const struct option *o = command->options; o->name; o++) {
+    char text[HELP_OPTION];
+    if (o->kind == &dropped_option)
+      continue;
+    describe(&initial, o, text);
+    option_line(to, o->name, o->argument, text);
+  }
+  option_line(to, "help", NULL, "this text");
 }

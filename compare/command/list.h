@@ -1,6 +1,9 @@
-/* The list of commands. */
+/* The list of commands, and what --help prints, of the program as a whole and of one command. scripts/dev/man.awk makes the manual from it,
+ * and scripts/dev/completion.bash finds commands and options there: two blanks, a name, two blanks or more, what it is for. */
 #ifndef SCALLOP_COMMAND_LIST_H
 #define SCALLOP_COMMAND_LIST_H
+
+#include <stdio.h>
 
 #include "compare/command/options.h"
 
@@ -12,5 +15,8 @@ const struct command *command_named(const char *name);
 
 /* The name nearest to a mistyped one, or NULL if none is near. */
 const char *nearest_command(const char *word);
+
+void help_program(FILE *to);
+void help_command(FILE *to, const struct command *command);
 
 #endif

@@ -9,7 +9,6 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/command/list.h"
-#include "compare/command/help.h"
 #include "compare/text/shipped.h"
 
 static int unknown_command(const char *name)
@@ -55,7 +54,7 @@ static int give_help(const char *name)
   if (command)
     help_command(stdout, command);
   else
-    help_program(stdout, commands);
+    help_program(stdout);
   return flushed();
 }
 
@@ -114,7 +113,7 @@ int main(int count, char **arguments)
   if (!isatty(STDOUT_FILENO)) /* 5 % of the time of a million rows */
     setvbuf(stdout, NULL, _IOFBF, 1 << 16);
   if (count < 2) {
-    help_program(stderr, commands);
+    help_program(stderr);
     return EXIT_USAGE;
   }
   const struct command *command = command_named(arguments[1]);

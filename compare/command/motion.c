@@ -9,50 +9,46 @@
 #include "compare/command/commands.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak answer_in_decimals
+#pragma weak decimals_free
+
 struct motion_options {
   struct request request;
   bool certified, error;
+  enum quantity_of of;
 };
+static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = { .of = OF_PHASE };
 
 #define DIGITS DIGITS_PROVEN("with --certified")
 #define OPTIONS_OF_ROWS \
   OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
-      OPTION_FORMAT(NULL), OPTION_DIGITS(DIGITS, "%s; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
-      OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+      OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
+      OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
                                                OPTIONS_OF_ROWS };
 
-/* What a row is made with. */
-struct asked {
-  enum quantity_of of;
-  const struct motion_options *options;
-};
-
-/* A row of any arithmetic: the cells of the numbers, and why there are none. */
+/* A row of any arithmetic */
 struct cells {
   struct answer answer;
   char *decimals[QUANTITIES]; /* of --certified */
   double errors[QUANTITIES];  /* of --error */
-  const char *why;            /* NULL: solved */
-  char reason[POINT_STATUS];
 };
 
-static void solve(struct cells *c, const struct asked *asked, const struct point *p)
+/* NULL, or why there are no numbers; that lives until the next call. */
+static const char *solve(struct cells *c, const struct motion_options *o, const struct point *p)
 {
-  const struct motion_options *o = asked->options;
-  const struct motion motion = motion_of(p, asked->of);
+  static char why[POINT_STATUS];
+  const struct motion motion = motion_of(p, o->of);
   const char *more = NULL;
   long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
-  bool done = o->certified ? with_flint.answer_in_decimals(&c->answer, c->decimals, p, motion.of, digits, &more)
+  bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, p, o->of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
-  c->why = done ? NULL : c->reason;
-  if (!done)
-    snprintf(c->reason, sizeof c->reason, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "",
-             more ? more : "");
+  snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
+  return done ? NULL : why;
 }
 
 /* Digits with an exponent at most: what every reader takes for a number */
@@ -83,72 +79,51 @@ static void write_parameter(struct table *t, bool certified, const char *written
 }
 
 /* refused: as in points.h */
-static void write_point(struct table *t, const struct asked *asked, const struct point *p, const char *refused)
+static void write_point(struct table *t, const struct motion_options *o, const struct point *p, const char *refused)
 {
   double numbers[CRAWLER_NUMBERS];
-  bool certified = asked->options->certified;
   crawler_numbers(&p->crawler, numbers);
-  if (refused)
-    point_crawler(t, &p->crawler, refused);
-  else {
-    for (int i = 0; i < CRAWLER_NUMBERS; i++)
-      write_parameter(t, certified, p->written[i], numbers[i]);
-    table_text(t, p->crawler.gait->name);
-  }
-  if (asked->of != OF_PHASE)
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    write_parameter(t, o->certified && !refused, p->written[i], refused ? NAN : numbers[i]);
+  table_text(t, refused ? "-" : p->crawler.gait->name);
+  if (o->of != OF_PHASE)
     return;
   table_text(t, refused ? "-" : p->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  if (refused)
-    table_number(t, NAN);
-  else
-    write_parameter(t, certified, p->written_v0, p->v0);
-}
-
-static void write_numbers(struct table *t, const struct asked *asked, const struct cells *c)
-{
-  const struct motion_options *o = asked->options;
-  static const double rounded_up = 1.005; /* of an estimate, with three digits */
-  int first = (int)quantity_first(asked->of), end = (int)quantity_end(asked->of);
-  for (int q = first; q < end; q++)
-    if (c->decimals[q])
-      table_digits(t, c->decimals[q]);
-    else
-      table_number(t, c->why || o->certified ? NAN : c->answer.value[q].high);
-  for (int q = first; q < end && o->error; q++)
-    if (c->why)
-      table_number(t, NAN);
-    else
-      table_rounded(t, rounded_up * c->errors[q], "%.3g");
+  write_parameter(t, o->certified && !refused, p->written_v0, refused ? NAN : p->v0);
 }
 
 static const char *row(struct table *t, const struct point *p, const void *context, const char *refused)
 {
-  static struct cells c; /* its reason outlives the call */
-  const struct asked *asked = context;
-  bool certified = asked->options->certified;
+  static const double rounded_up = 1.005; /* of an estimate, with three digits */
+  const struct motion_options *o = context;
+  struct cells c = { .decimals = { NULL } };
   char modes[MOTION_MODES_TEXT], status[ANSWER_STATUS];
-  memset(c.decimals, 0, sizeof c.decimals);
-  c.why = refused;
-  if (!refused)
-    solve(&c, asked, p);
-  write_point(t, asked, p, refused);
-  write_numbers(t, asked, &c);
-  table_text(t, c.why ? "-" : scallop_regime_text(c.answer.regime));
-  table_text(t, c.why ? "-" : motion_modes_text(modes, asked->of, c.answer.modes));
-  table_text(t, c.why ? c.why : certified ? "certified" : answer_status_text(status, &c.answer));
-  if (certified)
-    with_flint.decimals_free(c.decimals);
-  return c.why;
+  const char *why = refused ? refused : solve(&c, o, p);
+  int first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
+  write_point(t, o, p, refused);
+  for (int q = first; q < end; q++)
+    if (c.decimals[q])
+      table_digits(t, c.decimals[q]);
+    else
+      table_number(t, why || o->certified ? NAN : c.answer.value[q].high);
+  for (int q = first; q < end && o->error; q++)
+    table_rounded(t, why ? NAN : rounded_up * c.errors[q], "%.3g");
+  table_text(t, why ? "-" : scallop_regime_text(c.answer.regime));
+  table_text(t, why ? "-" : motion_modes_text(modes, o->of, c.answer.modes));
+  table_text(t, why ? why : o->certified ? "certified" : answer_status_text(status, &c.answer));
+  if (o->certified)
+    decimals_free(c.decimals);
+  return why;
 }
 
-static enum exit_code run(const struct arguments *arguments, const struct motion_options *o, enum quantity_of of)
+static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   enum { MOST = 2 * QUANTITIES + 4, NAME = 32 };
   static const char *const none[] = { NULL }, *const start[] = { "phase", "v0", NULL };
+  const struct motion_options *o = options;
   const char *columns[MOST];
   char errors[QUANTITIES][NAME];
-  const struct asked asked = { of, o };
-  int n = 0, first = (int)quantity_first(of), end = (int)quantity_end(of);
+  int n = 0, first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
   if (o->certified && !has_flint(arguments, "--certified"))
     return EXIT_UNSOLVED;
   for (int q = first; q < end; q++)
@@ -162,32 +137,21 @@ static enum exit_code run(const struct arguments *arguments, const struct motion
   columns[n++] = "status";
   columns[n] = NULL;
   const struct point_table table = {
-    .extra = of == OF_PHASE ? start : none, .columns = columns, .row = row, .context = &asked
+    .extra = o->of == OF_PHASE ? start : none, .columns = columns, .row = row, .context = o
   };
   return for_each_point(&o->request, &table);
 }
 
-static enum exit_code run_steady(const struct arguments *arguments, const void *options)
-{
-  return run(arguments, options, OF_STEADY);
-}
-
-static enum exit_code run_phase(const struct arguments *arguments, const void *options)
-{
-  return run(arguments, options, OF_PHASE);
-}
+static const struct option_rule rules[] = {
+  { "error", RULE_WITH, "certified", "has nothing to do with --certified: every digit is proven" },
+  { NULL, RULE_WITH, NULL, NULL },
+};
 
 static bool is_sound(const void *options)
 {
   const struct motion_options *o = options;
-  const struct style *style = &o->request.style;
-  if (!o->certified || !o->error)
-    return digits_hold(style, o->certified, DIGITS);
-  complain(style->command, "--error has nothing to do with --certified: every digit is proven");
-  return false;
+  return digits_hold(&o->request.style, o->certified, DIGITS);
 }
-
-static const enum quantity_of of_steady = OF_STEADY, of_phase = OF_PHASE;
 
 #define ABOUT_ARITHMETICS \
   "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
@@ -203,14 +167,16 @@ const struct command command_steady = {
   .summary = "the periodic steady state, exactly",
   .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
   .options = steady_options,
+  .initial = &of_steady,
   .size = sizeof(struct motion_options),
+  .rules = rules,
   .is_sound = is_sound,
   .about =
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
       "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
       "answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_steady,
-  .run = run_steady,
+  .quantities = &of_steady.of,
+  .run = run,
 };
 
 const struct command command_phase = {
@@ -218,11 +184,13 @@ const struct command command_phase = {
   .summary = "one extension or contraction phase from a start velocity, exactly",
   .example = "scallop phase --phase extension --v0 2.5",
   .options = phase_options,
+  .initial = &of_phase,
   .size = sizeof(struct motion_options),
+  .rules = rules,
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
            "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_phase,
-  .run = run_phase,
+  .quantities = &of_phase.of,
+  .run = run,
 };

@@ -9,6 +9,7 @@
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
+static const void *value_of(const void *options, const struct option *o) { return (const char *)options + o->field; }
 
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
@@ -35,73 +36,59 @@ static const char *read_flag(void *options, const struct option *o, const char *
   return NULL;
 }
 
-static const char *read_any(struct given_number *number, const char *text, bool positive)
+static const char *read_real(void *options, const struct option *o, const char *text)
 {
   double value;
-  if (!read_number(text, &value) || (positive && !(value > 0)))
-    return no_number(text, positive ? "a finite number > 0" : "a finite number");
-  *number = (struct given_number){ value, true };
+  if (!read_number(text, &value) || value < o->least || value > o->most)
+    return no_number(text, o->allowed);
+  *(struct given_number *)field_of(options, o) = (struct given_number){ value, true };
   return NULL;
 }
 
-static const char *read_finite(void *options, const struct option *o, const char *text)
+static void show_real(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  return read_any(field_of(options, o), text, false);
-}
-
-static const char *read_positive(void *options, const struct option *o, const char *text)
-{
-  return read_any(field_of(options, o), text, true);
-}
-
-static void show_number(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct given_number *number = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%.15g", number->value);
+  snprintf(text, OPTION_VALUE, "%.15g", ((const struct given_number *)value_of(options, o))->value);
 }
 
 static const char *read_whole(void *options, const struct option *o, const char *text)
 {
   struct given_count *count = field_of(options, o);
   char allowed[80];
-  snprintf(allowed, sizeof allowed, "a whole number from %ld to %ld", o->least, o->most);
-  count->given = read_count(text, o->least, o->most, &count->value);
+  snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", o->least, o->most);
+  count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
   return count->given ? NULL : not_allowed(text, allowed);
 }
 
-static void show_count(const void *options, const struct option *o, char text[OPTION_VALUE])
+static void show_whole(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  const struct given_count *count = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%ld", count->value);
+  snprintf(text, OPTION_VALUE, "%ld", ((const struct given_count *)value_of(options, o))->value);
 }
 
 static const char *read_word(void *options, const struct option *o, const char *text)
 {
-  struct given_word *word = field_of(options, o);
-  for (const char *const *w = o->words; *w; w++)
+  char allowed[120];
+  int used = 0;
+  for (const char *const *w = o->words; *w; w++) {
     if (strcmp(text, *w) == 0) {
-      *word = (struct given_word){ *w, true };
+      *(struct given_word *)field_of(options, o) = (struct given_word){ *w, true };
       return NULL;
     }
-  return not_allowed(text, o->allowed);
+    used += snprintf(allowed + used, sizeof allowed - (size_t)used, "%s%s", w == o->words ? "" : w[1] ? ", " : " or ", *w);
+  }
+  return not_allowed(text, allowed);
 }
 
 static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  const struct given_word *word = (const void *)((const char *)options + o->field);
-  snprintf(text, OPTION_VALUE, "%s", word->value);
+  snprintf(text, OPTION_VALUE, "%s", ((const struct given_word *)value_of(options, o))->value);
 }
 
 static const char *read_text(void *options, const struct option *o, const char *text)
 {
-  *(const char **)field_of(options, o) = text;
-  return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
-}
-
-static const char *read_pair(void *options, const struct option *o, const char *text)
-{
-  const char **pair = field_of(options, o);
-  pair[pair[0] ? 1 : 0] = text;
+  const char **place = field_of(options, o);
+  for (int more = option_values(o) - 1; more > 0 && *place; more--)
+    place++;
+  *place = text;
   return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
 }
 
@@ -116,13 +103,6 @@ static const char *read_format(void *options, const struct option *o, const char
   return NULL;
 }
 
-static void show_format(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct request *r = options;
-  (void)o;
-  snprintf(text, OPTION_VALUE, "%s", r->style.format == FORMAT_TSV ? "tsv" : "json");
-}
-
 static const char *no_digits(const char *text, const char *range)
 {
   char allowed[120];
@@ -133,23 +113,14 @@ static const char *no_digits(const char *text, const char *range)
 static const char *read_digits(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
-  return read_count(text, 1, o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
-}
-
-static void show_digits(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  (void)options, (void)o;
-  snprintf(text, OPTION_VALUE, "as many as read back exactly");
+  return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
 }
 
 bool digits_hold(const struct style *style, bool proven, const char *range)
 {
   char number[24];
-  if (proven || style->digits <= DOUBLE_DIGITS)
-    return true;
   snprintf(number, sizeof number, "%ld", style->digits);
-  complain(style->command, "--digits: %s", no_digits(number, range));
-  return false;
+  return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
 }
 
 static const char *read_output(void *options, const struct option *o, const char *text)
@@ -167,13 +138,10 @@ static const char *read_output(void *options, const struct option *o, const char
 }
 
 const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
-                         number_option = { read_finite, show_number }, positive_option = { read_positive, show_number },
-                         count_option = { read_whole, show_count }, word_option = { read_word, show_word },
-                         text_option = { read_text, NULL }, pair_option = { read_pair, NULL },
-                         format_option = { read_format, show_format }, digits_option = { read_digits, show_digits },
-                         output_option = { read_output, NULL };
-
-const struct option_kind dropped_option = { NULL, NULL };
+                         number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
+                         word_option = { read_word, show_word }, text_option = { read_text, NULL },
+                         format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
+                         output_option = { read_output, NULL }, dropped_option = { NULL, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -198,71 +166,52 @@ bool takes_operands(const struct command *command)
 }
 
 /* An option that the command does not take: another one's, a mistyped one, or none. */
-static void complain_of_option(const struct command *command, const struct command *const *commands, const char *name,
-                               const char *argument)
+static bool complain_of_option(const struct arguments *a, const char *name, const char *argument)
 {
   enum { MOST = 40 };
-  const char *names[MOST + 1] = { NULL };
-  bool elsewhere = false;
-  for (const struct command *const *c = commands; *c && !elsewhere; c++)
-    elsewhere = option_of(*c, name) != NULL;
-  for (int i = 0; i < MOST && command->options[i].name; i++)
-    names[i] = command->options[i].kind == &dropped_option ? "" : command->options[i].name;
-  const char *near = elsewhere ? NULL : nearest(name + strspn(name, "-"), names);
-  complain(command->name, "%s option '%s'%s%s%s (see scallop %s --help)",
-           elsewhere ? "this command does not take the" : "unknown", argument, near ? ": did you mean '--" : "",
-           near ? near : "", near ? "'?" : "", command->name);
+  const char *names[MOST + 1] = { NULL }, *command = a->command->name;
+  for (const struct command *const *c = a->commands; *c; c++)
+    if (option_of(*c, name))
+      return complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
+  for (int i = 0; i < MOST && a->command->options[i].name; i++)
+    names[i] = a->command->options[i].kind == &dropped_option ? "" : a->command->options[i].name;
+  const char *near = nearest(name + strspn(name, "-"), names);
+  return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument, near ? ": did you mean '--" : "",
+                  near ? near : "", near ? "'?" : "", command);
 }
 
-/* The arguments not yet read: place is that of the current one. */
-struct reading_state {
-  struct arguments *to;
-  char **all;
-  int count, place;
-};
-
 /* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
-static bool read_values(struct reading_state *s, const struct option *o, const char *text)
+static bool read_values(struct arguments *a, const struct option *o, const char *text)
 {
-  const char *command = s->to->command->name;
+  const char *command = a->command->name;
   int values = option_values(o);
-  if (values == 0 && text) {
-    complain(command, "--%s takes no value", o->name);
-    return false;
-  }
+  if (values == 0 && text)
+    return complain(command, "--%s takes no value", o->name);
   for (int i = 0; i < (values == 0 ? 1 : values); i++) {
-    if (values > 0 && !(i == 0 && text) && s->place + 1 == s->count) {
-      complain(command, "--%s needs %s: --%s %s", o->name, values == 1 || i == 0 ? "a value" : "two values", o->name,
-               o->argument);
-      return false;
-    }
-    const char *value = values == 0 || (i == 0 && text) ? text : s->all[++s->place];
-    const char *wrong = o->kind->read(&s->to->options, o, value);
-    if (wrong) {
-      complain(command, "--%s: %s", o->name, wrong);
-      return false;
-    }
+    bool is_here = values == 0 || (i == 0 && text);
+    if (!is_here && a->place + 1 == a->count)
+      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name, o->argument);
+    const char *wrong = o->kind->read(&a->options, o, is_here ? text : a->all[++a->place]);
+    if (wrong)
+      return complain(command, "--%s: %s", o->name, wrong);
   }
+  a->given |= 1UL << (o - a->command->options);
   return true;
 }
 
-static bool read_option(struct reading_state *s)
+static bool read_option(struct arguments *a)
 {
-  char *argument = s->all[s->place];
-  const struct command *command = s->to->command;
+  char *argument = a->all[a->place];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char *name = is_o ? "output" : argument + (two_dashes ? 2 : 0);
   char *equals = two_dashes ? strchr(name, '=') : NULL;
   if (equals)
     *equals = '\0';
-  const struct option *o = two_dashes || is_o ? option_of(command, name) : NULL;
-  bool dropped = o && o->kind == &dropped_option, good = o && !dropped;
-  if (dropped)
-    complain(command->name, "the option '%s' is no longer there: %s", argument, o->help);
-  else if (!o)
-    complain_of_option(command, s->to->commands, name, argument);
-  else
-    good = read_values(s, o, equals ? equals + 1 : NULL);
+  const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
+  bool good = !o ? complain_of_option(a, name, argument)
+              : o->kind == &dropped_option
+                  ? complain(a->command->name, "the option '%s' is no longer there: %s", argument, o->help)
+                  : read_values(a, o, equals ? equals + 1 : NULL);
   if (equals) /* the arguments may be handed on: with_flint.h */
     *equals = '=';
   return good;
@@ -270,38 +219,63 @@ static bool read_option(struct reading_state *s)
 
 static bool take_operand(struct arguments *a, const char *text)
 {
-  if (a->operand_count == (takes_operands(a->command) ? INT_MAX : a->command->operand ? 1 : 0)) {
-    complain(a->command->name, "unexpected argument '%s' (see scallop %s --help)", text, a->command->name);
-    return false;
-  }
+  const struct command *c = a->command;
+  if (a->operand_count == (takes_operands(c) ? INT_MAX : c->operand ? 1 : 0))
+    return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
   a->operands[a->operand_count++] = text;
   return true;
 }
 
-static enum reading read_all(struct reading_state *s)
+static enum reading read_all(struct arguments *a)
 {
-  const struct command *command = s->to->command;
-  for (s->place = 2; s->place < s->count; s->place++) {
-    char *argument = s->all[s->place];
+  for (a->place = 2; a->place < a->count; a->place++) {
+    char *argument = a->all[a->place];
     if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0)
       return READ_HELP;
     bool is_option = argument[0] == '-' && argument[1] != '\0';
-    if (!(is_option ? read_option(s) : take_operand(s->to, argument)))
+    if (!(is_option ? read_option(a) : take_operand(a, argument)))
       return READ_REFUSED;
   }
-  if (!command->operand || s->to->operand_count > 0)
+  if (!a->command->operand || a->operand_count > 0)
     return READ_RUN;
-  complain(command->name, "an argument is missing: scallop %s %s", command->name, command->operand);
+  complain(a->command->name, "an argument is missing: scallop %s %s", a->command->name, a->command->operand);
   return READ_REFUSED;
 }
 
-/* A measurement must not be lost to a slip of the keyboard. */
-static bool output_is_sound(const struct style *style)
+const struct option *given_option(const struct arguments *a, const char *names)
 {
-  bool lost = style->output && gait_is_from(style->output);
-  if (lost)
-    complain(style->command, "--output: %s is the file of the gait and is not replaced: name another file", style->output);
-  return !lost;
+  for (const struct option *o = a->command->options; o->name; o++) {
+    size_t length = strlen(o->name);
+    for (const char *at = names; (a->given >> (o - a->command->options) & 1) != 0 && at; at = strchr(at, ' ')) {
+      at += *at == ' ';
+      if (strncmp(at, o->name, length) == 0 && strchr(" ", at[length]))
+        return o;
+    }
+  }
+  return NULL;
+}
+
+static bool rules_hold(const struct arguments *a)
+{
+  for (const struct option_rule *r = a->command->rules; r && r->names; r++) {
+    const struct option *idle = given_option(a, r->names), *other = given_option(a, r->others);
+    if (!idle || (other != NULL) == (r->when == RULE_WITHOUT))
+      continue;
+    if (r->message)
+      return complain(a->command->name, "--%s %s", idle->name, r->message);
+    return complain(a->command->name, "--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
+                    other ? other->name : r->others);
+  }
+  return true;
+}
+
+/* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
+static bool is_sound(const struct arguments *a)
+{
+  const char *output = a->options.request.style.output;
+  if (output && gait_is_from(output))
+    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file", output);
+  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -316,9 +290,9 @@ void options_initial(struct arguments *a, const struct command *command)
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
                           int count, char **all, enum exit_code *code)
 {
-  struct reading_state s = { a, all, count, 0 };
   options_initial(a, command);
   a->all = all;
+  a->count = count;
   a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
   *code = EXIT_UNSOLVED;
@@ -326,13 +300,11 @@ enum reading options_read(struct arguments *a, const struct command *command, co
     complain(command->name, "out of memory");
     return READ_REFUSED;
   }
-  enum reading reading = read_all(&s);
-  struct request *r = &a->options.request;
-  *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
-  if (reading != READ_RUN)
-    return reading;
-  point_complete(&r->point);
-  return output_is_sound(&r->style) && (!command->is_sound || command->is_sound(&a->options)) ? READ_RUN : READ_REFUSED;
+  enum reading reading = read_all(a);
+  struct point *point = &a->options.request.point;
+  *code = reading == READ_HELP ? EXIT_DONE : point->unreadable ? EXIT_FILE : EXIT_USAGE;
+  point_complete(point);
+  return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
 }
 
 void options_free(struct arguments *a)

@@ -4,6 +4,7 @@
 #ifndef SCALLOP_OPTIONS_H
 #define SCALLOP_OPTIONS_H
 
+#include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -24,20 +25,19 @@ struct option;
 struct option_kind {
   /* Called for each of the values, with the text of it. Returns NULL, or what is wrong; the message lives until the next call. */
   const char *(*read)(void *options, const struct option *option, const char *text);
-  /* The value that the options hold; NULL: one of this kind has none unless it is given. */
+  /* The value that the options hold, "" where there is none; NULL: one of this kind has none unless it is given. */
   void (*show)(const void *options, const struct option *option, char text[OPTION_VALUE]);
 };
 extern const struct option_kind
-    parameter_option,                            /* of the point, by its name                                              */
-    flag_option,                                 /* bool                                                                   */
-    number_option, positive_option,              /* struct given_number                                                    */
-    count_option,                                /* struct given_count, from least to most                                 */
-    word_option,                                 /* struct given_word, one of words                                        */
-    text_option,                                 /* const char *, not empty: allowed says what it is                       */
-    pair_option,                                 /* const char *[2]                                                        */
-    format_option, digits_option, output_option; /* of the style; digits from 1 to most                                    */
-
-extern const struct option_kind dropped_option; /* one that is no longer there: help says what to use instead */
+    parameter_option,             /* of the point, by its name                                              */
+    flag_option,                  /* bool                                                                   */
+    number_option,                /* struct given_number, from least to most                                */
+    count_option,                 /* struct given_count, likewise                                           */
+    word_option,                  /* struct given_word, one of words                                        */
+    text_option,                  /* const char *, one for each value, not empty: allowed says what it is   */
+    format_option, output_option, /* of the style                                                           */
+    digits_option,                /* likewise, from 1 to most                                               */
+    dropped_option;               /* one that is no longer there: help says what to use instead             */
 
 struct option {
   const char *name;     /* without the dashes                                                                       */
@@ -46,16 +46,26 @@ struct option {
   const char *otherwise; /* what holds where it is not given, in which %s stands for the value; NULL: that value     */
   const struct option_kind *kind;
   size_t field; /* in the struct of the command                                                             */
-  long least, most;
+  double least, most;
   const char *const *words; /* NULL-terminated */
   const char *allowed;
 };
 
+/* What two options have to do with each other: one that has no effect is refused. */
+struct option_rule {
+  const char *names; /* separated by blanks: of these options none may be given                                       */
+  enum { RULE_WITH, RULE_WITHOUT } when;
+  const char *others;  /* one of these, separated by blanks                                                             */
+  const char *message; /* behind "--NAME "; NULL: that it has nothing to do with the other, or without it              */
+};
+
 /* Rows that many commands have. */
-#define OPTION_POINT(name, argument, help, otherwise) \
+#define OPTION(...) \
   { \
-    name, argument, help, otherwise, &parameter_option, 0, 0, 0, NULL, NULL \
+    __VA_ARGS__ \
   }
+#define OPTION_FIELD(type, member) .field = offsetof(struct type, member)
+#define OPTION_POINT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &parameter_option)
 #define OPTIONS_TO_L(numbers) \
   OPTION_POINT("m1", "M", "mass of body 1", numbers), OPTION_POINT("m2", "M", "mass of body 2", numbers), \
       OPTION_POINT("F1", "F", "Coulomb friction force of body 1", numbers), \
@@ -69,52 +79,36 @@ struct option {
 #define OPTION_PHASE(otherwise) OPTION_POINT("phase", "PHASE", "extension or contraction", otherwise)
 #define OPTION_V0(otherwise) OPTION_POINT("v0", "V", "velocity of both bodies at the start of the phase", otherwise)
 #define OPTION_FLAG(name, help, type, member) \
-  { \
-    name, NULL, help, NULL, &flag_option, offsetof(struct type, member), 0, 0, NULL, NULL \
-  }
-#define OPTION_TEXT(name, argument, help, otherwise, type, member, allowed) \
-  { \
-    name, argument, help, otherwise, &text_option, offsetof(struct type, member), 0, 0, NULL, allowed \
-  }
-#define OPTION_COUNT(name, argument, help, otherwise, type, member, least, most) \
-  { \
-    name, argument, help, otherwise, &count_option, offsetof(struct type, member), least, most, NULL, NULL \
-  }
-#define OPTION_NUMBER(name, argument, help, otherwise, kind, type, member) \
-  { \
-    name, argument, help, otherwise, kind, offsetof(struct type, member), 0, 0, NULL, NULL \
-  }
+  OPTION(name, NULL, help, NULL, .kind = &flag_option, OPTION_FIELD(type, member))
+#define OPTION_TEXT(name, argument, help, otherwise, type, member, text) \
+  OPTION(name, argument, help, otherwise, .kind = &text_option, OPTION_FIELD(type, member), .allowed = text)
+#define OPTION_WORD(name, argument, help, otherwise, type, member, list) \
+  OPTION(name, argument, help, otherwise, .kind = &word_option, OPTION_FIELD(type, member), .words = list)
+#define OPTION_COUNT(name, argument, help, otherwise, type, member, low, high) \
+  OPTION(name, argument, help, otherwise, .kind = &count_option, OPTION_FIELD(type, member), .least = low, .most = high)
+#define OPTION_NUMBER(name, argument, help, otherwise, type, member, ...) \
+  OPTION(name, argument, help, otherwise, .kind = &number_option, OPTION_FIELD(type, member), __VA_ARGS__)
+#define FROM_TO(low, high, text) .least = low, .most = high, .allowed = text
+#define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
+#define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
 #define OPTION_POINTS \
   OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
               request, points, "a file name")
-#define OPTION_FORMAT(otherwise) \
-  { \
-    "format", "F", "tsv or json, one object a line", otherwise, &format_option, 0, 0, 0, NULL, NULL \
-  }
-#define OPTION_DIGITS(range, otherwise, most) \
-  { \
-    "digits", "N", "significant digits " range, otherwise, &digits_option, 0, 0, most, NULL, range \
-  }
+#define OPTION_FORMAT(otherwise) OPTION("format", "F", "tsv or json, one object a line", otherwise, .kind = &format_option)
+#define OPTION_DIGITS(range, otherwise, high) \
+  OPTION("digits", "N", "significant digits " range, otherwise, .kind = &digits_option, .most = high, .allowed = range)
+#define READ_BACK "as many as read back exactly"
 #define DIGITS_OF_DOUBLES "from 1 to 17"
 #define DIGITS_PROVEN(where) DIGITS_OF_DOUBLES "; " where " to 10000"
 #define OPTION_OUTPUT(otherwise) \
-  { \
-    "output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
-        &output_option, 0, 0, 0, NULL, NULL \
-  }
-#define OPTION_QUIET \
-  { \
-    "quiet", NULL, "no notes on standard error, only errors", NULL, &flag_option, offsetof(struct request, style.quiet), 0, \
-        0, NULL, NULL \
-  }
-#define OPTION_DROPPED(name, instead) \
-  { \
-    name, NULL, instead, NULL, &dropped_option, 0, 0, 0, NULL, NULL \
-  }
-#define NO_MORE_OPTIONS \
-  { \
-    NULL, NULL, NULL, NULL, NULL, 0, 0, 0, NULL, NULL \
-  }
+  OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
+         .kind = &output_option)
+#define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
+#define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
+/* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
+#define NO_MORE_OPTIONS OPTION(.name = NULL)
+#define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
 extern const char gaits_help[];
 
@@ -130,12 +124,13 @@ struct command {
   const char *example;                    /* what `--help` shows first                                                 */
   const char *operand;                    /* "FILE", or NULL if there is none; "FILE..." where it takes more than one  */
   const struct option *options;           /* the last without a name                                                   */
+  const struct option_rule *rules;        /* the last without names; NULL: there are none                               */
   size_t size;                            /* of its struct                                                             */
   const void *initial;                    /* what that holds before anything is read, but for the request; NULL: zeros */
   const char *about;                      /* what the columns mean                                                     */
   const enum quantity_of *quantities;     /* of what motion the quantities are that --help lists; NULL: it lists none  */
   const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                                           */
-  /* What the options have to do with each other: false, the message being on stderr. NULL: nothing. */
+  /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);
   enum exit_code (*run)(const struct arguments *arguments, const void *options);
 };
@@ -144,9 +139,11 @@ struct arguments {
   const struct command *command;
   const struct command *const *commands; /* all of them */
   char **all;                            /* of the program, NULL-terminated */
+  int count, place;                      /* how many those are, and the one that is being read */
   const char **operands;
   int operand_count;
-  union { /* the struct of the command; its first member is the request */
+  unsigned long given; /* a bit for each row of the options, in their order */
+  union {              /* the struct of the command; its first member is the request */
     struct request request;
     char room[1024];
     void *aligned;
@@ -156,6 +153,8 @@ struct arguments {
 
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);
+/* The first of the options with these names, separated by blanks, that is given; NULL: none is. */
+const struct option *given_option(const struct arguments *arguments, const char *names);
 /* How many values it takes. */
 int option_values(const struct option *option);
 /* Does the command take more than one operand? */

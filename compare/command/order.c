@@ -14,13 +14,9 @@ struct order_options {
 
 static const struct option options_of_order[] = {
   OPTION_NUMBER("expect", "P", "the order that is expected: gives a verdict, and exit code 1 unless it is met",
-                "none, and no verdict", &number_option, order_options, expect),
-  OPTION_NUMBER("tol", "D", "how far the order may be from --expect", NULL, &positive_option, order_options, tolerance),
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+                "none, and no verdict", order_options, expect, FINITE),
+  OPTION_NUMBER("tol", "D", "how far the order may be from --expect", NULL, order_options, tolerance, POSITIVE),
+  OPTIONS_OF_DOUBLES,
 };
 static const struct order_options initial = { .tolerance = { 0.1, false } };
 static const char *const series_column[] = { "series", NULL };
@@ -45,9 +41,11 @@ struct list {
 
 enum { NAME = 1024, MOST_SERIES = 4096, MOST_ROWS = 1000000 };
 
-struct layout { /* places of columns, -1: not there */
-  int h, value, noise, columns;
-  bool values;
+enum column { H, ERR, NOISE, WANTED };
+struct layout {
+  int place[WANTED]; /* of columns, -1: not there */
+  bool values;       /* err holds values          */
+  int columns;
 };
 
 static void list_clear(struct list *list)
@@ -93,37 +91,29 @@ static bool read_any(const char *text, double *value)
   return end != text && *end == '\0';
 }
 
-/* Sets *place where the header names the column. False: it is named twice. */
-static bool find_column(const struct tsv *t, const char *name, int *place)
-{
-  int found = tsv_column(t, name);
-  for (int i = found + 1; found >= 0 && i < t->columns; i++)
-    if (strcmp(t->column[i], name) == 0)
-      return false;
-  *place = found >= 0 ? found : *place;
-  return true;
-}
-
-/* A header names h and err (or value), and may name noise; without a header the columns are h and err. Takes the first row, and
- * returns NULL or what is wrong with it. */
+/* A header names h and err (or error, or value), and may name noise; without a header the columns are h and err. Takes the first row,
+ * and returns NULL or what is wrong with it. */
 static const char *read_layout(struct tsv *t, struct layout *layout)
 {
+  static const char *const names[] = { "h", "err", "noise", "error", "value" };
+  static const enum column meant[] = { H, ERR, NOISE, ERR, ERR };
+  int found[WANTED] = { 0 };
   double number;
-  int err = -1, error = -1, value = -1;
-  *layout = (struct layout){ .h = 0, .value = 1, .noise = -1, .columns = t->count };
+  *layout = (struct layout){ .place = { 0, 1, -1 }, .columns = t->count };
   if (read_any(t->cell[0], &number))
     return t->count == 2 ? NULL : "without a header line there must be two columns, h and err";
   if (!tsv_take_header(t))
     return "out of memory";
-  layout->h = -1;
-  if (!find_column(t, "h", &layout->h) || !find_column(t, "noise", &layout->noise))
-    return "a column is there twice";
-  if (!find_column(t, "err", &err) || !find_column(t, "error", &error) || !find_column(t, "value", &value)
-      || (err >= 0) + (error >= 0) + (value >= 0) > 1)
-    return "one column 'err' or 'value' is wanted, not two";
-  layout->value = err >= 0 ? err : error >= 0 ? error : value;
-  layout->values = value >= 0;
-  return layout->h >= 0 && layout->value >= 0
+  for (int i = 0; i < t->columns; i++)
+    for (size_t name = 0; name < sizeof names / sizeof *names; name++)
+      if (strcmp(t->column[i], names[name]) == 0) {
+        found[meant[name]]++;
+        layout->place[meant[name]] = i;
+        layout->values |= *names[name] == 'v';
+      }
+  return found[H] > 1 || found[NOISE] > 1 ? "a column is there twice"
+         : found[ERR] > 1                 ? "one column 'err' or 'value' is wanted, not two"
+         : found[H] && found[ERR]
              ? NULL
              : "the header must name the columns 'h' and 'err' (or 'value'), separated by blanks or tabs";
 }
@@ -134,8 +124,8 @@ static void read_name(char name[NAME], char *const *cells, const struct layout *
   size_t used = 0;
   double number;
   *name = '\0';
-  for (int i = 0; i < layout->h && used < NAME; i++)
-    if (i != layout->value && i != layout->noise && !read_any(cells[i], &number))
+  for (int i = 0; i < layout->place[H] && used < NAME; i++)
+    if (i != layout->place[ERR] && i != layout->place[NOISE] && !read_any(cells[i], &number))
       used += (size_t)snprintf(name + used, NAME - used, "%s%s", used ? "; " : "", cells[i]);
 }
 
@@ -145,17 +135,15 @@ static const char *read_row(struct tsv *t, struct list *list, const struct layou
   if (t->count != layout->columns)
     return "the number of columns changes";
   struct order_point point = { .noise = 0 };
-  const struct {
-    int column;
-    double *value;
-  } wanted[] = { { layout->h, &point.h }, { layout->value, &point.err }, { layout->noise, &point.noise } };
+  double *const numbers[WANTED] = { &point.h, &point.err, &point.noise };
   static char message[120];
-  for (int i = 0; i < 3; i++)
-    if (wanted[i].column >= 0 && !read_any(t->cell[wanted[i].column], wanted[i].value)) {
-      snprintf(message, sizeof message, "column %d: '%.60s' is not a number", wanted[i].column + 1,
-               t->cell[wanted[i].column]);
+  for (int i = 0; i < WANTED; i++) {
+    const char *text = layout->place[i] < 0 ? NULL : t->cell[layout->place[i]];
+    if (text && !read_any(text, numbers[i])) {
+      snprintf(message, sizeof message, "column %d: '%.60s' is not a number", layout->place[i] + 1, text);
       return message;
     }
+  }
   if (list->rows++ == MOST_ROWS)
     return "more than a million rows";
   char name[NAME];
@@ -208,43 +196,38 @@ static enum exit_code read_file(const char *file, struct list *list, bool *value
 
 static void write_points(struct table *table, const struct list *list)
 {
-  if (list->count > 1)
-    table_columns(table, series_column);
+  bool named = list->count > 1;
+  table_columns(table, named ? series_column : series_column + 1);
   table_columns(table, columns);
   table_begin_rows(table);
   for (const struct series *s = list->series; s < list->series + list->count; s++)
     for (const struct order_point *p = s->points; p < s->points + s->count; p++) {
-      if (list->count > 1)
+      bool judged = s->fit.state != ORDER_INVALID;
+      if (named)
         table_text(table, s->name);
       table_number(table, p->h);
       table_number(table, p->err);
-      table_rounded(table, s->fit.state == ORDER_INVALID ? NAN : p->pairwise, "%.4f");
-      table_text(table, s->fit.state == ORDER_INVALID ? "-" : order_use_text(p->use));
+      table_rounded(table, judged ? p->pairwise : NAN, "%.4f");
+      table_text(table, judged ? order_use_text(p->use) : "-");
     }
 }
 
 /* In TSV: the series and its order in notes */
-static void note_summary(struct table *table, const struct series *s, const struct order_options *o, bool named)
+static void note_summary(struct table *table, const struct series *s, const struct order_options *o)
 {
-  const struct order_fit *fit = &s->fit;
-  if (named)
-    table_note(table, "series: %s", s->name);
-  table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", fit->order, fit->lo, fit->hi, fit->used,
-             order_state_text(fit->state));
+  table_note(table, "order %.4f, 95 %% interval %.4f to %.4f, from %d points: %s", s->fit.order, s->fit.lo, s->fit.hi,
+             s->fit.used, order_state_text(s->fit.state));
   if (o->expect.given)
     table_note(table, "expected %g within %g: %s", o->expect.value, o->tolerance.value, order_verdict_text(s->verdict));
 }
 
-static void write_summary_row(struct table *table, const struct series *s, const struct order_options *o, bool named)
+static void write_summary_row(struct table *table, const struct series *s, const struct order_options *o)
 {
-  const struct order_fit *fit = &s->fit;
-  if (named)
-    table_text(table, s->name);
-  table_number(table, fit->order);
-  table_number(table, fit->lo);
-  table_number(table, fit->hi);
-  table_rounded(table, fit->used, "%.0f");
-  table_text(table, order_state_text(fit->state));
+  const double interval[] = { s->fit.order, s->fit.lo, s->fit.hi };
+  for (int i = 0; i < 3; i++)
+    table_number(table, interval[i]);
+  table_rounded(table, s->fit.used, "%.0f");
+  table_text(table, order_state_text(s->fit.state));
   table_number(table, o->expect.given ? o->expect.value : NAN);
   table_number(table, o->expect.given ? o->tolerance.value : NAN);
   table_text(table, o->expect.given ? order_verdict_text(s->verdict) : "none asked for");
@@ -252,58 +235,54 @@ static void write_summary_row(struct table *table, const struct series *s, const
 
 static void write_summary(struct table *table, const struct list *list, const struct order_options *o)
 {
-  bool named = list->count > 1;
-  if (o->request.style.format != FORMAT_TSV) {
-    table->count = 0;
-    if (named)
-      table_columns(table, series_column);
-    table_columns(table, summary_columns);
+  bool named = list->count > 1, json = o->request.style.format != FORMAT_TSV;
+  table->count = 0;
+  table_columns(table, named ? series_column : series_column + 1);
+  table_columns(table, summary_columns);
+  for (const struct series *s = list->series; s < list->series + list->count; s++) {
+    if (named && json)
+      table_text(table, s->name);
+    else if (named)
+      table_note(table, "series: %s", s->name);
+    (json ? write_summary_row : note_summary)(table, s, o);
   }
-  for (const struct series *s = list->series; s < list->series + list->count; s++)
-    (o->request.style.format == FORMAT_TSV ? note_summary : write_summary_row)(table, s, o, named);
 }
 
-static void estimate(struct list *list, const struct order_options *o, bool values)
+/* Estimates and judges all, and returns the exit code that they give. */
+static enum exit_code judge(struct list *list, const struct order_options *o, bool values)
 {
+  bool passed = true, valid = true;
   for (struct series *s = list->series; s < list->series + list->count; s++) {
     s->fit = values ? order_estimate_values(s->points, &s->count) : order_estimate(s->points, s->count);
     s->verdict = order_judge(&s->fit, o->expect.value, o->tolerance.value);
-  }
-}
-
-static enum exit_code conclude(const struct list *list, const struct order_options *o)
-{
-  bool passed = true, valid = true;
-  for (const struct series *s = list->series; s < list->series + list->count; s++) {
     passed &= s->verdict == ORDER_PASS;
     valid &= s->fit.state != ORDER_INVALID;
   }
-  if (!valid && !o->expect.given) {
-    complain("order", "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
-    return EXIT_UNSOLVED;
-  }
-  return o->expect.given && !passed ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return o->expect.given ? (passed ? EXIT_DONE : EXIT_CHECK_FAILED) : valid ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct order_options *o = options;
-  const char *file = arguments->operands[0];
   struct list list = { 0 };
   struct table table;
   bool values = false;
-  enum exit_code code = read_file(file, &list, &values);
+  enum exit_code code = read_file(arguments->operands[0], &list, &values);
   if (code == EXIT_DONE && !table_open(&table, &o->request.style))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
-    estimate(&list, o, values);
+    code = judge(&list, o, values);
     table_note(&table, "scallop " SCALLOP_VERSION);
     table_note(&table, "command: order");
     if (values)
       table_note(&table, "err: differences of successive values, v(h_i) - v(h_i+1), rescaled to C h^p");
     write_points(&table, &list);
     write_summary(&table, &list, o);
-    code = table_close(&table) ? conclude(&list, o) : EXIT_FILE;
+    if (!table_close(&table))
+      code = EXIT_FILE;
+    if (code == EXIT_UNSOLVED)
+      complain("order",
+               "the table cannot be judged: h must be positive and different in each row, and no number nan or inf");
   }
   list_clear(&list);
   return code;

@@ -1,10 +1,8 @@
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
@@ -29,43 +27,13 @@ static const struct option options_of_run[] = {
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
-
-enum { MOST_SCENES = 64 };
+static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and -o exclude each other" },
+                                            { NULL, RULE_WITH, NULL, NULL } };
 
 struct scenes {
   int count;
-  const char *input; /* the text of the one on standard input, or NULL */
-  struct scene *scene[MOST_SCENES];
+  struct scene *scene;
 };
-
-static int tables_of(const struct scenes *all)
-{
-  int tables = 0;
-  for (int i = 0; i < all->count; i++)
-    tables += all->scene[i]->wants;
-  return tables;
-}
-
-/* Tables and plots all go to different places, and none in that of a file that is read. */
-static bool check_places(const struct scenes *all, const struct scene_options *o)
-{
-  struct scene_places *places = calloc(1, sizeof *places);
-  bool good = places != NULL;
-  if (!places)
-    complain(o->request.style.command, "out of memory");
-  for (int i = 0; good && i < all->count; i++)
-    places_reads(places, all->scene[i]);
-  if (good && o->explain)
-    good = !o->request.style.has_output || places_writes(places, o->request.style.command, o->request.style.output);
-  for (int i = 0; good && !o->explain && i < all->count; i++)
-    for (int w = 0; good && w < all->scene[i]->wants; w++) {
-      const struct scene_want *want = &all->scene[i]->want[w];
-      good = places_writes(places, o->request.style.command, want->file)
-             && (!want->has_plot || places_writes(places, o->request.style.command, want->plot.file));
-    }
-  free(places);
-  return good;
-}
 
 /* What is done first, then what is not requested. */
 static enum exit_code explain(const struct scenes *all, const struct scene_options *o)
@@ -82,10 +50,10 @@ static enum exit_code explain(const struct scenes *all, const struct scene_optio
   for (int i = 0; i < all->count; i++)
     for (int left_out = 0; left_out < 2; left_out++)
       for (int k = 0; k < COUNT_PLANNED; k++) {
-        const struct plan_stage *s = &all->scene[i]->plan.stage[k];
+        const struct plan_stage *s = &all->scene[i].plan.stage[k];
         if ((s->count == 0) != (left_out == 1))
           continue;
-        table_text(&table, all->scene[i]->name);
+        table_text(&table, all->scene[i].name);
         table_text(&table, count_name((enum count)k));
         table_rounded(&table, s->count, "%.15g");
         table_text(&table, s->count == 0 ? "not requested" : s->is_at_most ? "at most" : "exactly");
@@ -171,90 +139,34 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   return code;
 }
 
-static enum exit_code read_all(struct scenes *all, const struct scene_options *o, const struct scene_source *sources,
-                               int count)
+static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
 {
+  const char *command = o->request.style.command;
   enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < count && code == EXIT_DONE; i++) {
-    struct scene *scene = malloc(sizeof *scene);
-    if (!scene)
-      complain(o->request.style.command, "out of memory");
-    code = scene ? scene_read(scene, &sources[i], o, run_command) : EXIT_UNSOLVED;
-    if (code == EXIT_DONE)
-      all->scene[all->count++] = scene;
-    else
-      free(scene);
-  }
-  return code;
-}
-
-static void free_all(struct scenes *all)
-{
+  int wants = 0;
+  bool needs_flint = false;
   for (int i = 0; i < all->count; i++) {
-    scene_free(all->scene[i]);
-    free(all->scene[i]);
+    wants += all->scene[i].wants;
+    needs_flint |= all->scene[i].plan.needs_flint;
   }
-}
-
-static bool needs_flint(const struct scenes *all)
-{
-  for (int i = 0; i < all->count; i++)
-    if (all->scene[i]->plan.needs_flint)
-      return true;
-  return false;
-}
-
-/* Another program may take over, and read it again. */
-static bool put_back(const char *text)
-{
-  FILE *again = tmpfile();
-  bool kept = again && fputs(text, again) >= 0 && fflush(again) == 0 && lseek(fileno(again), 0, SEEK_SET) == 0
-              && dup2(fileno(again), STDIN_FILENO) >= 0;
-  if (again)
-    fclose(again);
-  return kept;
-}
-
-static bool hand_over(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
-{
-  if (all->input && !put_back(all->input)) {
-    complain(o->request.style.command, "cannot keep the scene on standard input for scallop-flint: %s", strerror(errno));
-    return false;
-  }
-  for (int i = 0; i < all->count; i++) {
-    struct stat there;
-    const char *path = all->scene[i]->path;
-    if (!path || stat(path, &there) != 0 || S_ISREG(there.st_mode))
-      continue;
-    complain(o->request.style.command, "%s can be read only once, and scallop-flint is to read it again: give it as '-'",
-             path);
-    return false;
-  }
-  return has_flint(arguments, "this scene");
-}
-
-static enum exit_code run_all(struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
-{
-  enum exit_code code = EXIT_DONE;
-  if (o->request.style.has_output && !o->explain && tables_of(all) > 1) {
-    complain(o->request.style.command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go",
-             tables_of(all));
+  if (o->request.style.has_output && !o->explain && wants > 1) {
+    complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
-  if (!check_places(all, o))
+  if (!scenes_check_files(all->scene, all->count, o))
     return EXIT_USAGE;
   if (o->explain)
     return explain(all, o);
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->request.style.quiet; i++)
-      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", o->request.style.command, all->scene[i]->name,
-              sweep_points(&all->scene[i]->sweep), all->scene[i]->wants);
+      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", command, all->scene[i].name,
+              sweep_points(&all->scene[i].sweep), all->scene[i].wants);
     return EXIT_DONE;
   }
-  if (needs_flint(all) && !hand_over(all, arguments, o))
+  if (needs_flint && !has_flint(arguments, "this scene"))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
-    enum exit_code one = scene_run(all->scene[i], o);
+    enum exit_code one = scene_run(&all->scene[i], o);
     code = one > code ? one : code;
   }
   if (o->stats)
@@ -265,51 +177,47 @@ static enum exit_code run_all(struct scenes *all, const struct arguments *argume
 enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *o,
                           const struct scene_source *sources, int count)
 {
-  struct scenes *all = calloc(1, sizeof *all);
-  if (!all || count > MOST_SCENES) {
-    complain(o->request.style.command, all ? "%d scenes: %d at a time" : "out of memory", count, MOST_SCENES);
-    free(all);
-    return EXIT_USAGE;
+  struct scenes all = { 0, calloc((size_t)count, sizeof *all.scene) };
+  enum exit_code code = all.scene ? EXIT_DONE : EXIT_UNSOLVED;
+  if (!all.scene)
+    complain(o->request.style.command, "out of memory");
+  while (code == EXIT_DONE && all.count < count) {
+    code = scene_read(&all.scene[all.count], &sources[all.count], o, run_command);
+    all.count += code == EXIT_DONE;
   }
-  for (int i = 0; i < count; i++)
-    if (strcmp(sources[i].path, "-") == 0)
-      all->input = sources[i].text;
-  enum exit_code code = read_all(all, o, sources, count);
   if (code == EXIT_DONE)
-    code = run_all(all, arguments, o);
-  free_all(all);
-  free(all);
+    code = run_all(&all, arguments, o);
+  for (int i = 0; i < all.count; i++)
+    scene_free(&all.scene[i]);
+  free(all.scene);
   return code;
 }
 
-static bool is_input(const char *operand) { return strcmp(operand, "-") == 0 || strcmp(operand, "/dev/stdin") == 0; }
+/* Standard input, a pipe: what is read here, scallop-flint could not read again. */
+static bool is_read_once(const struct scene_source *source)
+{
+  struct stat there;
+  return !source->text && (strcmp(source->path, "-") == 0 || (stat(source->path, &there) == 0 && !S_ISREG(there.st_mode)));
+}
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  const struct scene_options *o = options;
-  struct scene_source sources[MOST_SCENES];
-  int count = arguments->operand_count < MOST_SCENES ? arguments->operand_count : MOST_SCENES;
-  if (arguments->operand_count > MOST_SCENES) {
-    complain("run", "%d scenes: %d at a time", arguments->operand_count, MOST_SCENES);
-    return EXIT_USAGE;
+  struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
+  if (!sources) {
+    complain("run", "out of memory");
+    return EXIT_UNSOLVED;
   }
-  if (o->folder && o->request.style.has_output) {
-    complain("run", "--into and -o exclude each other");
-    return EXIT_USAGE;
+  bool read_once = false;
+  for (int i = 0; i < arguments->operand_count; i++) {
+    const char *operand = arguments->operands[i];
+    sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
+                                        .text = shipped_text(shipped_scenes, operand) };
+    read_once |= is_read_once(&sources[i]);
   }
-  char *input = NULL;
-  for (int i = 0; i < count; i++) {
-    sources[i] = (struct scene_source){ .path = arguments->operands[i],
-                                        .text = shipped_text(shipped_scenes, arguments->operands[i]) };
-    if (!is_input(arguments->operands[i]))
-      continue;
-    enum exit_code read = input ? EXIT_DONE : scene_text_read("run", "-", &input);
-    if (read != EXIT_DONE)
-      return read;
-    sources[i] = (struct scene_source){ .path = "-", .text = input };
-  }
-  enum exit_code code = run_scenes(arguments, o, sources, count);
-  free(input);
+  if (read_once)
+    has_flint(arguments, NULL);
+  enum exit_code code = run_scenes(arguments, options, sources, arguments->operand_count);
+  free(sources);
   return code;
 }
 
@@ -319,6 +227,7 @@ const struct command command_run = {
   .example = "scallop run figure5 --explain",
   .operand = "SCENE.cfg...",
   .options = options_of_run,
+  .rules = rules,
   .size = sizeof(struct scene_options),
   .about =
       "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "

@@ -10,135 +10,168 @@
 #include "compare/command/series_flint.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak series_derived
+
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", NULL };
 static const struct option options_of_series[] = {
   OPTIONS_CRAWLER(NULL, NULL),
   OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
-  { "source", "SOURCE", "published, derived or limit", NULL, &word_option, offsetof(struct series_options, source), 0, 0,
-    sources, "published, derived or limit" },
+  OPTION_WORD("source", "SOURCE", "published, derived or limit", NULL, series_options, source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_POINTS,
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS, "%s; with --source derived fractions, or 17 digits", MOST_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTION_FORMAT("tsv"),
+  OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTIONS_LAST,
 };
 static const struct series_options initial = { .source = { "published", false }, .order = { 8, false } };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 static const char *const extra[] = { "v0", NULL };
 
-/* A formula at a point, and what the exact motion has there. */
-struct value {
+/* A formula and the motion that it is about: a kind of phase, or the period. */
+enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = TABLE_COLUMNS };
+struct use {
   const struct scallop_formula *formula;
-  const char *phase; /* "extension", "contraction" or "period"                        */
-  const char *quantity;
-  double published, exact;
+  int of;
 };
-typedef void value_sink(void *context, const struct value *value);
 
-/* Where v0 is not given, the formulas with a start velocity take the exact steady one of their phase. */
-static enum scallop_status each_value(const struct point *p, value_sink *sink, void *context)
+/* Each formula once for each motion that it is about. Returns how many. */
+static int list_uses(struct use uses[MOST_FORMULAS])
+{
+  int n = 0;
+  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+    if (f->setting == SCALLOP_STEADY)
+      uses[n++] = (struct use){ f, PERIOD };
+    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)
+      uses[n++] = (struct use){ f, SCALLOP_EXTENSION };
+    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_CONTRACTION)
+      uses[n++] = (struct use){ f, SCALLOP_CONTRACTION };
+  }
+  return n;
+}
+
+static double finite(double x) { return isfinite(x) ? x : NAN; }
+
+/* What the formulas and the exact motion have at a point. Where v0 is not given, the formulas with a start velocity take the exact
+ * steady one of their phase. */
+static enum scallop_status solve(const struct point *p, double published[MOST_FORMULAS], double exact[MOST_FORMULAS])
 {
   const struct scallop_crawler *c = &p->crawler;
   const struct motion period = motion_of(p, OF_STEADY);
-  struct answer steady;
+  struct use uses[MOST_FORMULAS];
+  struct answer steady, phase;
   if (!answer_in_double(&steady, &period))
     return steady.status;
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    struct value v = { .formula = f, .phase = "period", .quantity = formula_quantity_text(f, SCALLOP_EXTENSION) };
-    if (f->setting == SCALLOP_STEADY) {
-      v.published = f->steady(c);
-      v.exact = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
-      sink(context, &v);
+  for (int i = 0, n = list_uses(uses); i < n; i++) {
+    const struct scallop_formula *f = uses[i].formula;
+    if (uses[i].of == PERIOD) {
+      published[i] = finite(f->steady(c));
+      exact[i] = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
       continue;
     }
-    int first = f->setting == SCALLOP_MOVING_CONTRACTION, last = f->setting == SCALLOP_AT_REST_START ? 1 : first;
-    for (int k = first; k <= last; k++) {
-      enum scallop_phase_kind kind = (enum scallop_phase_kind)k;
-      double start = steady.value[k == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
-      const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : p->has_v0 ? p->v0 : start };
-      struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
-      struct answer exact;
-      if (!answer_in_double(&exact, &m) || !answer_turnings(&exact, &m))
-        return exact.status;
-      v.phase = k == SCALLOP_EXTENSION ? "extension" : "contraction";
-      v.quantity = formula_quantity_text(f, kind);
-      v.published = published_value(f, &point, &m, &exact);
-      v.exact = exact.value[quantity_of_formula(f, kind)].high;
-      sink(context, &v);
-    }
+    enum scallop_phase_kind kind = (enum scallop_phase_kind)uses[i].of;
+    double start = p->has_v0 ? p->v0 : steady.value[kind == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
+    const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : start };
+    struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
+    if (!answer_in_double(&phase, &m) || !answer_turnings(&phase, &m))
+      return phase.status;
+    published[i] = finite(published_value(f, &point, &m, &phase));
+    exact[i] = phase.value[quantity_of_formula(f, kind)].high;
   }
   return SCALLOP_OK;
+}
+
+static void write_formula(struct table *table, const struct use *use, double published, double exact)
+{
+  static const char *const motions[] = { "extension", "contraction", "period" };
+  const struct scallop_formula *f = use->formula;
+  char order[32] = "-";
+  if (f->remainder > 0)
+    snprintf(order, sizeof order, f->remainder == 1 ? "O(T)" : "O(T^%d)", f->remainder);
+  const char *const texts[] = { f->name, f->equation, motions[use->of],
+                                formula_quantity_text(f, (enum scallop_phase_kind)(use->of % PERIOD)), order };
+  for (int i = 0; i < 5; i++)
+    table_text(table, texts[i]);
+  table_number(table, published);
+  table_number(table, exact);
+  table_number(table, published - exact);
 }
 
 /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
 static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
 
-static double finite(double x) { return isfinite(x) ? x : NAN; }
-
-static void write_value(void *context, const struct value *v)
-{
-  struct table *table = context;
-  char order[32] = "-";
-  if (v->formula->remainder > 0)
-    snprintf(order, sizeof order, v->formula->remainder == 1 ? "O(T)" : "O(T^%d)", v->formula->remainder);
-  table_text(table, v->formula->name);
-  table_text(table, v->formula->equation);
-  table_text(table, v->phase);
-  table_text(table, v->quantity);
-  table_text(table, order);
-  table_number(table, finite(v->published));
-  table_number(table, v->exact);
-  table_number(table, finite(v->published) - v->exact);
-}
-
-static void skip_value(void *context, const struct value *v) { (void)context, (void)v; }
-
-static void write_published(void *context, const struct value *v) { table_number(context, finite(v->published)); }
-
 /* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
 static const char *row(struct table *table, const struct point *point, const void *context, const char *refused)
 {
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : each_value(point, skip_value, NULL);
+  double published[MOST_FORMULAS], exact[MOST_FORMULAS];
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, published, exact);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   (void)context;
   point_crawler(table, &point->crawler, refused);
   table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
-  if (why)
-    point_blank(table, table->count - table->at - 1);
-  else
-    each_value(point, write_published, table);
+  for (int i = 0, n = table->count - table->at - 1; i < n; i++)
+    table_number(table, why ? NAN : published[i]);
   table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
   return why;
 }
 
 static enum exit_code run_points(const struct request *request)
 {
-  enum { MOST = TABLE_COLUMNS, LONGEST = 64 };
-  static char names[MOST][LONGEST];
-  const char *list[MOST];
-  int n = 0;
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    snprintf(names[n], LONGEST, "%s", f->name);
-    list[n] = names[n];
-    n++;
-    if (f->setting == SCALLOP_AT_REST_START) {
-      snprintf(names[n], LONGEST, "%s:contraction", f->name);
-      list[n] = names[n];
-      n++;
-    }
+  enum { LONGEST = 64 };
+  struct use uses[MOST_FORMULAS];
+  char names[MOST_FORMULAS][LONGEST];
+  const char *list[MOST_FORMULAS + 2];
+  int n = list_uses(uses);
+  for (int i = 0; i < n; i++) {
+    bool again = i > 0 && uses[i].formula == uses[i - 1].formula;
+    snprintf(names[i], LONGEST, "%s%s", uses[i].formula->name, again ? ":contraction" : "");
+    list[i] = names[i];
   }
-  list[n++] = "status";
-  list[n] = NULL;
+  list[n] = "status";
+  list[n + 1] = NULL;
   const struct point_table table = { .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row };
   return for_each_point(request, &table);
 }
 
+static enum exit_code run_point(const struct request *request)
+{
+  struct table table;
+  struct use uses[MOST_FORMULAS];
+  double published[MOST_FORMULAS], exact[MOST_FORMULAS];
+  char v0[80] = "the exact steady velocity at the start of each phase";
+  enum scallop_status status = solve(&request->point, published, exact);
+  if (status < 0) {
+    complain("series", "%s", scallop_status_text(status));
+    return EXIT_UNSOLVED;
+  }
+  if (!table_open(&table, &request->style))
+    return EXIT_FILE;
+  table_note(&table, "scallop " SCALLOP_VERSION);
+  table_note(&table, "command: series");
+  note_parameters(&table, &request->point, NULL, false);
+  if (request->point.has_v0)
+    number_text(v0, request->point.v0, 0);
+  table_note(&table, "v0: %s", v0);
+  if (!gait_has_ends(request->point.crawler.gait)) {
+    table_note(&table, "%s", no_ends);
+    if (!request->style.quiet)
+      complain("series", "%s", no_ends);
+  }
+  table_columns(&table, columns);
+  table_begin_rows(&table);
+  for (int i = 0, n = list_uses(uses); i < n; i++)
+    write_formula(&table, &uses[i], published[i], exact[i]);
+  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+}
+
 enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
+
+static const struct option_rule rules[] = {
+  { "digits", RULE_WITH, "bound", "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
+  { NULL, RULE_WITH, NULL, NULL },
+};
 
 /* NULL, or which options do not go together */
 static const char *excluded(const struct series_options *o)
@@ -148,8 +181,6 @@ static const char *excluded(const struct series_options *o)
     return "--bound is for the derived series: leave --source out";
   if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
     return "--bound takes an --order from 1 to 60";
-  if (o->bound && o->request.style.digits > 0)
-    return "--digits and --bound exclude each other: bounds are rounded to four digits, to the safe side";
   if (o->order.given && !o->bound && !derived)
     return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
                      : "--order and --source limit exclude each other: the limit is one term";
@@ -171,37 +202,9 @@ static bool is_sound(const void *options)
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
-  struct table table;
-  if (o->bound || strcmp(o->source.value, "published") != 0) {
-    const char *what = o->bound ? "--bound" : "--source derived or limit";
-    return has_flint(arguments, what) ? with_flint.series(o) : EXIT_UNSOLVED;
-  }
-  if (o->request.points)
-    return run_points(&o->request);
-  enum scallop_status status = each_value(&o->request.point, skip_value, NULL);
-  if (status < 0) {
-    complain("series", "%s", scallop_status_text(status));
-    return EXIT_UNSOLVED;
-  }
-  if (!table_open(&table, &o->request.style))
-    return EXIT_FILE;
-  table_note(&table, "scallop " SCALLOP_VERSION);
-  table_note(&table, "command: series");
-  note_parameters(&table, &o->request.point, NULL, false);
-  if (o->request.point.has_v0) {
-    char v0[NUMBER_TEXT];
-    number_text(v0, o->request.point.v0, 0);
-    table_note(&table, "v0: %s", v0);
-  } else
-    table_note(&table, "v0: the exact steady velocity at the start of each phase");
-  if (!gait_has_ends(o->request.point.crawler.gait))
-    table_note(&table, "%s", no_ends);
-  if (!gait_has_ends(o->request.point.crawler.gait) && !o->request.style.quiet)
-    complain("series", "%s", no_ends);
-  table_columns(&table, columns);
-  table_begin_rows(&table);
-  each_value(&o->request.point, write_value, &table);
-  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+  if (!o->bound && strcmp(o->source.value, "published") == 0)
+    return (o->request.points ? run_points : run_point)(&o->request);
+  return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_series = {
@@ -211,6 +214,7 @@ const struct command command_series = {
   .options = options_of_series,
   .size = sizeof(struct series_options),
   .initial = &initial,
+  .rules = rules,
   .is_sound = is_sound,
   .about =
       "--source published (the default): T is the period; the formulas of one phase are evaluated for its duration,\n"

@@ -23,32 +23,23 @@ struct motion_report { /* of one motion: its expansion and its certified values 
   fmpq_t v0, T; /* T: of the phase, or the period */
   struct series_answer derived;
   struct ball_answer exact;
-  char status[2 * SCALLOP_MODES_TEXT + 60];
+  char status[2 * SCALLOP_MODES_TEXT + 240];
 };
 
 struct report {
   const struct series_options *options;
   struct scallop_rational_crawler crawler;
+  fmpq_t v0;
   long digits;     /* of what is printed                                                         */
   const char *why; /* something could not be done: the reason                                    */
   struct table table;
 };
 
-static void motion_init(struct motion_report *m)
-{
-  *m = (struct motion_report){ .phase = "period", .start = "steady", .of = OF_STEADY };
-  fmpq_init(m->v0);
-  fmpq_init(m->T);
-  series_answer_init(&m->derived);
-  ball_answer_init(&m->exact);
-}
+static slong bits_of(long digits) { return (slong)(3.33 * (double)digits); }
 
-static void motion_clear(struct motion_report *m)
+static bool derive(struct motion_report *m, const struct report *r, long order, slong precision)
 {
-  fmpq_clear(m->v0);
-  fmpq_clear(m->T);
-  series_answer_clear(&m->derived);
-  ball_answer_clear(&m->exact);
+  return answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision);
 }
 
 /* Whether every coefficient below T^order is exact or has the digits. */
@@ -63,46 +54,52 @@ static bool is_precise(const struct motion_report *m, long order, long digits)
       if (s->exact || series_coefficient_is_zero(s, k))
         continue;
       series_coefficient(x, s, k, 64);
-      precise = arb_rel_accuracy_bits(x) > (slong)(3.33 * (double)digits) + 4 || arb_contains_zero(x);
+      precise = arb_rel_accuracy_bits(x) > bits_of(digits) + 4 || arb_contains_zero(x);
     }
   arb_clear(x);
   return precise;
 }
 
 /* With so many bits, or as many more as the digits of the coefficients take. */
-static enum scallop_status expand(struct motion_report *m, const struct report *r, long order, slong precision,
-                                  const char **why)
+static bool expand(struct motion_report *m, const struct report *r, long order)
 {
   enum { TRIES = 6 };
+  slong precision = bits_of(r->digits) + 128 + order;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
-    bool done = answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision);
-    *why = m->derived.why;
+    bool done = derive(m, r, order, precision);
     if (m->derived.status == SCALLOP_EDOMAIN || (done && is_precise(m, order, r->digits)))
       break;
   }
-  return m->derived.status;
-}
-
-static void compare_modes(struct motion_report *m)
-{
-  char both[MOTION_MODES_TEXT];
-  motion_modes_text(both, m->of, m->exact.modes);
-  if (strcmp(both, m->derived.modes) == 0)
-    snprintf(m->status, sizeof m->status, "ok");
-  else
-    snprintf(m->status, sizeof m->status, "not of this motion: its modes are %s", both);
+  return m->derived.status == SCALLOP_OK;
 }
 
 /* Certified values with so many digits; without an answer the errors are nan. */
 static bool solve(struct motion_report *m, const struct report *r, long digits)
 {
+  char modes[MOTION_MODES_TEXT];
   bool solved = answer_in_balls(&m->exact, &r->crawler, m->of, m->kind, m->v0, digits);
-  if (solved)
-    compare_modes(m);
-  else
+  if (!solved)
     snprintf(m->status, sizeof m->status, "not certified: %s",
              m->exact.why ? m->exact.why : scallop_status_text(m->exact.status));
+  else if (strcmp(motion_modes_text(modes, m->of, m->exact.modes), m->derived.modes) != 0)
+    snprintf(m->status, sizeof m->status, "not of this motion: its modes are %s", modes);
+  else
+    snprintf(m->status, sizeof m->status, "ok");
   return solved;
+}
+
+static void write_ball(struct table *t, const arb_t x, long digits)
+{
+  char *text = decimal_text(x, digits);
+  table_digits(t, text);
+  flint_free(text);
+}
+
+static void write_names(struct table *t, const struct motion_report *m, const char *quantity)
+{
+  table_text(t, m->phase);
+  table_text(t, m->start);
+  table_text(t, quantity);
 }
 
 static void write_coefficient(struct table *t, const struct report *r, const struct series *s, slong power)
@@ -111,13 +108,9 @@ static void write_coefficient(struct table *t, const struct report *r, const str
   arb_t x;
   fmpq_init(q);
   arb_init(x);
-  char *text;
-  if (r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power))
-    text = decimal_fraction(q);
-  else {
-    series_coefficient(x, s, power, (slong)(3.33 * (double)r->digits) + 32);
-    text = decimal_text(x, r->digits);
-  }
+  series_coefficient(x, s, power, bits_of(r->digits) + 32);
+  bool as_fraction = r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power);
+  char *text = as_fraction ? decimal_fraction(q) : decimal_text(x, r->digits);
   table_text(t, text);
   flint_free(text);
   fmpq_clear(q);
@@ -131,49 +124,18 @@ static bool error_of(arb_t error, const arb_t sum, const arb_t exact, slong prec
   return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
 }
 
-/* exact: NULL where the motion has no such quantity, or could not be certified. */
-static void write_term(struct report *r, const struct motion_report *m, int q, slong power, const arb_t sum,
-                       const arb_struct *exact, slong precision)
-{
-  struct table *t = &r->table;
-  char number[24], *text;
-  arb_t error;
-  arb_init(error);
-  snprintf(number, sizeof number, "%ld", (long)power);
-  table_text(t, m->phase);
-  table_text(t, m->start);
-  table_text(t, quantity_rows[q].name);
-  table_digits(t, number);
-  write_coefficient(t, r, m->derived.value[q], power);
-  text = decimal_text(sum, r->digits);
-  table_digits(t, text);
-  flint_free(text);
-  if (exact) {
-    error_of(error, sum, exact, precision);
-    text = decimal_text(error, ERROR_DIGITS);
-    table_digits(t, text);
-    flint_free(text);
-  } else
-    table_number(t, NAN);
-  table_text(t, m->status);
-  arb_clear(error);
-}
-
-/* One row for each term that is not 0; if all are, one row says so. */
-static void write_terms(struct report *r, const struct motion_report *m, int q, long order, bool solved)
+/* One row for each term that is not 0; if all are, one row says so. exact: NULL where the motion has no such quantity, or could not be
+ * certified. */
+static void write_terms(struct report *r, const struct motion_report *m, int q, long order, const arb_struct *exact)
 {
   const struct series *series = m->derived.value[q];
-  const arb_struct *exact = solved ? m->exact.value[q] : NULL;
-  slong accuracy = exact ? arb_rel_accuracy_bits(exact) : 0, precision = (slong)(3.33 * (double)r->digits) + 128;
+  struct table *t = &r->table;
+  slong accuracy = exact ? arb_rel_accuracy_bits(exact) : 0, precision = bits_of(r->digits) + 128;
   if (accuracy < WORD_MAX / 4 && accuracy + 64 > precision)
     precision = accuracy + 64;
   slong first = series->first < 0 ? series->first : 0;
   bool any = false;
-  arb_t T, power, term, sum;
-  arb_init(T);
-  arb_init(power);
-  arb_init(term);
-  arb_init(sum);
+  arb_ptr x = _arb_vec_init(5), T = x, power = x + 1, term = x + 2, sum = x + 3, error = x + 4;
   arb_set_fmpq(T, m->T, precision);
   arb_one(power);
   for (slong k = first; k < 0; k++)
@@ -184,13 +146,19 @@ static void write_terms(struct report *r, const struct motion_report *m, int q, 
       continue;
     series_coefficient(term, series, k, precision);
     arb_addmul(sum, term, power, precision);
-    write_term(r, m, q, say_zero ? 0 : k, sum, exact, precision);
     any = true;
+    write_names(t, m, quantity_rows[q].name);
+    table_rounded(t, say_zero ? 0 : (double)k, "%.0f");
+    write_coefficient(t, r, series, say_zero ? 0 : k);
+    write_ball(t, sum, r->digits);
+    if (exact) {
+      error_of(error, sum, exact, precision);
+      write_ball(t, error, ERROR_DIGITS);
+    } else
+      table_number(t, NAN);
+    table_text(t, m->status);
   }
-  arb_clear(T);
-  arb_clear(power);
-  arb_clear(term);
-  arb_clear(sum);
+  _arb_vec_clear(x, 5);
 }
 
 /* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within reason. */
@@ -199,15 +167,11 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
   enum { TRIES = 9, MOST = 10000 };
   long digits = r->digits + 20;
   bool solved = false, enough = false;
-  arb_t T, sum, error;
-  arb_init(T);
-  arb_init(sum);
-  arb_init(error);
+  arb_ptr x = _arb_vec_init(3), T = x, sum = x + 1, error = x + 2;
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
     slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
     solved = enough = solve(m, r, digits < MOST ? digits : MOST);
-    if (i > 0 && !m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->exact
-        && !answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision))
+    if (i > 0 && !m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->exact && !derive(m, r, order, precision))
       break;
     arb_set_fmpq(T, m->T, precision);
     for (int q = 0; solved && q < QUANTITIES; q++) {
@@ -218,87 +182,70 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
     }
     enough |= !solved || digits >= MOST;
   }
-  arb_clear(T);
-  arb_clear(sum);
-  arb_clear(error);
+  _arb_vec_clear(x, 3);
   return solved;
 }
 
 /* A motion without a series has its reason in status. */
-static void write_failure(struct report *r, const struct motion_report *m)
+static void write_failure(struct report *r, struct motion_report *m)
 {
   struct table *t = &r->table;
-  char status[240];
-  snprintf(status, sizeof status, "no series: %s", r->why);
-  table_text(t, m->phase);
-  table_text(t, m->start);
-  table_text(t, "-");
+  r->why = m->derived.why ? m->derived.why : scallop_status_text(m->derived.status);
+  snprintf(m->status, sizeof m->status, "no series: %s", r->why);
+  write_names(t, m, "-");
   table_number(t, NAN);
   table_text(t, "-");
   table_number(t, NAN);
   table_number(t, NAN);
-  table_text(t, status);
+  table_text(t, m->status);
 }
 
-static bool report_motion(struct report *r, struct motion_report *m)
+static bool report_motion(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
 {
-  bool limit = is_limit(r->options);
+  bool limit = is_limit(r->options), steady = of == OF_STEADY;
   long order = limit ? 1 : r->options->order.value;
-  const char *why = NULL;
-  slong precision = (slong)(3.33 * (double)r->digits) + 128 + order;
-  enum scallop_status status = expand(m, r, order, precision, &why);
-  if (status != SCALLOP_OK) {
-    r->why = why ? why : scallop_status_text(status);
-    write_failure(r, m);
-    return false;
-  }
-  bool solved = solve_well(m, r, order);
-  for (int q = 0; q < QUANTITIES; q++)
-    if (m->derived.value[q])
-      write_terms(r, m, q, limit && m->derived.value[q]->first < 0 ? 0 : order, solved);
-  return true;
-}
-
-static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool from_rest)
-{
-  struct motion_report m;
-  motion_init(&m);
-  m.of = OF_PHASE;
-  m.kind = kind;
-  m.phase = kind == SCALLOP_EXTENSION ? "extension" : "contraction";
-  m.start = from_rest ? "rest" : "v0";
-  scallop_rational_duration(m.T, &r->crawler, kind);
-  if (!from_rest) {
-    struct scallop_rational_crawler unused;
-    scallop_rational_init(&unused);
-    rational_point(&unused, m.v0, &r->options->request.point);
-    scallop_rational_clear(&unused);
-  }
-  bool reported = report_motion(r, &m);
-  motion_clear(&m);
-  return reported;
-}
-
-static bool report_steady(struct report *r)
-{
-  struct motion_report m;
-  motion_init(&m);
-  fmpq_set(m.T, r->crawler.T);
-  bool reported = report_motion(r, &m);
-  motion_clear(&m);
-  return reported;
+  struct motion_report m = { .phase = steady                      ? "period"
+                                      : kind == SCALLOP_EXTENSION ? "extension"
+                                                                  : "contraction",
+                             .start = steady      ? "steady"
+                                      : from_rest ? "rest"
+                                                  : "v0",
+                             .of = of,
+                             .kind = kind };
+  fmpq_init(m.v0);
+  fmpq_init(m.T);
+  series_answer_init(&m.derived);
+  ball_answer_init(&m.exact);
+  if (!from_rest)
+    fmpq_set(m.v0, r->v0);
+  if (steady)
+    fmpq_set(m.T, r->crawler.T);
+  else
+    scallop_rational_duration(m.T, &r->crawler, kind);
+  bool done = expand(&m, r, order), solved = done && solve_well(&m, r, order);
+  for (int q = 0; done && q < QUANTITIES; q++)
+    if (m.derived.value[q])
+      write_terms(r, &m, q, limit && m.derived.value[q]->first < 0 ? 0 : order, solved ? m.exact.value[q] : NULL);
+  if (!done)
+    write_failure(r, &m);
+  fmpq_clear(m.v0);
+  fmpq_clear(m.T);
+  series_answer_clear(&m.derived);
+  ball_answer_clear(&m.exact);
+  return done;
 }
 
 static bool report_all(struct report *r)
 {
+  const struct point *p = &r->options->request.point;
   bool done = true;
-  if (strcmp(r->options->source.value, "derived") == 0)
+  if (!is_limit(r->options))
     for (int kind = 0; kind < 2; kind++) {
-      done = report_phase(r, (enum scallop_phase_kind)kind, true) && done;
-      if (r->options->request.point.has_v0 && r->options->request.point.v0 != 0)
-        done = report_phase(r, (enum scallop_phase_kind)kind, false) && done;
+      done = report_motion(r, OF_PHASE, (enum scallop_phase_kind)kind, true) && done;
+      if (p->has_v0 && p->v0 != 0)
+        done = report_motion(r, OF_PHASE, (enum scallop_phase_kind)kind, false) && done;
     }
-  return report_steady(r) && done;
+  return report_motion(r, OF_STEADY, SCALLOP_EXTENSION, true) && done;
 }
 
 static bool begin(struct report *r)
@@ -334,24 +281,17 @@ static void write_rounded(struct table *t, const arb_t x, int direction)
   (direction > 0 ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(shifted), x, BOUND_PRECISION);
   arb_mul_si(shifted, shifted, SPARE + direction, BOUND_PRECISION);
   arb_div_si(shifted, shifted, SPARE, BOUND_PRECISION);
-  char *text = decimal_text(shifted, DIGITS);
-  table_digits(t, text);
-  flint_free(text);
+  write_ball(t, shifted, DIGITS);
   arb_clear(shifted);
 }
 
 static void write_bound(struct table *t, const struct scallop_bound *b, const char *quantity, const struct report *r)
 {
-  arb_t T, here;
-  char text[24];
-  arb_init(T);
-  arb_init(here);
+  arb_ptr T = _arb_vec_init(2), here = T + 1;
   table_text(t, quantity);
-  snprintf(text, sizeof text, "%ld", r->options->order.value);
-  table_digits(t, text);
+  table_rounded(t, (double)r->options->order.value, "%.0f");
   write_rounded(t, b->C, 1);
-  snprintf(text, sizeof text, "%d", b->power);
-  table_digits(t, text);
+  table_rounded(t, b->power, "%.0f");
   write_rounded(t, b->T0, -1);
   arb_set_fmpq(T, r->crawler.T, BOUND_PRECISION);
   arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
@@ -362,8 +302,7 @@ static void write_bound(struct table *t, const struct scallop_bound *b, const ch
     table_number(t, NAN);
   write_rounded(t, b->T_end, -1);
   table_text(t, b->ends);
-  arb_clear(T);
-  arb_clear(here);
+  _arb_vec_clear(T, 2);
 }
 
 static enum exit_code report_bounds(struct report *r)
@@ -409,8 +348,10 @@ enum exit_code series_derived(const struct series_options *options)
     return EXIT_USAGE;
   }
   scallop_rational_init(&r.crawler);
-  rational_point(&r.crawler, NULL, &options->request.point);
+  fmpq_init(r.v0);
+  rational_point(&r.crawler, r.v0, &options->request.point);
   enum exit_code code = options->bound ? report_bounds(&r) : report_series(&r);
   scallop_rational_clear(&r.crawler);
+  fmpq_clear(r.v0);
   return code;
 }

@@ -5,6 +5,10 @@
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
+#pragma weak stress_table
+#pragma weak stress_point
+#pragma weak stress_stiff
+
 static const struct option options_of_stress[] = {
   OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),
   OPTION_PHASE("with --v0 %s, else the steady state"),
@@ -21,55 +25,25 @@ static const struct option options_of_stress[] = {
   OPTION_FLAG("stiff", "friction smoothed for stiff ODE solvers, instead", stress_options, stiff),
   OPTION_FLAG("quick", "with --stiff: delta down to 1e-5 only", stress_options, quick),
   OPTION_FLAG("summary", "with --stiff: the order in delta, and where each stepper gives up", stress_options, summary),
-  OPTION_FORMAT(NULL),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTION_FORMAT("tsv"),
+  OPTIONS_LAST,
 };
 static const struct stress_options initial = { .seed = { 1, false } };
 
-static bool is_point(const struct stress_options *o)
-{
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->request.point.written[i])
-      return true;
-  return o->request.point.has_phase || o->request.point.has_v0;
-}
-
-/* An option that the table asked for has no use for; NULL if there is none. */
-static const char *useless(const struct stress_options *o, bool point)
-{
-  if (o->stiff)
-    return o->family                    ? "family"
-           : o->cases.value > 0         ? "cases"
-           : o->seed.given              ? "seed"
-           : o->full                    ? "full"
-           : o->check                   ? "check"
-           : o->request.point.has_phase ? "phase"
-           : o->request.point.has_v0    ? "v0"
-                                        : NULL;
-  if (o->quick || o->summary)
-    return o->quick ? "quick" : "summary";
-  if (point)
-    return o->family ? "family" : o->cases.value > 0 ? "cases" : o->seed.given ? "seed" : o->full ? "full" : NULL;
-  return NULL;
-}
+#define OF_A_POINT "m1 m2 F1 F2 L T alpha phase v0"
+static const struct option_rule rules[] = {
+  { "family cases seed full check phase v0", RULE_WITH, "stiff", NULL },
+  { "quick summary", RULE_WITHOUT, "stiff", NULL },
+  { "family cases seed full", RULE_WITH, OF_A_POINT, "has nothing to do where one point is examined" },
+  { NULL, RULE_WITH, NULL, NULL },
+};
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct stress_options *o = options;
-  bool point = is_point(o);
-  const char *idle = useless(o, point);
-  if (idle) {
-    complain("stress", "--%s has nothing to do %s", idle,
-             o->stiff ? "with --stiff"
-             : point  ? "where one point is examined"
-                      : "without --stiff");
-    return EXIT_USAGE;
-  }
   if (!has_flint(arguments, "this command"))
     return EXIT_UNSOLVED;
-  return o->stiff ? with_flint.stress_stiff(o) : point ? with_flint.stress_point(o) : with_flint.stress(o);
+  return (o->stiff ? stress_stiff : given_option(arguments, OF_A_POINT) ? stress_point : stress_table)(o);
 }
 
 const struct command command_stress = {
@@ -77,6 +51,7 @@ const struct command command_stress = {
   .summary = "how many digits survive, on stiff and extreme cases",
   .example = "scallop stress --family near-grazing --cases 50",
   .options = options_of_stress,
+  .rules = rules,
   .size = sizeof(struct stress_options),
   .initial = &initial,
   .about =

@@ -21,26 +21,15 @@ static const char *read_start(void *options, const struct option *option, const 
   return no_number(text, "rest, steady or a velocity");
 }
 
-static void show_start(const void *options, const struct option *option, char text[OPTION_VALUE])
-{
-  const struct trajectory_options *o = options;
-  (void)option;
-  snprintf(text, OPTION_VALUE, "%s", o->start);
-}
-
-static const struct option_kind start_option = { read_start, show_start };
+static const struct option_kind start_option = { read_start, NULL };
 enum { MOST_PERIODS = 1000000000 };
 
 static const struct option options_of_trajectory[] = {
   OPTIONS_CRAWLER(NULL, NULL),
-  { "start", "WHAT", "rest, steady, or a velocity", NULL, &start_option, 0, 0, 0, NULL, NULL },
+  OPTION("start", "WHAT", "rest, steady, or a velocity", "rest", .kind = &start_option),
   OPTION_COUNT("periods", "N", "number of periods", NULL, trajectory_options, periods, 1, MOST_PERIODS),
   OPTION_COUNT("samples", "N", "samples in a period", NULL, trajectory_options, samples, 1, MOST_PERIODS),
-  OPTION_FORMAT(NULL),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, NULL, DOUBLE_DIGITS),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
-  NO_MORE_OPTIONS,
+  OPTIONS_OF_DOUBLES,
 };
 static const struct trajectory_options initial = { .start = "rest", .periods = { 10, false }, .samples = { 40, false } };
 

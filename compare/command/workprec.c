@@ -5,18 +5,7 @@
 #include "compare/answers/defaults.h"
 #include "compare/command/with_flint.h"
 
-static const char *read_seconds(void *options, const struct option *option, const char *text)
-{
-  struct workprec_options *o = options;
-  double seconds;
-  (void)option;
-  if (!read_number(text, &seconds) || seconds < 1e-3 || seconds > 3600)
-    return no_number(text, "seconds, from 0.001 to 3600");
-  o->limit = (struct given_number){ seconds, true };
-  return NULL;
-}
-
-static const struct option_kind seconds_option = { read_seconds, NULL };
+#pragma weak workprec_table
 
 static const struct option options_of_workprec[] = {
   OPTIONS_TO_L(NULL),
@@ -26,20 +15,18 @@ static const struct option options_of_workprec[] = {
   OPTION_FLAG("summary", "for each wanted error the cheapest method, and how many times as long the others take",
               workprec_options, summary),
   OPTION_NUMBER("limit", "SECONDS", "for each method and setting, from 0.001 to 3600",
-                TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT), &seconds_option, workprec_options,
-                limit),
-  OPTION_FORMAT(NULL),
-  OPTION_OUTPUT(NULL),
-  OPTION_QUIET,
+                TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT), workprec_options, limit,
+                FROM_TO(1e-3, 3600, "seconds, from 0.001 to 3600")),
+  OPTION_FORMAT("tsv"),
   OPTION_DROPPED("from",
                  "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
                  "share/scallop/"),
-  NO_MORE_OPTIONS,
+  OPTIONS_LAST,
 };
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  return has_flint(arguments, "this command") ? with_flint.workprec(options) : EXIT_UNSOLVED;
+  return has_flint(arguments, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
 }
 
 const struct command command_workprec = {

@@ -1,11 +1,9 @@
-#include "compare/maps/axis.h"
+#include "compare/maps/maps.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/text/message.h"
-#include "compare/text/values.h"
 #include "model/version.h"
 
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
@@ -13,9 +11,6 @@ enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
 static const char *const in_scenes[] = { "F1_over_F2", "m1_over_m2", "alpha", "T", "froude" }; /* the same names there */
 static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
-
-const char *axis_name(enum axis_kind kind) { return names[kind]; }
-const char *axis_sets(enum axis_kind kind) { return parameters[kind]; }
 
 /* The next part of the text, up to a colon, which becomes a NUL. NULL: there is none. */
 static char *part(char **text)
@@ -57,7 +52,7 @@ const char *axis_read(struct axis *axis, const char *name, const char *range)
     snprintf(takes, sizeof takes, "F1/F2, m1/m2, alpha, T or froude%s", did_you_mean(nearest(name, names)));
     return not_allowed(name, takes);
   }
-  struct axis a = { .kind = (enum axis_kind)kind, .log = kind != AXIS_ALPHA };
+  struct axis a = { (enum axis_kind)kind, names[kind], parameters[kind], .log = kind != AXIS_ALPHA };
   if (!range)
     range = kind == AXIS_ALPHA ? AXIS_ALPHA_RANGE : AXIS_RANGE;
   bool fits = (size_t)snprintf(copy, sizeof copy, "%s", range) < sizeof copy;
@@ -80,16 +75,15 @@ bool axes_read(struct axis axes[2], const char *const given[2], const char *cons
       return false;
     }
   }
-  const char *sets[] = { axis_sets(axes[0].kind), axis_sets(axes[1].kind) };
-  if (strcmp(sets[0], sets[1]) == 0) {
+  if (strcmp(axes[0].sets, axes[1].sets) == 0) {
     complain("breakdown", "--map %s %s: %s", given[0], given[1],
              axes[0].kind == axes[1].kind ? "a map needs two different axes"
                                           : "T and froude set the same; a map needs two that can vary apart");
     return false;
   }
   for (int i = 0; i < 2; i++)
-    if (point->written[crawler_place(sets[i])]) {
-      complain("breakdown", "--%s has nothing to do with --map %s %s, where %s sets it", sets[i], given[0], given[1],
+    if (point->written[crawler_place(axes[i].sets)]) {
+      complain("breakdown", "--%s has nothing to do with --map %s %s, where %s sets it", axes[i].sets, given[0], given[1],
                given[i]);
       return false;
     }
@@ -105,11 +99,10 @@ void axes_head(struct table *t, const struct breakdown_options *o, const struct 
     char from[NUMBER_TEXT], to[NUMBER_TEXT];
     number_text(from, a->from, 0);
     number_text(to, a->to, 0);
-    table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], names[a->kind], from, to, a -> count,
+    table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], a -> name, from, to, a -> count,
                a -> log ? "log" : "linear");
   }
-  note_parameters(t, &o->request.point, (const char *const[]){ axis_sets(axes[0].kind), axis_sets(axes[1].kind), NULL },
-                  false);
+  note_parameters(t, &o->request.point, (const char *const[]){ axes[0].sets, axes[1].sets, NULL }, false);
 }
 
 double axis_value(const struct axis *a, double u)

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "compare/answers/mode_change.h"
-#include "compare/maps/axis.h"
 #include "compare/maps/curves.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
@@ -91,12 +90,8 @@ static int region_at(void *context, double u, double v)
   return found;
 }
 
-/* A point looked at more closely. Which side of the curve a place is on is told by the modes in binary128. */
-struct checked {
-  struct map_point point;
-  bool kept; /* to be printed */
-  enum { CHECKED, IN_DOUBLE, NOT_THERE } outcome;
-};
+/* What a point is found to be when it is looked at more closely. Which side of the curve a place is on is told by the modes in binary128. */
+enum outcome { CHECKED, IN_DOUBLE, NOT_THERE };
 enum side { ON_LEFT, ON_RIGHT, ON_OTHER, ON_UNKNOWN };
 
 static enum side side_of(const struct boundaries *b, const struct map_curve *c, const struct map_point *p, double distance)
@@ -135,105 +130,85 @@ static void bisect(const struct boundaries *b, const struct map_curve *c, struct
 }
 
 /* Modes in double are those of the other side within rounding of a curve. Where they misled, the curve is sought again. */
-static void check(const struct boundaries *b, const struct map_curve *c, struct checked *k)
+static enum outcome check(const struct boundaries *b, const struct map_curve *c, struct map_point *p)
 {
   enum { WIDER = 7 };
-  struct map_point *p = &k->point;
   double near = promised(b, p), far = near;
-  if (side_of(b, c, p, near) == ON_UNKNOWN || side_of(b, c, p, -near) == ON_UNKNOWN) {
-    k->outcome = IN_DOUBLE;
-    return;
-  }
-  bool there = is_within(b, c, p, near), found = there;
+  if (side_of(b, c, p, near) == ON_UNKNOWN || side_of(b, c, p, -near) == ON_UNKNOWN)
+    return IN_DOUBLE;
+  if (is_within(b, c, p, near))
+    return CHECKED;
+  bool found = false;
   for (int i = 0; i < WIDER && !found; i++)
     found = is_within(b, c, p, far *= 8);
-  if (found && !there) {
+  if (found)
     bisect(b, c, p, far, near / 8);
-    there = is_within(b, c, p, near);
-  }
-  k->outcome = there ? CHECKED : NOT_THERE;
+  return found && is_within(b, c, p, near) ? CHECKED : NOT_THERE;
 }
 
 /* Points are printed evenly: the short steps before a bend or an end are left out. */
-static void choose(const struct map_curve *c, double step, struct checked *checked)
+static void make_even(struct map_curve *c, double step)
 {
-  const struct map_point *last = &c->points[0], *end = &c->points[c->count - 1];
-  for (long i = 0; i < c->count; i++) {
+  const struct map_point end = c->points[c->count - 1];
+  struct map_point *last = c->points;
+  for (long i = 1; i + 1 < c->count; i++) {
     const struct map_point *p = &c->points[i];
-    bool apart = hypot(p->u - last->u, p->v - last->v) >= 0.6 * step && hypot(p->u - end->u, p->v - end->v) >= 0.3 * step;
-    checked[i] = (struct checked){ .point = *p, .kept = i == 0 || p == end || apart };
-    if (apart)
-      last = p;
+    if (hypot(p->u - last->u, p->v - last->v) >= 0.6 * step && hypot(p->u - end.u, p->v - end.v) >= 0.3 * step)
+      *++last = *p;
   }
-}
-
-static const char *status_text(const struct checked *k)
-{
-  static const char *const texts[] = { "ok", "not checked in wider arithmetic", "other modes within 1e-12" };
-  return k->point.end == MAP_STOPS ? "could not be followed further" : texts[k->outcome];
+  if (c->count > 1)
+    *++last = end;
+  c->count = last - c->points + 1;
 }
 
 static void write_curve(const struct boundaries *b, struct table *t, long number, const struct map_curve *c,
-                        const struct checked *checked)
+                        const enum outcome *outcomes)
 {
   static const char *const ends[] = { "-", "open", "closed", "junction", "stops" };
+  static const char *const statuses[] = { "ok", "not checked in wider arithmetic", "other modes within 1e-12" };
   const struct answer *left = &b->regions[c->left], *right = &b->regions[c->right];
   char modes[MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
-  long point = 0;
-  for (const struct checked *k = checked; k < checked + c->count; k++) {
-    if (!k->kept)
-      continue;
+  for (long i = 0; i < c->count; i++) {
+    const struct map_point *p = &c->points[i];
     table_number(t, (double)number);
-    table_number(t, (double)++point);
-    table_number(t, axis_value(&b->axes[0], k->point.u));
-    table_number(t, axis_value(&b->axes[1], k->point.v));
+    table_number(t, (double)(i + 1));
+    table_number(t, axis_value(&b->axes[0], p->u));
+    table_number(t, axis_value(&b->axes[1], p->v));
     table_text(t, motion_modes_text(modes, OF_STEADY, left->modes));
     table_text(t, motion_modes_text(modes, OF_STEADY, right->modes));
     table_text(t, mode_change_text(what, left, right));
-    table_text(t, ends[k->point.end]);
-    table_text(t,
-               k->point.third == MAP_NOWHERE ? "-" : motion_modes_text(modes, OF_STEADY, b->regions[k->point.third].modes));
-    table_text(t, status_text(k));
+    table_text(t, ends[p->end]);
+    table_text(t, p->third == MAP_NOWHERE ? "-" : motion_modes_text(modes, OF_STEADY, b->regions[p->third].modes));
+    table_text(t, p->end == MAP_STOPS ? "could not be followed further" : statuses[outcomes[i]]);
   }
 }
 
 /* False: out of memory. */
 static bool do_curve(struct boundaries *b, struct table *t, long number, struct map_curve *c, double step)
 {
-  struct checked *checked = calloc((size_t)c->count, sizeof *checked);
-  if (!checked)
+  enum outcome *outcomes = calloc((size_t)c->count, sizeof *outcomes);
+  if (!outcomes)
     return false;
   if (b->regions[c->left].regime > b->regions[c->right].regime) /* from region_1 to region_2 there is more sticking */
     map_curve_reverse(c);
-  choose(c, step, checked);
+  make_even(c, step);
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, c->count))
   for (long i = 0; i < c->count; i++)
-    if (checked[i].kept)
-      check(b, c, &checked[i]);
-  write_curve(b, t, number, c, checked);
-  free(checked);
+    outcomes[i] = check(b, c, &c->points[i]);
+  write_curve(b, t, number, c, outcomes);
+  free(outcomes);
   return true;
 }
 
 static void begin_table(const struct boundaries *b, struct table *t)
 {
-  const char *const columns[] = { "curve",
-                                  "point",
-                                  axis_name(b->axes[0].kind),
-                                  axis_name(b->axes[1].kind),
-                                  "region_1",
-                                  "region_2",
-                                  "what",
-                                  "end",
-                                  "meets",
-                                  "status",
-                                  NULL };
   axes_head(t, b->options, b->axes, " --boundaries");
   table_note(t, "regions: of the same modes; region_1 is on the left as the points go, x to the right and y up");
   table_note(t, "what: happens from region_1 to region_2; meets: the third region at a junction");
   table_note(t,
              "found: every curve that crosses a line of the grid at which the modes of its nodes differ, and what meets it");
-  table_columns(t, columns);
+  table_columns(t, (const char *const[]){ "curve", "point", b->axes[0].name, b->axes[1].name, NULL });
+  table_columns(t, (const char *const[]){ "region_1", "region_2", "what", "end", "meets", "status", NULL });
   table_begin_rows(t);
 }
 

@@ -45,10 +45,10 @@ static void add_seed(struct tracer *t, const struct change *c)
   t->seeds[t->seed_count++] = *c;
 }
 
-static void add_seeds(struct tracer *t, const struct changes *c)
+static void add_seeds(struct tracer *t, const struct change *list, long count)
 {
-  for (int i = 0; i < c->count; i++)
-    add_seed(t, &c->list[i]);
+  for (long i = 0; i < count; i++)
+    add_seed(t, &list[i]);
 }
 
 /* Line i of a grid with so many cells: not at even fractions, where symmetries hold more often than elsewhere, and a little inside. */
@@ -71,7 +71,7 @@ static void seed_lines(struct tracer *t, bool along_u, int along, int across)
       int after = region_on(&t->square, &p, s1);
       c.count = 0;
       find_changes(&t->square, &p, s0, before, s1, after, &c);
-      add_seeds(t, &c);
+      add_seeds(t, c.list, c.count);
       s0 = s1;
       before = after;
     }
@@ -218,7 +218,7 @@ static void follow(struct tracer *t, struct map_curve *c, double angle, double r
       continue;
     }
     if (outcome == STEP_THIRD && gives_seeds(t, s))
-      add_seeds(t, &s->changes);
+      add_seeds(t, s->changes.list, s->changes.count);
     s->radius /= 2;
     if (s->radius < MAP_NEAR)
       end = is_at_edge(s->u, s->v) ? MAP_OPEN : outcome == STEP_THIRD ? MAP_JUNCTION : MAP_STOPS;
@@ -256,6 +256,17 @@ static bool find_ways(const struct tracer *t, const struct change *seed, double 
   return ways == 2 || (ways == 1 && is_at_edge(seed->u, seed->v));
 }
 
+/* Across the curve to the left, from the points beside each. */
+static void set_normals(struct map_curve *c)
+{
+  for (long i = 0; i < c->count; i++) {
+    const struct map_point *a = &c->points[i > 0 ? i - 1 : 0], *b = &c->points[i + 1 < c->count ? i + 1 : i];
+    double du = b->u - a->u, dv = b->v - a->v, size = hypot(du, dv);
+    c->points[i].nu = size > 0 ? -dv / size : 0;
+    c->points[i].nv = size > 0 ? du / size : 0;
+  }
+}
+
 void map_curve_reverse(struct map_curve *c)
 {
   int left = c->left;
@@ -266,21 +277,7 @@ void map_curve_reverse(struct map_curve *c)
     c->points[i] = c->points[j];
     c->points[j] = point;
   }
-  for (long i = 0; i < c->count; i++) {
-    c->points[i].nu = -c->points[i].nu;
-    c->points[i].nv = -c->points[i].nv;
-  }
-}
-
-/* Across the curve to the left, from the points beside each. */
-static void set_normals(struct map_curve *c)
-{
-  for (long i = 0; i < c->count; i++) {
-    const struct map_point *a = &c->points[i > 0 ? i - 1 : 0], *b = &c->points[i + 1 < c->count ? i + 1 : i];
-    double du = b->u - a->u, dv = b->v - a->v, size = hypot(du, dv);
-    c->points[i].nu = size > 0 ? -dv / size : 0;
-    c->points[i].nv = size > 0 ? du / size : 0;
-  }
+  set_normals(c);
 }
 
 /* False: no curve leaves this point, or no memory is left. */
@@ -309,7 +306,6 @@ static bool trace(struct tracer *t, const struct change *seed, struct map_curve 
       reach_edge(t, c);
     map_curve_reverse(c);
   }
-  set_normals(c);
   return true;
 }
 
@@ -388,8 +384,7 @@ static bool do_round(struct tracer *t)
     traced[k] = trace(&own[k], &batch[k], &curves[k]);
   }
   for (long k = 0; k < count; k++) {
-    for (long i = 0; i < own[k].seed_count; i++)
-      add_seed(t, &own[k].seeds[i]);
+    add_seeds(t, own[k].seeds, own[k].seed_count);
     free(own[k].seeds);
     t->out_of_memory |= own[k].out_of_memory;
     if (traced[k])

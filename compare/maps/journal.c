@@ -7,88 +7,112 @@
 #include <unistd.h>
 
 #include "compare/text/memory.h"
+#include "compare/text/message.h"
 
-enum { NUMBER = 32, LINE = (JOURNAL_VALUES + 2) * NUMBER };
+enum { NUMBER = 32, LINE = (JOURNAL_WIDTH + 2) * NUMBER };
 
-static bool take_line(char *line, journal_taker *take, void *context)
+bool journal_init(struct journal *j, long rows, int width)
 {
-  double values[JOURNAL_VALUES];
+  *j = (struct journal){ .rows = rows, .width = width };
+  j->values = calloc((size_t)(rows * width), sizeof *j->values);
+  j->done = calloc((size_t)rows, sizeof *j->done);
+  return j->values && j->done;
+}
+
+static void take(struct journal *j, long row, const double *values)
+{
+  memcpy(j->values + row * j->width, values, (size_t)j->width * sizeof *values);
+  j->done_count += !j->done[row];
+  j->done[row] = true;
+}
+
+static bool take_line(struct journal *j, char *line)
+{
+  double values[JOURNAL_WIDTH + 1];
   char *sum = strrchr(line, '\t'), *at = line;
   if (!sum || strtoul(sum, NULL, 16) != checksum_after(CHECKSUM_OF_NOTHING, line, (size_t)(sum - line)))
     return false;
   *sum = '\0';
-  long number = strtol(line, &at, 10);
+  long row = strtol(line, &at, 10);
   int count = 0;
-  while (*at && count < JOURNAL_VALUES)
+  while (*at && count <= j->width)
     values[count++] = strtod(at, &at);
-  return take(context, number, count, values);
+  if (row < 0 || row >= j->rows || count != j->width)
+    return false;
+  take(j, row, values);
+  return true;
 }
 
 /* The length of the whole lines that can be used, of which the title is the first; -1: it is another title. */
-static long read_all(FILE *file, const char *title, journal_taker *take, void *context)
+static long take_all(struct journal *j, const char *title)
 {
   char line[LINE];
   long good = 0;
-  while (fgets(line, LINE, file)) {
+  while (fgets(line, LINE, j->stream)) {
     size_t length = strcspn(line, "\n");
     bool ended = line[length] == '\n';
     line[length] = '\0';
     if (good == 0 && (ended ? strcmp(line, title) : strncmp(line, title, length)) != 0)
       return -1;
-    if (!ended || (good > 0 && !take_line(line, take, context)))
+    if (!ended || (good > 0 && !take_line(j, line)))
       break;
     good += (long)length + 1;
   }
   return good;
 }
 
-/* Locks the file, reads it, and cuts it off after what can be used. */
-static enum journal_outcome resume(struct journal *j, const char *title, journal_taker *take, void *context)
+/* Locks the file, reads it, and cuts it off after what can be used. NULL, or why it cannot be used. */
+static const char *resume(struct journal *j, const char *title)
 {
   struct flock whole = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+  if (!j->stream)
+    return strerror(errno);
   if (fcntl(fileno(j->stream), F_SETLK, &whole) != 0)
-    return errno == EACCES || errno == EAGAIN ? JOURNAL_BUSY : JOURNAL_ERROR;
+    return errno == EACCES || errno == EAGAIN ? "another process is at work on this map" : strerror(errno);
   rewind(j->stream);
-  long good = read_all(j->stream, title, take, context);
-  if (ferror(j->stream))
-    return JOURNAL_ERROR;
+  long good = take_all(j, title);
   if (good < 0)
-    return JOURNAL_OTHER;
-  if (ftruncate(fileno(j->stream), good) != 0 || fseek(j->stream, 0, SEEK_END) != 0
-      || (good == 0 && (fprintf(j->stream, "%s\n", title) < 0 || fflush(j->stream) != 0)))
-    return JOURNAL_ERROR;
-  return good > (long)strlen(title) + 1 ? JOURNAL_FOUND : JOURNAL_NEW;
+    return "it is of another map, of another version, or of a measured gait whose file has changed since; remove it, or "
+           "write elsewhere";
+  bool cut = !ferror(j->stream) && ftruncate(fileno(j->stream), good) == 0 && fseek(j->stream, 0, SEEK_END) == 0;
+  return cut && (good > 0 || (fprintf(j->stream, "%s\n", title) >= 0 && fflush(j->stream) == 0)) ? NULL : strerror(errno);
 }
 
-enum journal_outcome journal_open(struct journal *j, const char *path, const char *title, journal_taker *take, void *context)
+bool journal_open(struct journal *j, const char *output, const char *title)
 {
-  *j = (struct journal){ .path = strdup(path), .stream = fopen(path, "a+") };
-  enum journal_outcome outcome = j->path && j->stream ? resume(j, title, take, context) : JOURNAL_ERROR;
-  int error = errno;
-  if (outcome != JOURNAL_NEW && outcome != JOURNAL_FOUND)
-    journal_close(j, false);
-  errno = error;
-  return outcome;
+  size_t size = strlen(output) + sizeof ".rows";
+  j->path = malloc(size);
+  if (j->path) {
+    snprintf(j->path, size, "%s.rows", output);
+    j->stream = fopen(j->path, "a+");
+  }
+  const char *wrong = resume(j, title);
+  if (wrong)
+    complain("breakdown", "cannot keep rows in %s.rows: %s", output, wrong);
+  return !wrong;
 }
 
-bool journal_add(struct journal *j, long number, int count, const double *values)
+bool journal_add(struct journal *j, long row, const double *values)
 {
   char line[LINE];
-  int used = snprintf(line, LINE, "%ld", number);
-  for (int i = 0; i < count; i++)
+  take(j, row, values);
+  int used = snprintf(line, LINE, "%ld", row);
+  for (int i = 0; i < j->width; i++)
     used += snprintf(line + used, (size_t)(LINE - used), "\t%a", values[i]);
   unsigned long sum = checksum_after(CHECKSUM_OF_NOTHING, line, (size_t)used);
-  if (j->error == 0 && (fprintf(j->stream, "%s\t%08lx\n", line, sum) < 0 || fflush(j->stream) != 0))
+  if (j->stream && j->error == 0 && (fprintf(j->stream, "%s\t%08lx\n", line, sum) < 0 || fflush(j->stream) != 0))
     j->error = errno;
   return j->error == 0;
 }
 
 void journal_close(struct journal *j, bool done)
 {
-  if (done)
+  if (j->stream && done)
     unlink(j->path);
   if (j->stream)
     fclose(j->stream);
   free(j->path);
+  free(j->values);
+  free(j->done);
   *j = (struct journal){ 0 };
 }

@@ -1,7 +1,7 @@
-/* What a long computation has found so far, in a file: the same command resumes from there.
+/* Rows of numbers that take long to compute, kept in a file as they come: the same command resumes from there.
  *
- * The first line is a title, with all that the values depend on; the journal of another computation is neither used nor touched. Each
- * further line has the number of an item, its values as hexadecimal doubles, and a checksum, so that a damaged or half-written line is
+ * The first line is a title, with all that the numbers depend on; the journal of another computation is neither used nor touched. Each
+ * further line has the number of a row, its numbers as hexadecimal doubles, and a checksum, so that a damaged or half-written line is
  * noticed: the journal ends before it. */
 #ifndef SCALLOP_JOURNAL_H
 #define SCALLOP_JOURNAL_H
@@ -9,29 +9,25 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum journal_outcome {
-  JOURNAL_NEW,   /* there was none                                                               */
-  JOURNAL_FOUND, /* and its items were given to take                                              */
-  JOURNAL_OTHER, /* of another computation, or no journal: left as it is                          */
-  JOURNAL_BUSY,  /* another process is at work on it                                              */
-  JOURNAL_ERROR  /* errno says why                                                                */
-};
-enum { JOURNAL_VALUES = 64 }; /* of an item, at most                                                */
+enum { JOURNAL_WIDTH = 64 }; /* numbers of a row, at most */
 
 struct journal {
-  char *path;
-  FILE *stream;
-  int error; /* errno of the first write that failed, or 0                                     */
+  long rows, done_count;
+  int width;
+  double *values; /* row by row */
+  bool *done;
+  char *path;   /* NULL: no file */
+  FILE *stream; /* likewise */
+  int error;    /* errno of the first write that failed, or 0 */
 };
 
-/* Takes an item of a journal. False: there is no such item; the journal ends before it. */
-typedef bool journal_taker(void *context, long number, int count, const double *values);
-
-enum journal_outcome journal_open(struct journal *journal, const char *path, const char *title, journal_taker *take,
-                                  void *context);
-/* Adds an item, in one write; not for two threads at once. False: this or an earlier write failed. */
-bool journal_add(struct journal *journal, long number, int count, const double *values);
-/* Closes the journal; done: and removes it. */
+/* For so many rows of so many numbers, without a file. False: out of memory. To be closed in either case. */
+bool journal_init(struct journal *journal, long rows, int width);
+/* Takes the rows of OUTPUT.rows, and keeps further ones there. False: the message is on stderr, and the file stays as it was. */
+bool journal_open(struct journal *journal, const char *output, const char *title);
+/* Adds a row, in one write; not for two threads at once. False: this or an earlier write failed. */
+bool journal_add(struct journal *journal, long row, const double *values);
+/* Closes the journal; done: and removes its file. */
 void journal_close(struct journal *journal, bool done);
 
 #endif

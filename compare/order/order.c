@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sort.h>
 
 #include "compare/text/halfway.h"
 
@@ -37,12 +38,6 @@ static int by_falling_h(const void *a, const void *b)
 {
   double x = ((const struct order_point *)a)->h, y = ((const struct order_point *)b)->h;
   return x < y ? 1 : x > y ? -1 : 0;
-}
-
-static int rising(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return x > y ? 1 : x < y ? -1 : 0;
 }
 
 static double slope_between(const struct order_point *a, const struct order_point *b)
@@ -97,7 +92,7 @@ static double steepness(const struct order_point *points, int count)
   }
   if (n == 0)
     return 0;
-  qsort(slopes, (size_t)n, sizeof *slopes, rising);
+  gsl_sort(slopes, 1, (size_t)n);
   return slopes[(3 * n) / 4];
 }
 
@@ -114,25 +109,19 @@ static bool noise_is_known(const struct order_point *points, int count)
 static double leave_out_floor(struct order_point *points, int count)
 {
   double steep = steepness(points, count);
-  int last = count - 1;
+  int first = next_used(points, count, 0), last = count - 1;
   while (last > 0 && points[last].use != ORDER_USED)
     last--;
   if (last <= 0 || steep < STEEP)
     return 0;
-  double flat = FLAT * fmin(1, steep);
-  int onset = -1, before = -1;
-  for (int i = next_used(points, count, 0); i < last; i = next_used(points, count, i + 1)) {
-    int j = next_used(points, count, i + 1);
-    bool flat_here = slope_between(&points[i], &points[j]) < flat;
-    if (before >= 0 && flat_here && slope_between(&points[i], &points[last]) < flat) {
-      onset = i;
-      break;
-    }
-    before = i;
-  }
-  if (onset < 0)
+  double flat = FLAT * fmin(1, steep), level = 0;
+  int onset = next_used(points, count, first + 1);
+  while (onset < last
+         && !(slope_between(&points[onset], &points[next_used(points, count, onset + 1)]) < flat
+              && slope_between(&points[onset], &points[last]) < flat))
+    onset = next_used(points, count, onset + 1);
+  if (onset >= last)
     return 0;
-  double level = 0;
   for (int i = onset; i < count; i++)
     if (points[i].use == ORDER_USED)
       level = fmax(level, fabs(points[i].err));
@@ -140,6 +129,13 @@ static double leave_out_floor(struct order_point *points, int count)
     if (points[i].use == ORDER_USED && (i >= onset || fabs(points[i].err) < ABOVE_FLOOR * level))
       points[i].use = ORDER_FLOOR;
   return level;
+}
+
+static void leave_out_first(struct order_point *points, int count, enum order_use why)
+{
+  for (int i = 0; i < count; i++)
+    if (points[i].use == ORDER_USED)
+      points[i].use = why;
 }
 
 static void leave_out_before_sign_change(struct order_point *points, int count)
@@ -150,9 +146,7 @@ static void leave_out_before_sign_change(struct order_point *points, int count)
       change = i;
     before = i;
   }
-  for (int i = 0; i < change; i++)
-    if (points[i].use == ORDER_USED)
-      points[i].use = ORDER_BEFORE_SIGN_CHANGE;
+  leave_out_first(points, change, ORDER_BEFORE_SIGN_CHANGE);
 }
 
 struct line {
@@ -213,13 +207,10 @@ static void note_pairwise(struct order_point *points, int count)
 static enum order_state too_few(const struct order_point *points, int count)
 {
   int floor = count_of(ORDER_FLOOR, points, count, 0), zero = count_of(ORDER_ZERO, points, count, 0);
-  if (zero + floor == count && count >= 3) {
-    bool exact = true;
-    for (int i = 0; i < count; i++)
-      exact &= fabs(points[i].err) <= points[i].noise;
-    return exact ? ORDER_EXACT : ORDER_FLOOR_LIMITED;
-  }
-  return floor > 0 ? ORDER_FLOOR_LIMITED : ORDER_INSUFFICIENT;
+  bool exact = zero + floor == count && count >= 3;
+  for (int i = 0; i < count; i++)
+    exact &= fabs(points[i].err) <= points[i].noise;
+  return exact ? ORDER_EXACT : floor > 0 ? ORDER_FLOOR_LIMITED : ORDER_INSUFFICIENT;
 }
 
 static double largest(const struct order_point *points, int count)
@@ -253,9 +244,7 @@ static struct order_fit estimate(struct order_point *points, int count, bool ann
       start = first;
     }
   }
-  for (int i = 0; i < start; i++)
-    if (points[i].use == ORDER_USED)
-      points[i].use = ORDER_COARSE;
+  leave_out_first(points, start, ORDER_COARSE);
   fit.state = best.half_width <= SETTLED ? ORDER_FITTED : ORDER_NOT_ASYMPTOTIC;
   fit.order = best.slope;
   fit.lo = best.slope - best.half_width;
@@ -271,8 +260,6 @@ struct order_fit order_estimate(struct order_point *points, int count)
 {
   return estimate(points, count, noise_is_known(points, count));
 }
-
-/* Values instead of errors */
 
 /* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
 static double difference_ratio(double p, double h1, double h2, double h3)
@@ -326,7 +313,7 @@ static double middle_order(const struct order_point *values, int count)
   }
   if (n == 0)
     return 1;
-  qsort(orders, (size_t)n, sizeof *orders, rising);
+  gsl_sort(orders, 1, (size_t)n);
   return orders[n / 2];
 }
 
@@ -368,14 +355,13 @@ const char *order_verdict_text(enum order_verdict verdict)
 
 enum order_verdict order_judge(const struct order_fit *fit, double expected, double tolerance)
 {
-  switch (fit->state) {
-  case ORDER_INVALID: return ORDER_VERDICT_INVALID;
-  case ORDER_INSUFFICIENT: return ORDER_VERDICT_INSUFFICIENT;
-  case ORDER_EXACT: return ORDER_PASS;
-  case ORDER_FLOOR_LIMITED: return ORDER_VERDICT_FLOOR_LIMITED;
-  case ORDER_NOT_ASYMPTOTIC: return ORDER_VERDICT_NOT_ASYMPTOTIC;
-  case ORDER_FITTED: break;
-  }
+  static const enum order_verdict unfitted[] = { [ORDER_INVALID] = ORDER_VERDICT_INVALID,
+                                                 [ORDER_INSUFFICIENT] = ORDER_VERDICT_INSUFFICIENT,
+                                                 [ORDER_EXACT] = ORDER_PASS,
+                                                 [ORDER_FLOOR_LIMITED] = ORDER_VERDICT_FLOOR_LIMITED,
+                                                 [ORDER_NOT_ASYMPTOTIC] = ORDER_VERDICT_NOT_ASYMPTOTIC };
+  if (fit->state != ORDER_FITTED)
+    return unfitted[fit->state];
   double off = fit->order - expected, half_width = fit->hi - fit->order;
   if (half_width > tolerance && fabs(off) <= half_width + tolerance)
     return ORDER_VERDICT_NOT_ASYMPTOTIC;

@@ -6,42 +6,31 @@
 
 enum { MOST_ARGUMENTS = 64 };
 
-static bool add_argument(struct scene_want *w, const char *text)
-{
-  if (text)
-    w->arguments[w->argument_count++] = (char *)text;
-  return text != NULL;
-}
-
 /* A member of the want as "--name value" */
 static bool add_option(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   const char *name = config_setting_name(at);
   bool is_flag = config_setting_type(at) == CONFIG_TYPE_BOOL;
-  int values = is_flag ? 0 : is_sequence(at) ? config_setting_length(at) : 1;
+  int values = is_flag ? 0 : element_count(at);
   if (values > 2 || w->argument_count + 3 > MOST_ARGUMENTS)
     return refuse_at(r, at, "%s has too many values, or the want too many options", name);
   if (is_flag && !config_setting_get_bool(at))
     return true;
-  if (!add_argument(w, keep_text(r, "--", 2, name)))
+  w->arguments[w->argument_count] = (char *)keep(r, "--%s", name);
+  if (!w->arguments[w->argument_count++])
     return false;
   for (int i = 0; i < values; i++) {
-    const config_setting_t *element = is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
-    const char *text = config_setting_get_string(element);
-    double x;
-    if (!text && !is_number(element, &x, &text))
+    const char *text = text_of(r, element_at(at, i));
+    if (!text)
       return refuse_at(r, at, "%s takes what it takes on the command line: a number, a text, or true", name);
-    if (!add_argument(w, text ? text : keep_number(r, x)))
-      return false;
+    w->arguments[w->argument_count++] = (char *)text;
   }
   return true;
 }
 
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members)
 {
-  static const char *const own[] = { "what", "file", "format", "plot", NULL };
   const struct sweep_variable *varied = sweep_variable(&r->scene->sweep, 0);
-  w->kind = WANT_COMMAND;
   if (varied)
     return refuse_at(r, at,
                      "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out 'vary', and "
@@ -51,11 +40,12 @@ bool read_command(const struct reading *r, const config_setting_t *at, struct sc
   if (!w->arguments)
     return refuse_at(r, at, "out of memory");
   for (int i = 0; i < config_setting_length(at); i++) {
-    const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
-    const char *name = config_setting_name(member);
-    if (is_among(name, crawler_parameters))
-      return refuse_at(r, member, "%s belongs into the crawler", name);
-    if (!is_among(name, own) && !add_option(r, member, w))
+    const config_setting_t *option = member_at(at, i);
+    const char *name = config_setting_name(option);
+    const struct member *own = find_member(members, name);
+    if (name_among(crawler_parameters, name))
+      return refuse_at(r, option, "%s belongs into the crawler", name);
+    if (!(own && !own->only ? read_member(r, option, own, w) : add_option(r, option, w)))
       return false;
   }
   return r->scene->run_command(r->scene, w, r->options, true) == EXIT_DONE

@@ -24,14 +24,14 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
   return false;
 }
 
-bool is_among(const char *name, const char *const *names)
+bool is_ascii(const char *text)
 {
-  while (*names && strcmp(name, *names) != 0)
-    names++;
-  return *names != NULL;
+  while (*text >= ' ' && *text < 0x7f)
+    text++;
+  return *text == '\0';
 }
 
-bool is_sequence(const config_setting_t *at)
+static bool is_sequence(const config_setting_t *at)
 {
   int type = config_setting_type(at);
   return type == CONFIG_TYPE_ARRAY || type == CONFIG_TYPE_LIST;
@@ -44,28 +44,30 @@ const config_setting_t *element_at(const config_setting_t *at, int i)
   return is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
 }
 
-bool is_number(const config_setting_t *at, double *value, const char **text)
+const config_setting_t *member_at(const config_setting_t *group, int i)
 {
-  *text = NULL;
-  switch (config_setting_type(at)) {
-  case CONFIG_TYPE_INT:
-  case CONFIG_TYPE_INT64: *value = (double)config_setting_get_int64(at); return true;
-  case CONFIG_TYPE_FLOAT: *value = config_setting_get_float(at); return true;
-  case CONFIG_TYPE_STRING: *text = config_setting_get_string(at); return read_number(*text, value);
-  default: return false;
-  }
+  return config_setting_get_elem(group, (unsigned)i);
 }
 
-const char *joined(char *text, size_t size, const char *const *names, bool quoted)
+const char *text_of(const struct reading *r, const config_setting_t *at)
+{
+  char text[NUMBER_TEXT];
+  switch (config_setting_type(at)) {
+  case CONFIG_TYPE_STRING: return config_setting_get_string(at);
+  case CONFIG_TYPE_INT:
+  case CONFIG_TYPE_INT64: number_text(text, (double)config_setting_get_int64(at), 0); break;
+  case CONFIG_TYPE_FLOAT: number_text(text, config_setting_get_float(at), 0); break;
+  default: return NULL;
+  }
+  return keep(r, "%s", text);
+}
+
+const char *joined(char *text, size_t size, const char *const *names)
 {
   size_t used = 0;
   *text = '\0';
   for (int i = 0; names[i] && used < size; i++)
-    used += (size_t)snprintf(text + used, size - used, quoted ? "%s\"%s\"" : "%s%s",
-                             i == 0   ? ""
-                             : quoted ? " or "
-                                      : ", ",
-                             names[i]);
+    used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", names[i]);
   return text;
 }
 
@@ -75,69 +77,59 @@ static const char *text_at(const config_setting_t *at)
   return text && *text != '\0' ? text : NULL;
 }
 
-static bool read_texts(const struct reading *r, const config_setting_t *at, const struct member *m)
+static bool read_texts(const struct reading *r, const config_setting_t *at, const struct member *m, const char **texts)
 {
-  const char **values = m->value;
   int count = element_count(at);
   if (count < 1)
     return refuse_at(r, at, "%s is empty", m->name);
   if (count > m->high)
     return refuse_at(r, at, "%s has %d texts: %ld at most", m->name, count, m->high);
   for (int i = 0; i < count; i++)
-    if (!(values[i] = text_at(element_at(at, i))))
+    if (!(texts[i] = text_at(element_at(at, i))))
       return refuse_at(r, element_at(at, i), "%s takes a text in quotes, or several as [\"...\", \"...\"]", m->name);
-  *m->count = count;
   return true;
 }
 
-static bool read_word(const struct reading *r, const config_setting_t *at, const struct member *m)
+static bool read_word(const struct reading *r, const config_setting_t *at, const struct member *m, int *word)
 {
   const char *text = text_at(at);
   char allowed[200];
-  int i = 0;
-  while (text && m->words[i] && strcmp(text, m->words[i]) != 0)
-    i++;
-  if (!text || !m->words[i])
-    return refuse_at(r, at, "%s is %s", m->name, joined(allowed, sizeof allowed, m->words, true));
-  *(int *)m->value = i;
-  return true;
+  for (*word = 0; text && m->words[*word]; ++*word)
+    if (strcmp(text, m->words[*word]) == 0)
+      return true;
+  return refuse_at(r, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
 }
 
-static bool read_count_at(const struct reading *r, const config_setting_t *at, const struct member *m)
+bool read_member(const struct reading *r, const config_setting_t *at, const struct member *m, void *into)
 {
+  void *field = (char *)into + m->field;
+  const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
-  if (n < m->low || n > m->high)
-    return refuse_at(r, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
-  *(long *)m->value = (long)n;
+  switch (m->kind) {
+  case MEMBER_OTHER: return true;
+  case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(r, at, "%s takes a text in quotes", m->name);
+  case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(r, at, m, field);
+  case MEMBER_WORD: return read_word(r, at, m, field);
+  case MEMBER_FLAG:
+    *(bool *)field = config_setting_get_bool(at) != 0;
+    return type == CONFIG_TYPE_BOOL || refuse_at(r, at, "%s is true or false", m->name);
+  case MEMBER_COUNT:
+    *(long *)field = (long)n;
+    return (m->low <= n && n <= m->high)
+           || refuse_at(r, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
+  case MEMBER_NUMBER:
+    text = text_of(r, at);
+    return (text && read_number(text, field)) || refuse_at(r, at, "%s is a finite number", m->name);
+  }
   return true;
 }
 
-static bool read_value(const struct reading *r, const config_setting_t *at, const struct member *m)
+const struct member *find_member(const struct member *members, const char *name)
 {
-  const char *text;
-  double x;
-  switch (m->kind) {
-  case MEMBER_OTHER:
-  case MEMBER_REST: return true;
-  case MEMBER_TEXTS: return read_texts(r, at, m);
-  case MEMBER_WORD: return read_word(r, at, m);
-  case MEMBER_COUNT: return read_count_at(r, at, m);
-  case MEMBER_TEXT:
-    text = text_at(at);
-    if (text)
-      *(const char **)m->value = text;
-    return text || refuse_at(r, at, "%s takes a text in quotes", m->name);
-  case MEMBER_FLAG:
-    if (config_setting_type(at) == CONFIG_TYPE_BOOL)
-      *(bool *)m->value = config_setting_get_bool(at) != 0;
-    return config_setting_type(at) == CONFIG_TYPE_BOOL || refuse_at(r, at, "%s is true or false", m->name);
-  case MEMBER_NUMBER:
-    if (!is_number(at, &x, &text) || !isfinite(x))
-      return refuse_at(r, at, "%s is a finite number", m->name);
-    *(double *)m->value = x;
-  }
-  return true;
+  while (members->name && strcmp(members->name, name) != 0)
+    members++;
+  return members->name ? members : NULL;
 }
 
 static bool refuse_member(const struct reading *r, const config_setting_t *at, const struct member *members,
@@ -149,53 +141,50 @@ static bool refuse_member(const struct reading *r, const config_setting_t *at, c
   for (int i = 0; i < MOST && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
-  if (near)
-    return refuse_at(r, at, "there is no '%s' in %s%s", config_setting_name(at), what, did_you_mean(near));
-  return refuse_at(r, at, "there is no '%s' in %s: it can have %s", config_setting_name(at), what,
-                   joined(known, sizeof known, names, false));
+  return refuse_at(r, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
+                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names));
 }
 
-bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what)
+bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,
+                  const char *what, const char *want)
 {
   for (int i = 0; i < config_setting_length(group); i++) {
-    const config_setting_t *at = config_setting_get_elem(group, (unsigned)i);
-    const struct member *m = members;
-    while (m->name && strcmp(m->name, config_setting_name(at)) != 0)
-      m++;
-    if (!m->name && m->kind != MEMBER_REST)
+    const config_setting_t *at = member_at(group, i);
+    const struct member *m = find_member(members, config_setting_name(at));
+    if (!m)
       return refuse_member(r, at, members, what);
-    if (!read_value(r, at, m))
+    if (m->only && !strstr(m->only, want))
+      return refuse_at(r, at, "%s is not for what = \"%s\", but for: %s", m->name, want, m->only);
+    if (!read_member(r, at, m, into))
       return false;
   }
   return true;
 }
 
-const char *keep_text(const struct reading *r, const char *text, int length, const char *more)
+const char *keep(const struct reading *r, const char *format, ...)
 {
-  size_t head = (size_t)length, tail = strlen(more);
-  struct kept *kept = malloc(sizeof *kept + head + tail + 1);
+  va_list arguments;
+  char probe[1];
+  va_start(arguments, format);
+  size_t size = (size_t)vsnprintf(probe, sizeof probe, format, arguments) + 1;
+  va_end(arguments);
+  struct kept *kept = malloc(sizeof *kept + size);
   if (!kept) {
     refuse_at(r, NULL, "out of memory");
     return NULL;
   }
-  memcpy(kept->text, text, head);
-  memcpy(kept->text + head, more, tail + 1);
+  va_start(arguments, format);
+  vsnprintf(kept->text, size, format, arguments);
+  va_end(arguments);
   kept->next = r->scene->kept;
   r->scene->kept = kept;
   return kept->text;
 }
 
-const char *keep_number(const struct reading *r, double x)
-{
-  char text[NUMBER_TEXT];
-  number_text(text, x, 0);
-  return keep_text(r, text, 0, text);
-}
-
 const char *path_beside(const struct reading *r, const char *path)
 {
   const char *slash = strrchr(r->path, '/');
-  return *path == '/' || !slash ? path : keep_text(r, r->path, (int)(slash + 1 - r->path), path);
+  return *path == '/' || !slash ? path : keep(r, "%.*s%s", (int)(slash + 1 - r->path), r->path, path);
 }
 
 const char *gait_beside(const struct reading *r, const char *gait)
@@ -205,5 +194,5 @@ const char *gait_beside(const struct reading *r, const char *gait)
   if (strncmp(gait, head, HEAD) != 0)
     return gait;
   const char *path = path_beside(r, gait + HEAD);
-  return path ? keep_text(r, head, HEAD, path) : NULL;
+  return path ? keep(r, "%s%s", head, path) : NULL;
 }

@@ -3,12 +3,15 @@
 #define SCALLOP_SCENE_PARTS_H
 
 #include <libconfig.h>
+#include <math.h>
+#include <stdio.h>
 
+#include "compare/answers/answer.h"
+#include "compare/answers/points.h"
 #include "compare/order/order.h"
 #include "compare/scenes/scene.h"
-#include "compare/scenes/state.h"
 
-enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
+enum { MOST_CERTIFIED_DIGITS = 10000 };
 
 struct reading {
   struct scene *scene;
@@ -23,53 +26,49 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
 enum member_kind {
   MEMBER_OTHER,  /* known, and read elsewhere */
   MEMBER_TEXT,   /* const char *: not empty */
-  MEMBER_TEXTS,  /* const char *[high]: one or more; *count says how many */
+  MEMBER_TEXTS,  /* const char *[high]: one or more */
   MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
   MEMBER_FLAG,   /* bool */
   MEMBER_COUNT,  /* long: from low to high */
   MEMBER_NUMBER, /* double: finite */
-  MEMBER_REST
 };
-/* A member that a group may have, and where its value goes; that stays as it is where the group has no such member. */
+/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group has no such
+ * member. */
 struct member {
-  const char *name; /* NULL ends a list; others are refused, or, where the end is of MEMBER_REST, read elsewhere */
+  const char *name; /* NULL ends a list */
   enum member_kind kind;
-  void *value;
+  size_t field, count; /* count: of texts, the int that says how many */
   long low, high;
-  int *count;
   const char *const *words;
+  const char *only; /* the kinds of wants that may have it; NULL: all */
 };
-/* clang-format off */
-#define A_TEXT(NAME, VALUE) { .name = NAME, .kind = MEMBER_TEXT, .value = VALUE }
-#define TEXTS(NAME, VALUES, MOST, COUNT) { .name = NAME, .kind = MEMBER_TEXTS, .value = VALUES, .high = MOST, .count = COUNT }
-#define A_WORD(NAME, VALUE, WORDS) { .name = NAME, .kind = MEMBER_WORD, .value = VALUE, .words = WORDS }
-#define A_FLAG(NAME, VALUE) { .name = NAME, .kind = MEMBER_FLAG, .value = VALUE }
-#define A_COUNT(NAME, VALUE, LOW, HIGH) { .name = NAME, .kind = MEMBER_COUNT, .value = VALUE, .low = LOW, .high = HIGH }
-#define A_NUMBER(NAME, VALUE) { .name = NAME, .kind = MEMBER_NUMBER, .value = VALUE }
-#define OTHER(NAME) { .name = NAME, .kind = MEMBER_OTHER }
-#define NO_MORE { .name = NULL }
-#define THE_REST { .kind = MEMBER_REST }
-/* clang-format on */
-/* Reads the members of a group, which is called what in messages: "a scene". */
-bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, const char *what);
+#define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
+  { \
+    .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
+  }
+#define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
+const struct member *find_member(const struct member *members, const char *name);
+bool read_member(const struct reading *r, const config_setting_t *at, const struct member *member, void *into);
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the want, where it is one. */
+bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,
+                  const char *what, const char *want);
 
-/* "a, b, c" or, quoted, "a" or "b" or "c" with the quotes. Returns text. */
-const char *joined(char *text, size_t size, const char *const *names, bool quoted);
-bool is_among(const char *name, const char *const *names);
-bool is_sequence(const config_setting_t *at); /* an array or a list */
-/* The elements of a sequence; anything else is one. */
+/* "a, b, c". Returns text. */
+const char *joined(char *text, size_t size, const char *const *names);
+bool is_ascii(const char *text); /* printable */
+const config_setting_t *member_at(const config_setting_t *group, int i);
+/* The elements of a list or an array; anything else is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
-/* A number, or a text that is one. text: what was written, or NULL where the double says it all. */
-bool is_number(const config_setting_t *at, double *value, const char **text);
+/* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
+const char *text_of(const struct reading *r, const config_setting_t *at);
 
 struct kept { /* a text that the scene keeps */
   struct kept *next;
   char text[];
 };
-/* The first length bytes of text, and more after them, for as long as the scene lives. NULL: no memory, which is said. */
-const char *keep_text(const struct reading *r, const char *text, int length, const char *more);
-const char *keep_number(const struct reading *r, double x);
+/* A text for as long as the scene lives. NULL: no memory, which is said. */
+const char *keep(const struct reading *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Paths of inputs are those of the folder of the scene; so "measured:FILE", and other gaits as they are. NULL as above. */
 const char *path_beside(const struct reading *r, const char *path);
 const char *gait_beside(const struct reading *r, const char *gait);
@@ -84,33 +83,113 @@ void make_plan(struct scene *scene);
 /* vary.c, want.c: vary = ... and want = ... */
 bool read_vary(const struct reading *r, const config_setting_t *vary);
 bool read_wants(const struct reading *r, const config_setting_t *want);
-/* command.c: the options of a want that is the table of another command */
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+/* command.c: the options of a want that is the table of another command; members: of any want */
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members);
 
-/* columns.c: columns by their formulas, and those that a kind of want has. w->columns grows. */
-bool read_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text);
+/* columns.c: columns by their formulas, or those that a kind of want has. w->columns grows. */
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
-bool add_labels(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of);
-/* The series of a want: those of `of`, or, filled in by find_series, the usual ones of its source and order. */
-struct series_names {
-  int count;
-  const char *name[SCENE_COLUMNS];
-  int source; /* among series_sources */
-  long order;
-};
+extern const char *const order_columns[]; /* behind the columns of a want of orders */
+bool usual_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+/* Checks the series of a want: those of `of`, or else the usual ones of its source and order, which become those of the want. */
 extern const char *const series_sources[];
-bool find_series(const struct reading *r, const config_setting_t *at, struct series_names *names);
-bool series_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct series_names *names,
-                    bool with_errors);
+bool find_series(const struct reading *r, const config_setting_t *at, struct scene_want *w);
+bool has_column(const struct scene_want *w, const char *name);
 /* Has a scene like this one that quantity? False: it is said why not. */
 bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place);
-/* A formula of the scene's quantities. NULL, or what is wrong with it: it lives until the next call. */
-const char *read_formula(const struct reading *r, struct formula *formula, const char *text);
 /* A number, or a formula of parameters and sticking_onset (*onset: it is one of these). */
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset);
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
+
+/* One point of a scene, and what has been computed of it: each thing when it is first asked for, and once. The same asked without a
+ * solver is the plan: what would be computed is counted. */
+
+/* What is solved once at a point; the first three each for the steady state and for the phase, by enum quantity_of */
+enum cell { IN_DOUBLE, IN_BALLS = 2, IN_SERIES = 4, TURNINGS = 6, FRICTION, ONSET, CELLS };
+
+struct comparison { /* of a series with what it should be */
+  bool done;
+  double value, exact, error; /* error: 0 below the accuracy that is wanted */
+};
+
+/* What the plan finds: how often a stage is needed at a point, and for what first */
+struct tally {
+  long count;
+  const char *reason;
+};
+
+struct scene_state {
+  const struct scene *scene;
+  struct point point;
+  double v0;                 /* the start of the phase, for what is of it */
+  char why[POINT_STATUS];    /* the first thing that could not be done, or "" */
+  long failures;             /* so far */
+  struct scene_flint *flint; /* NULL: none of the scene needs it */
+  struct tally *tally;       /* of each stage, where only the plan is made; else NULL */
+  const char *asking;        /* the name of what is asked for */
+  struct swept swept;        /* what is beside the parameters */
+  bool is_outside;           /* the parameters are no point: nothing but they can be told */
+  bool tells_steady;         /* the row has something of the steady state in doubles */
+  bool has_cell[CELLS];
+  struct motion motion[2];
+  struct answer answer[2];
+  enum scallop_status friction; /* of the walk that gives its work */
+  double onset;
+  struct scallop_crawler onset_of;
+  bool has[MOST_QUANTITIES];
+  double value[MOST_QUANTITIES];
+  struct comparison comparison[MOST_QUANTITIES];
+  char text[MOTION_MODES_TEXT + ANSWER_STATUS]; /* what state_text returns */
+};
+
+/* Notes why something cannot be done, if it is the first. Returns nan. */
+static inline double state_fail(struct scene_state *s, const char *why)
+{
+  s->failures++;
+  if (s->why[0] == '\0')
+    snprintf(s->why, sizeof s->why, "%s", why);
+  return NAN;
+}
+
+/* flint.c: what a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Weak: `scallop` is linked
+ * without this table, and the plan hands such a scene over to the program that has it. */
+extern const struct scene_flint_functions {
+  struct scene_flint *(*create)(void); /* NULL: no memory */
+  void (*free)(struct scene_flint *flint);
+  /* Goes to the point of the state; the start of its phase is taken from there with the first thing that is of the phase. */
+  void (*move)(const struct scene_state *state);
+  /* Solves the steady state or the phase of the point, for the functions below. */
+  void (*certify)(const struct scene_state *state, enum quantity_of of);
+  /* The sum of a derived series, or of its first term, at the point. */
+  double (*sum)(struct scene_state *state, const struct quantity *series);
+  /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy that the scene wants. */
+  struct comparison (*compare)(struct scene_state *state, const struct quantity *series, int quantity);
+  /* A certified value with so many digits; it lives until the next call. */
+  const char *(*text)(struct scene_state *state, const struct quantity *q, long digits);
+} scene_flint __attribute__((weak, visibility("hidden")));
+
+/* state.c. tally: NULL, or that of the plan, zero for each stage. False: no memory. */
+bool state_init(struct scene_state *state, const struct scene *scene, struct tally *tally);
+void state_clear(struct scene_state *state);
+
+/* Goes to a point: index[g] is the place in group g of the product. */
+void state_move(struct scene_state *state, const struct sweep_product *product, const long *index);
+
+/* Before each row: what failed for another table is no matter of this one. */
+void state_begin_row(struct scene_state *state);
+
+/* A quantity by its place in the scene's list: nan where it cannot be had, and why then says why. */
+double state_number(struct scene_state *state, int quantity);
+/* A text; of certified values so many digits. It lives until the next call. */
+const char *state_text(struct scene_state *state, int quantity, long digits);
+/* Asks for a quantity, number or text, so that what could not be had is known. */
+void state_find(struct scene_state *state, int quantity, long digits);
+/* Of a column: a formula's value. */
+double state_formula(struct scene_state *state, const struct formula *formula);
+/* The end of a range or of a trajectory. */
+double state_end(struct scene_state *state, const struct sweep_end *end);
+/* The start velocity of the scene's phase. */
+double state_v0(struct scene_state *state);
 
 /* A table that is being made */
 struct output {
@@ -129,16 +208,15 @@ struct running {
   struct scene_state *state;
   struct output *output;
   long points, unsolved, failed_checks;
+  bool failed;            /* a table can no longer be written */
   char why[POINT_STATUS]; /* the first reason of those unsolved */
 };
 
-/* head.c: the '#' lines of a table */
-void head_write(const struct running *r, struct output *o);
+/* output.c: the '#' lines and the names of the columns; and the columns of the want at the point, which are a row, or begin one of orders */
+void output_begin(const struct running *r, struct output *o);
+void output_row(const struct running *r, struct output *o);
 
-/* orders.c: the columns beside parameters and labels; the header row, false where there is no memory; a point's errors; and, after the
- * last T, the rows */
-extern const char *const order_columns[];
-bool orders_begin(const struct running *r, struct output *o);
+/* orders.c: a point's errors; and, after the last T, the rows */
 void orders_collect(const struct running *r, struct output *o);
 void orders_finish(struct running *r, struct output *o);
 

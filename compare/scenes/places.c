@@ -5,74 +5,90 @@
 
 #include "compare/scenes/scene.h"
 
-/* The key of a plain file: its device and number or, where it is not there yet, those of its folder and its name. False: it is no plain
- * file, or its folder is not there, which opening it will say. */
-static bool key_of(const char *path, char key[PLACE_KEY])
+enum { MOST_FILES = 8192 };
+
+/* The files that are read or written so far */
+static struct {
+  bool is_output;
+  char key[320];
+} files[MOST_FILES];
+static int count;
+
+/* The place of a plain file, known by its device and number or, where it is not there yet, those of its folder and its name; is_output: of
+ * one that is new. -1: it is no plain file, or its folder is not there, which opening it will say. */
+static int place_of(const char *path, bool is_output)
 {
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-  char folder[4096] = ".";
+  char folder[4096] = ".", key[sizeof files->key];
   struct stat there;
   bool exists = stat(path, &there) == 0;
+  int i = 0;
   if (slash)
     snprintf(folder, sizeof folder, "%.*s", (int)(slash + 1 - path), path);
   if (exists ? !S_ISREG(there.st_mode) : stat(folder, &there) != 0)
-    return false;
-  int length = snprintf(key, PLACE_KEY, "%ju %ju %s", (uintmax_t)there.st_dev, (uintmax_t)there.st_ino, exists ? "" : name);
-  return length < PLACE_KEY;
+    return -1;
+  snprintf(key, sizeof key, "%ju %ju %s", (uintmax_t)there.st_dev, (uintmax_t)there.st_ino, exists ? "" : name);
+  while (i < count && strcmp(files[i].key, key) != 0)
+    i++;
+  if (i == count && count < MOST_FILES) {
+    files[count].is_output = is_output;
+    memcpy(files[count++].key, key, sizeof key);
+  }
+  return i;
 }
 
-static void add(struct scene_places *all, const char *key, bool is_output)
-{
-  if (all->count == SCENE_PLACES)
-    return;
-  struct scene_place *place = &all->place[all->count++];
-  place->is_output = is_output;
-  snprintf(place->key, sizeof place->key, "%s", key);
-}
-
-static void reads(struct scene_places *all, const char *path)
-{
-  char key[PLACE_KEY];
-  if (path && key_of(path, key))
-    add(all, key, false);
-}
-
-static void reads_gait(struct scene_places *all, const char *gait)
+static void reads_gait(const char *gait)
 {
   if (strncmp(gait, "measured:", 9) == 0)
-    reads(all, gait + 9);
+    place_of(gait + 9, false);
 }
 
-void places_reads(struct scene_places *all, const struct scene *scene)
+static void reads(const struct scene *s)
 {
   const struct sweep_variable *v;
-  reads(all, strcmp(scene->name, "-") == 0 ? "/dev/stdin" : scene->path);
-  for (int i = 0; i < scene->included; i++)
-    reads(all, scene->include[i]);
-  reads_gait(all, scene->base.crawler.gait->name);
-  for (int i = 0; (v = sweep_variable(&scene->sweep, i)); i++)
+  const char *path = strcmp(s->name, "-") == 0 ? "/dev/stdin" : s->path;
+  if (path)
+    place_of(path, false);
+  for (int i = 0; i < s->included; i++)
+    place_of(s->include[i], false);
+  reads_gait(s->base.crawler.gait->name);
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
-      reads_gait(all, v->texts[k]);
-  for (int w = 0; w < scene->wants; w++)
-    reads(all, scene->want[w].plot.script);
+      reads_gait(v->texts[k]);
+  for (int w = 0; w < s->wants; w++)
+    if (s->want[w].plot.script)
+      place_of(s->want[w].plot.script, false);
 }
 
-bool places_writes(struct scene_places *all, const char *command, const char *path)
+/* Devices and pipes take any number of tables. */
+static bool writes(const char *command, const char *path)
 {
-  char key[PLACE_KEY] = "standard output";
-  int i = 0;
-  if (path && !key_of(path, key))
+  int before = count, i = place_of(path, true);
+  if (i < 0 || count > before)
     return true;
-  while (i < all->count && strcmp(all->place[i].key, key) != 0)
-    i++;
-  bool is_new = i == all->count;
-  if (is_new)
-    add(all, key, true);
-  else if (!path)
-    complain(command, "two tables would go to standard output: give each want a file of its own");
-  else if (all->place[i].is_output)
-    complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
-  else
-    complain(command, "%s is read by a scene, and would be written by one", path);
-  return is_new;
+  complain(command,
+           files[i].is_output ? "two things would go to %s: give each table and each plot a file of its own"
+                              : "%s is read by a scene, and would be written by one",
+           path);
+  return false;
+}
+
+bool scenes_check_files(const struct scene *scenes, int scene_count, const struct scene_options *o)
+{
+  const char *command = o->request.style.command;
+  int printed = 0;
+  for (int i = 0; i < scene_count; i++)
+    reads(&scenes[i]);
+  if (o->explain)
+    return !o->request.style.has_output || !o->request.style.output || writes(command, o->request.style.output);
+  for (int i = 0; i < scene_count; i++)
+    for (int k = 0; k < scenes[i].wants; k++) {
+      const struct scene_want *w = &scenes[i].want[k];
+      printed += !w->file;
+      if (printed > 1)
+        complain(command, "two tables would go to standard output: give each want a file of its own");
+      if (printed > 1 || (w->file && !writes(command, w->file)) || (w->has_plot && !writes(command, w->plot.file)))
+        return false;
+    }
+  return true;
 }

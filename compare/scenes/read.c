@@ -9,18 +9,16 @@
 static bool read_parameter(const struct reading *r, const config_setting_t *at)
 {
   struct point *base = &r->scene->base;
-  const char *name = config_setting_name(at), *text = config_setting_get_string(at);
+  const char *name = config_setting_name(at), *text = text_of(r, at);
   int place = crawler_place(name);
-  double x;
-  if (!is_among(name, crawler_parameters))
-    return refuse_at(r, at, "there is no '%s' in a crawler%s", name, did_you_mean(nearest(name, crawler_parameters)));
   bool is_gait = place == CRAWLER_NUMBERS;
-  if (is_gait ? !text : !is_number(at, &x, &text) && !text)
-    return refuse_at(r, at, is_gait ? "%s is a text in quotes, as after --gait" : "%s is a number", name);
+  if (!name_among(crawler_parameters, name))
+    return refuse_at(r, at, "there is no '%s' in a crawler%s", name, did_you_mean(nearest(name, crawler_parameters)));
   if (is_gait ? base->has_gait : base->written[place] != NULL) /* on the command line */
     return true;
-  text = is_gait ? gait_beside(r, text) : text ? text : keep_number(r, x);
-  const char *wrong = text ? point_set(base, name, text) : "out of memory";
+  if (text && is_gait)
+    text = gait_beside(r, text);
+  const char *wrong = text ? point_set(base, name, text) : "it takes a number, or a text in quotes";
   return !wrong || refuse_at(r, at, "%s: %s", name, wrong);
 }
 
@@ -30,7 +28,7 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
   if (crawler && !config_setting_is_group(crawler))
     return refuse_at(r, crawler, "crawler is a group of parameters: { F1 = 3.0; T = 0.5; }");
   for (int i = 0; crawler && i < config_setting_length(crawler); i++)
-    if (!read_parameter(r, config_setting_get_elem(crawler, (unsigned)i)))
+    if (!read_parameter(r, member_at(crawler, i)))
       return false;
   point_complete(&r->scene->base);
   return true;
@@ -39,17 +37,14 @@ static bool read_crawler(const struct reading *r, const config_setting_t *crawle
 static bool read_start(const struct reading *r, const config_setting_t *start)
 {
   struct scene *s = r->scene;
-  const char *text = NULL;
-  if (!start)
-    return true;
-  if (is_number(start, &s->base.v0, &text)) {
+  const char *text = start ? text_of(r, start) : "rest";
+  if (text && strcmp(text, "steady") == 0)
+    s->start = START_STEADY;
+  else if (!text || strcmp(text, "rest") != 0) {
+    if (!text || point_set(&s->base, "v0", text))
+      return refuse_at(r, start, "start is \"rest\", \"steady\" or a velocity");
     s->start = s->base.v0 == 0 ? START_REST : START_VELOCITY;
-    s->base.written_v0 = text ? text : keep_number(r, s->base.v0);
-    return isfinite(s->base.v0) || refuse_at(r, start, "start is a finite velocity");
   }
-  if (!text || (strcmp(text, "rest") != 0 && strcmp(text, "steady") != 0))
-    return refuse_at(r, start, "start is \"rest\", \"steady\" or a velocity");
-  s->start = *text == 'r' ? START_REST : START_STEADY;
   return true;
 }
 
@@ -66,19 +61,17 @@ static bool are_lines(const struct reading *r, const config_setting_t *root)
 static bool read_root(const struct reading *r, const config_setting_t *root)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
-  struct scene *s = r->scene;
-  int phase = 0;
-  const struct member members[] = { A_TEXT("title", &s->title),
-                                    TEXTS("notes", s->note, SCENE_NOTES, &s->notes),
-                                    A_WORD("phase", &phase, phases),
-                                    OTHER("crawler"),
-                                    OTHER("start"),
-                                    OTHER("vary"),
-                                    OTHER("want"),
-                                    NO_MORE };
-  if (!read_members(r, root, members, "a scene") || !are_lines(r, root))
+  static const struct member members[] = { MEMBER(TEXT, "title", scene, title, ),
+                                           MEMBER(TEXTS, "notes", scene, note, .high = SCENE_NOTES,
+                                                  .count = offsetof(struct scene, notes)),
+                                           MEMBER(WORD, "phase", scene, phase, .words = phases),
+                                           OTHER("crawler"),
+                                           OTHER("start"),
+                                           OTHER("vary"),
+                                           OTHER("want"),
+                                           { .name = NULL } };
+  if (!read_members(r, root, members, r->scene, "a scene", NULL) || !are_lines(r, root))
     return false;
-  s->phase = phase == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
   return read_crawler(r, config_setting_get_member(root, "crawler"))
          && read_start(r, config_setting_get_member(root, "start")) && read_vary(r, config_setting_get_member(root, "vary"))
          && read_wants(r, config_setting_get_member(root, "want"));

@@ -7,40 +7,6 @@
 #include "compare/scenes/parts.h"
 #include "compare/text/plot.h"
 
-/* A cell; only_find: the value is found, and not written. */
-static void put_column(const struct running *r, struct output *o, const struct scene_column *c, bool only_find)
-{
-  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-  if (!q || !quantity_is_text(q)) {
-    double x = q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula);
-    if (!only_find)
-      table_number(&o->table, x);
-    return;
-  }
-  if (only_find && q->kind == QUANTITY_STATUS)
-    return;
-  const char *text = state_text(r->state, c->quantity, o->style.digits > 0 ? o->style.digits : DIGITS_OF_DOUBLE);
-  if (only_find)
-    return;
-  if (q->kind != QUANTITY_CERTIFIED)
-    table_text(&o->table, text);
-  else if (strcmp(text, "nan") == 0)
-    table_number(&o->table, NAN);
-  else
-    table_digits(&o->table, text);
-}
-
-/* The status of a row is that of all its columns, wherever it stands: they are found first. */
-static void write_columns(const struct running *r, struct output *o)
-{
-  const struct scene_want *w = o->want;
-  for (int i = 0; i < w->columns && w->kind == WANT_ROWS; i++)
-    put_column(r, o, &w->column[i], true);
-  for (int i = 0; i < w->columns; i++)
-    put_column(r, o, &w->column[i], false);
-  count_add(COUNT_ROWS, 1);
-}
-
 struct tracing {
   struct running *r;
   struct output *o;
@@ -62,7 +28,7 @@ static bool write_sample(void *context, const struct scallop_sample *s)
     state->value[i] = numbers[q->which];
     state->has[i] = true;
   }
-  write_columns(t->r, t->o);
+  output_row(t->r, t->o);
   return !table_failed(&t->o->table);
 }
 
@@ -73,7 +39,7 @@ static void trace(struct running *r, struct output *o)
   struct tracing t = { r, o, state_end(r->state, &w->until) };
   if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&r->state->at.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&r->state->point.crawler, v0, w->periods, w->samples, write_sample, &t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     state_fail(r->state, scallop_status_text(status));
@@ -81,19 +47,10 @@ static void trace(struct running *r, struct output *o)
   }
 }
 
-static void begin_columns(struct output *o)
-{
-  const char *names[SCENE_COLUMNS + 1] = { NULL };
-  for (int i = 0; i < o->want->columns; i++)
-    names[i] = o->want->column[i].name;
-  table_columns(&o->table, names);
-  table_begin_rows(&o->table);
-}
-
 static void at_want(struct running *r, struct output *o, bool last_of_times)
 {
   if (o->want->kind == WANT_ROWS)
-    write_columns(r, o);
+    output_row(r, o);
   else if (o->want->kind == WANT_TRAJECTORY)
     trace(r, o);
   else if (o->want->kind == WANT_ORDERS) {
@@ -115,16 +72,9 @@ static void at_point(struct running *r, bool last_of_times)
     if (*why != '\0' && r->unsolved == 0 && !unsolved)
       snprintf(r->why, sizeof r->why, "%s", why);
     unsolved |= *why != '\0';
+    r->failed |= o->is_open && table_failed(&o->table);
   }
   r->unsolved += unsolved;
-}
-
-static bool failed(const struct running *r)
-{
-  for (int i = 0; i < r->scene->wants; i++)
-    if (r->output[i].is_open && table_failed(&r->output[i].table))
-      return true;
-  return false;
 }
 
 static void each_point(struct running *r, const struct sweep_product *product)
@@ -134,7 +84,7 @@ static void each_point(struct running *r, const struct sweep_product *product)
   do {
     state_move(r->state, product, index);
     at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
-  } while (sweep_next(product, index) && !failed(r));
+  } while (sweep_next(product, index) && !r->failed);
 }
 
 static bool open_tables(struct running *r)
@@ -150,10 +100,9 @@ static bool open_tables(struct running *r)
     if (!table_open_at(&o->table, &o->style, o->want->file))
       return false;
     o->is_open = true;
-    head_write(r, o);
-    if (o->want->kind != WANT_ORDERS)
-      begin_columns(o);
-    else if (!orders_begin(r, o)) {
+    output_begin(r, o);
+    o->errors = calloc((size_t)o->want->series * SCENE_TIMES + 1, sizeof *o->errors);
+    if (!o->errors) {
       complain(r->options->request.style.command, "out of memory");
       return false;
     }
@@ -167,13 +116,11 @@ static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ?
 static enum exit_code run_commands(const struct running *r)
 {
   enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++) {
-    const struct scene_want *w = &r->scene->want[i];
-    if (w->kind != WANT_COMMAND)
-      continue;
-    count_add(COUNT_COMMANDS, 1);
-    code = worse(code, r->scene->run_command(r->scene, w, r->options, false));
-  }
+  for (int i = 0; i < r->scene->wants && code != EXIT_FILE; i++)
+    if (r->scene->want[i].kind == WANT_COMMAND) {
+      count_add(COUNT_COMMANDS, 1);
+      code = worse(code, r->scene->run_command(r->scene, &r->scene->want[i], r->options, false));
+    }
   return code;
 }
 
@@ -182,9 +129,14 @@ static bool flush_tables(struct running *r)
 {
   bool whole = true;
   for (int i = 0; i < r->scene->wants; i++)
-    if (r->output[i].is_open)
-      whole &= table_flush(&r->output[i].table);
+    whole &= !r->output[i].is_open || table_flush(&r->output[i].table);
   return whole;
+}
+
+static void tell_written(const struct running *r, const char *file)
+{
+  if (file && !r->options->request.style.quiet)
+    fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, file);
 }
 
 /* All or none: where something went wrong the earlier files stay. */
@@ -197,8 +149,8 @@ static enum exit_code close_tables(struct running *r, bool keep)
       table_abandon(&o->table);
     else if (o->is_open && !close_beside_gaits(&o->table))
       code = EXIT_FILE;
-    else if (keep && o->want->file && !r->options->request.style.quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, o->want->file);
+    else if (keep)
+      tell_written(r, o->want->file);
     free(o->errors);
   }
   return code;
@@ -209,18 +161,13 @@ static enum exit_code draw_plots(const struct running *r)
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene->wants; i++) {
     const struct scene_want *w = &r->scene->want[i];
-    struct plot plot = w->plot;
-    plot.table = w->file;
-    plot.title = r->scene->title;
     if (!w->has_plot)
       continue;
-    if (!plot_draw(&plot, r->options->request.style.command)) {
-      code = EXIT_FILE;
-      continue;
-    }
-    count_add(COUNT_PLOTS, 1);
-    if (!r->options->request.style.quiet)
-      fprintf(stderr, "scallop %s: wrote %s\n", r->options->request.style.command, plot.file);
+    bool drawn = plot_draw(&w->plot, r->options->request.style.command);
+    code = drawn ? code : EXIT_FILE;
+    count_add(COUNT_PLOTS, drawn);
+    if (drawn)
+      tell_written(r, w->plot.file);
   }
   return code;
 }
@@ -260,16 +207,14 @@ enum exit_code scene_run(const struct scene *scene, const struct scene_options *
 {
   struct running r = { .scene = scene, .options = options };
   enum exit_code code = EXIT_UNSOLVED;
-  r.state = malloc(sizeof *r.state);
+  struct scene_state state;
+  r.state = &state;
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
-  if (!r.state || !r.output)
+  if (!state_init(&state, scene, NULL) || !r.output)
     complain(options->request.style.command, "out of memory");
-  else {
-    state_init(r.state, scene);
+  else
     code = run_points(&r);
-    state_clear(r.state);
-  }
-  free(r.state);
+  state_clear(&state);
   free(r.output);
   return code;
 }

@@ -21,7 +21,8 @@ enum {
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
   SCENE_INCLUDED = 64,
-  SCENE_TIMES = 4096 /* most periods of an order */
+  SCENE_TIMES = 4096, /* most periods of an order */
+  DIGITS_OF_DOUBLE = 17
 };
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
@@ -32,6 +33,8 @@ struct scene_column {
   struct formula formula;
 };
 
+enum { REFERENCE_NOT_GIVEN = -1, REFERENCE_EXACT, REFERENCE_CERTIFIED };
+
 struct scene_want {
   enum want_kind kind;
   const char *what; /* as it is written */
@@ -40,26 +43,28 @@ struct scene_want {
   long digits;
   int columns;
   struct scene_column *column; /* room for SCENE_COLUMNS */
-  bool is_certified;           /* errors against certified values, whatever the accuracy */
   double accuracy;             /* errors below this part of the exact value are 0 */
   long periods, samples;       /* trajectory */
   struct sweep_end until;      /* and no further than this time */
-  int series;                  /* orders: of the errors of these */
-  int of[SCENE_COLUMNS];       /* the errors, as quantities */
+  int named, series, source;   /* columns and series that are asked for; source: of the usual series */
+  const char *name[SCENE_COLUMNS + 1], *series_name[SCENE_COLUMNS];
+  long order;            /* of the usual series */
+  int reference;         /* what errors are told against */
+  int of[SCENE_COLUMNS]; /* orders: the errors of the series, as quantities */
   bool has_expect;
   double expect, tolerance;
   char **arguments; /* of a command: its long options */
   int argument_count;
   bool has_plot;
-  struct plot plot; /* but for table and title */
+  struct plot plot;
 };
 
 /* What all points have in common, found before the first: what certified values must be good for. */
 struct scene_needs {
-  bool certified_errors;          /* else errors are those against the double solver */
-  double accuracy;                /* of errors: the finest that is wanted */
-  long digits;                    /* of certified values: the most that are wanted */
-  long steady_order, phase_order; /* derived series: terms below T^order; 0: none */
+  bool certified_errors; /* else errors are those against the double solver */
+  double accuracy;       /* of errors: the finest that is wanted */
+  long digits;           /* of certified values: the most that are wanted */
+  long order[2];         /* derived series, by enum quantity_of: terms below T^order; 0: none */
 };
 
 struct plan_stage {
@@ -131,20 +136,8 @@ int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTIT
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
 enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
-/* The files that scenes read and write, by what they are and not by how a path is spelled */
-enum { SCENE_PLACES = 8192, PLACE_KEY = 320 };
-struct scene_places {
-  int count;
-  struct scene_place {
-    bool is_output;
-    char key[PLACE_KEY];
-  } place[SCENE_PLACES];
-};
-/* Notes the files that a scene reads: itself, what it includes, measured gaits and scripts of plots; and standard input, where that is a
- * file. */
-void places_reads(struct scene_places *places, const struct scene *scene);
-/* Something goes there; NULL: standard output. False: something else does already, or is read there: the message is on stderr. Devices and
- * pipes take any number. */
-bool places_writes(struct scene_places *places, const char *command, const char *path);
+/* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by what they are, and
+ * not by how a path is spelled. With explain the output is that of the command line. False: the message is on stderr. */
+bool scenes_check_files(const struct scene *scenes, int count, const struct scene_options *options);
 
 #endif

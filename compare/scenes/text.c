@@ -85,7 +85,7 @@ static bool check_included(const struct scan *s, const char *at)
   size_t length = *open == '"' ? strcspn(open + 1, "\"\\\n") : 0;
   if (*open != '"' || open[1 + length] != '"')
     return refuse(s, at, strcspn(at, "\n"), "@include takes the name of a file in quotes, without a backslash");
-  const char *name = keep_text(r, open + 1, (int)length, ""), *path = name ? path_beside(r, name) : NULL;
+  const char *name = keep(r, "%.*s", (int)length, open + 1), *path = name ? path_beside(r, name) : NULL;
   struct stat there;
   char *text;
   if (!path)

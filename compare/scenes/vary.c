@@ -16,48 +16,25 @@ static bool is_overridden(const struct reading *r, const struct sweep_variable *
          && (place < CRAWLER_NUMBERS ? given->written[place] != NULL : v->target == TARGET_GAIT && given->has_gait);
 }
 
-static bool is_of_words(const struct sweep_variable *v) { return v->target == TARGET_GAIT || v->target == TARGET_LABEL; }
-
-static bool is_ascii(const char *text)
-{
-  while (*text >= ' ' && *text < 0x7f)
-    text++;
-  return *text == '\0';
-}
-
-static const char *read_word(const struct reading *r, const struct sweep_variable *v, const char **text)
-{
-  struct point probe = r->scene->base;
-  if (!*text)
-    return "it takes texts in quotes";
-  if (v->target == TARGET_LABEL)
-    return is_ascii(*text) ? NULL : "a label is of printable ASCII";
-  *text = gait_beside(r, *text);
-  return *text ? point_set(&probe, "gait", *text) : "out of memory";
-}
-
 static bool read_list(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   v->count = element_count(at);
   if (v->count < 1)
     return refuse_at(r, at, "%s has no values", v->name);
-  v->numbers = calloc((size_t)v->count, sizeof *v->numbers);
   v->texts = calloc((size_t)v->count, sizeof *v->texts);
-  if (!v->numbers || !v->texts)
+  if (!v->texts)
     return refuse_at(r, at, "out of memory");
   for (int i = 0; i < v->count; i++) {
-    const config_setting_t *element = element_at(at, i);
-    double *x = &v->numbers[i];
-    const char **text = &v->texts[i], *wrong;
-    if (is_of_words(v)) {
-      *text = config_setting_get_string(element);
-      wrong = read_word(r, v, text);
-    } else if (is_number(element, x, text) || (v->target == TARGET_NUMBER && *text))
-      wrong = sweep_wrong(v, &r->scene->base, *x, *text);
-    else
-      wrong = "it takes numbers, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
+    const char *text = text_of(r, element_at(at, i));
+    const char *wrong = "it takes values, or a range: { from = 0.1; to = 10.0; count = 21; spacing = \"log\"; }";
+    if (text && v->target == TARGET_GAIT)
+      text = gait_beside(r, text);
+    if (text)
+      wrong = v->target == TARGET_LABEL && !is_ascii(text) ? "a label is of printable ASCII"
+                                                           : sweep_wrong(v, &r->scene->base, text);
     if (wrong)
-      return refuse_at(r, element, "%s: %s", v->name, wrong);
+      return refuse_at(r, element_at(at, i), "%s: %s", v->name, wrong);
+    v->texts[i] = text;
   }
   return true;
 }
@@ -65,22 +42,29 @@ static bool read_list(const struct reading *r, const config_setting_t *at, struc
 static bool read_range(const struct reading *r, const config_setting_t *at, struct sweep_variable *v)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
+  struct values {
+    long count;
+    int spacing;
+  } values = { 0, 0 };
+  static const struct member members[] = { OTHER("from"),
+                                           OTHER("to"),
+                                           MEMBER(COUNT, "count", values, count, .low = 1, .high = SWEEP_RANGE),
+                                           MEMBER(WORD, "spacing", values, spacing, .words = spacings),
+                                           { .name = NULL } };
   const config_setting_t *ends[] = { config_setting_get_member(at, "from"), config_setting_get_member(at, "to") };
   struct sweep_end *const range[] = { &v->from, &v->to };
-  int spacing = 0;
-  const struct member members[] = { OTHER("from"), OTHER("to"), A_COUNT("count", &v->count, 1, SWEEP_RANGE),
-                                    A_WORD("spacing", &spacing, spacings), NO_MORE };
-  if (!read_members(r, at, members, "a range"))
+  if (!read_members(r, at, members, &values, "a range", NULL))
     return false;
-  if (is_of_words(v))
+  if (v->target == TARGET_GAIT || v->target == TARGET_LABEL)
     return refuse_at(r, at, "%s takes texts in quotes, no range", v->name);
-  if (!ends[0] || !ends[1] || v->count < 1)
+  if (!ends[0] || !ends[1] || values.count == 0)
     return refuse_at(r, at, "the range of %s needs from, to and count", v->name);
-  v->is_log = spacing == 1;
+  v->count = values.count;
+  v->is_log = values.spacing == 1;
   for (int i = 0; i < 2; i++) {
     if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
-    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, range[i]->number, NULL);
+    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, text_of(r, ends[i]));
     if (!wrong && v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
       wrong = "an end of a range with log spacing is > 0";
     if (wrong)
@@ -132,7 +116,7 @@ static bool add_labels_of(const struct reading *r, const config_setting_t *at, s
 {
   bool good = config_setting_is_group(at) || refuse_at(r, at, "label is a group of texts: { panel = [\"A\", \"B\"]; }");
   for (int k = 0; good && k < config_setting_length(at); k++)
-    good = add_label(r, config_setting_get_elem(at, (unsigned)k), g);
+    good = add_label(r, member_at(at, k), g);
   return good;
 }
 
@@ -140,17 +124,17 @@ static const char meant[] = "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, {
 
 static bool read_group(const struct reading *r, const config_setting_t *group, struct sweep_group *g)
 {
-  static const struct member members[] = {
-    OTHER("m1"),   OTHER("m2"), OTHER("F1"),         OTHER("F2"),         OTHER("L"),      OTHER("T"),     OTHER("alpha"),
-    OTHER("gait"), OTHER("v0"), OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"), OTHER("label"), NO_MORE
-  };
+  static const struct member members[] = { OTHER("m1"),    OTHER("m2"),         OTHER("F1"),         OTHER("F2"),
+                                           OTHER("L"),     OTHER("T"),          OTHER("alpha"),      OTHER("gait"),
+                                           OTHER("v0"),    OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"),
+                                           OTHER("label"), { .name = NULL } };
   g->count = 1;
   if (!config_setting_is_group(group))
     return refuse_at(r, group, "%s", meant);
-  if (!read_members(r, group, members, "a group of what varies"))
+  if (!read_members(r, group, members, g, "a group of what varies", NULL))
     return false;
   for (int i = 0; i < config_setting_length(group); i++) {
-    const config_setting_t *at = config_setting_get_elem(group, (unsigned)i);
+    const config_setting_t *at = member_at(group, i);
     struct sweep_variable v;
     if (!(sweep_variable_of_name(&v, config_setting_name(at)) ? add_variable(r, at, g, v) : add_labels_of(r, at, g)))
       return false;
@@ -158,49 +142,39 @@ static bool read_group(const struct reading *r, const config_setting_t *group, s
   return true;
 }
 
-/* The number of points fits a long with room to spare. */
-static bool check_size(const struct reading *r, const config_setting_t *at, const struct sweep_product *product)
-{
-  double points = 1;
-  for (int g = 0; g < product->groups; g++)
-    points *= (double)product->group[g].count;
-  return points <= 1e15 || refuse_at(r, at, "%g points: more than 1e15", points);
-}
-
 static bool read_product(const struct reading *r, const config_setting_t *at)
 {
-  struct scene *s = r->scene;
-  struct sweep_product *product = &s->sweep.product[s->sweep.products++];
-  int groups = config_setting_is_group(at) ? 1 : config_setting_length(at);
+  struct sweep_product *product = &r->scene->sweep.product[r->scene->sweep.products++];
+  int groups = element_count(at);
+  double points = 1;
   if (groups > SWEEP_GROUPS)
     return refuse_at(r, at, "%d groups: %d at most", groups, SWEEP_GROUPS);
   for (int i = 0; i < groups; i++) {
-    const config_setting_t *group = config_setting_is_group(at) ? at : config_setting_get_elem(at, (unsigned)i);
-    if (!read_group(r, group, &product->group[product->groups++]))
+    struct sweep_group *g = &product->group[product->groups++];
+    if (!read_group(r, element_at(at, i), g))
       return false;
-    if (product->group[product->groups - 1].variables == 0) /* all of it is given on the command line */
-      product->groups--;
+    points *= (double)g->count;
+    product->groups -= g->variables == 0; /* all of it is given on the command line */
   }
   const struct sweep_variable *twice = sweep_set_twice(product);
-  return twice ? refuse_at(r, at, "%s is set twice here", twice->name) : check_size(r, at, product);
+  if (twice)
+    return refuse_at(r, at, "%s is set twice here", twice->name);
+  return points <= 1e15 || refuse_at(r, at, "%g points: more than 1e15", points); /* they fit a long with room to spare */
 }
 
 bool read_vary(const struct reading *r, const config_setting_t *vary)
 {
-  bool one_after_the_other = vary && config_setting_is_list(vary) && config_setting_length(vary) > 0
-                             && config_setting_is_list(config_setting_get_elem(vary, 0));
-  int products = one_after_the_other ? config_setting_length(vary) : 1;
+  struct sweep *sweep = &r->scene->sweep;
+  bool one_after_the_other = vary && element_count(vary) > 0 && config_setting_is_list(element_at(vary, 0));
+  int products = one_after_the_other ? element_count(vary) : 1;
   if (products > SWEEP_PRODUCTS)
     return refuse_at(r, vary, "%d products: %d at most", products, SWEEP_PRODUCTS);
-  r->scene->sweep.product = calloc((size_t)products, sizeof *r->scene->sweep.product);
-  if (!r->scene->sweep.product)
+  sweep->product = calloc((size_t)products, sizeof *sweep->product);
+  if (!sweep->product)
     return refuse_at(r, vary, "out of memory");
-  if (vary && !config_setting_is_group(vary) && !config_setting_is_list(vary))
-    return refuse_at(r, vary, "%s", meant);
-  if (!vary)
-    r->scene->sweep.products = 1;
-  for (int i = 0; vary && i < products; i++)
-    if (!read_product(r, one_after_the_other ? config_setting_get_elem(vary, (unsigned)i) : vary))
+  sweep->products = vary ? 0 : 1;
+  while (sweep->products < products)
+    if (!read_product(r, one_after_the_other ? element_at(vary, sweep->products) : vary))
       return false;
   return true;
 }

@@ -11,82 +11,6 @@
 enum { MOST_PERIODS = 1000000000 };
 static const double OF_DOUBLES = 1e-10; /* errors against the solver in doubles are told down to this part */
 
-/* What a want says of its columns and series */
-struct wanted {
-  const char *columns[SCENE_COLUMNS + 1];
-  int count, reference;
-  struct series_names series;
-};
-enum { REFERENCE_NOT_GIVEN = -1, REFERENCE_EXACT, REFERENCE_CERTIFIED };
-
-/* Which reference errors are told against, and how well. */
-static bool check_accuracy(const struct reading *r, const config_setting_t *at, struct scene_want *w, int reference)
-{
-  w->is_certified = reference == REFERENCE_CERTIFIED;
-  if (!(w->accuracy >= 1e-300) || !(w->accuracy < 1))
-    return refuse_at(r, config_setting_get_member(at, "accuracy"),
-                     "accuracy is a part of the exact value, between 1e-300 and 1");
-  return reference != REFERENCE_EXACT || w->accuracy >= OF_DOUBLES
-         || refuse_at(r, config_setting_get_member(at, "reference"),
-                      "the exact solver works in doubles, whose errors are told down to 1e-10; accuracy = %g needs "
-                      "reference = \"certified\"",
-                      w->accuracy);
-}
-
-/* More digits than a double has are digits of something certified. */
-static bool check_digits(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
-{
-  bool has = w->digits <= DIGITS_OF_DOUBLE;
-  for (int i = 0; i < w->columns; i++)
-    has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
-  return has
-         || refuse_at(
-             r, config_setting_get_member(at, "digits"),
-             "%ld digits are more than a double has, and no column is certified: certified.displacement is, for one",
-             w->digits);
-}
-
-static bool read_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
-                         const struct wanted *wanted)
-{
-  return add_columns(r, config_setting_get_member(at, "columns"), w, wanted->columns);
-}
-
-static bool read_rows(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
-{
-  bool is_series = strcmp(w->what, "series") == 0, is_error = strcmp(w->what, "error") == 0;
-  if (wanted->count > 0 && wanted->series.count > 0)
-    return refuse_at(r, config_setting_get_member(at, "of"),
-                     "of and columns exclude each other: columns may name series and what is said of them");
-  if (wanted->count > 0)
-    return read_columns(r, at, w, wanted) && check_digits(r, at, w);
-  return add_labels(r, at, w)
-         && (is_series || is_error ? series_columns(r, at, w, &wanted->series, is_error)
-                                   : motion_columns(r, at, w, strcmp(w->what, "steady") == 0 ? OF_STEADY : OF_PHASE));
-}
-
-static bool read_trajectory(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
-{
-  const config_setting_t *until = config_setting_get_member(at, "until");
-  bool onset = false;
-  w->until = (struct sweep_end){ .number = INFINITY };
-  if (until && !read_end(r, until, &w->until, &onset))
-    return false;
-  if (wanted->count > 0)
-    return read_columns(r, at, w, wanted);
-  if (!add_labels(r, at, w))
-    return false;
-  const struct sweep_variable *v;
-  for (int k = 0; (v = sweep_variable(&r->scene->sweep, k)); k++) { /* what varies tells the curves apart */
-    bool there = v->target == TARGET_LABEL;
-    for (int i = 0; i < w->columns; i++)
-      there |= strcmp(w->column[i].name, v->name) == 0;
-    if (!there && !read_column(r, at, w, v->name))
-      return false;
-  }
-  return add_columns(r, at, w, quantity_samples);
-}
-
 /* T varies, alone, in the last group of each product: an order is one of a row of such points. */
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
@@ -103,35 +27,23 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
   return true;
 }
 
-static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w, struct wanted *wanted)
+static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
-  const struct series_names *names = &wanted->series;
+  struct quantities *all = &r->scene->quantities;
   w->has_expect = config_setting_get_member(at, "expect") != NULL;
-  if (!check_times(r, at) || !find_series(r, at, &wanted->series))
+  if (!check_times(r, at) || !find_series(r, at, w))
     return false;
   if (!(w->tolerance > 0))
     return refuse_at(r, config_setting_get_member(at, "tol"), "tol is a number > 0");
-  for (int i = 0; i < r->scene->quantities.labels; i++)
-    if (is_among(r->scene->quantities.label[i], order_columns))
-      return refuse_at(r, at, "the label %s has the name of a column of orders", r->scene->quantities.label[i]);
-  for (; w->series < names->count; w->series++) {
-    const char *name = keep_text(r, "error.", 6, names->name[w->series]);
-    int place = name ? quantity_named(&r->scene->quantities, name) : -1;
-    if (place < 0)
-      return name && refuse_quantity(r, at, names->name[w->series]);
-    if (!check_quantity(r, at, w, place))
+  for (int i = 0; i < w->series; i++) {
+    const char *name = keep(r, "error.%s", w->series_name[i]);
+    w->of[i] = name ? quantity_named(all, name) : -1;
+    if (w->of[i] < 0)
+      return name && refuse_quantity(r, at, w->series_name[i]);
+    if (!check_quantity(r, at, w, w->of[i]))
       return false;
-    w->of[w->series] = place;
   }
   return true;
-}
-
-static bool has_column(const struct reading *r, const config_setting_t *at, const struct scene_want *w, const char *name)
-{
-  bool has = w->columns == 0; /* a command's own, or those of orders: it will show */
-  for (int i = 0; i < w->columns; i++)
-    has |= strcmp(w->column[i].name, name) == 0;
-  return has || refuse_at(r, at, "the table has no column %s", name);
 }
 
 /* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
@@ -153,36 +65,42 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
 
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
+  struct picture {
+    struct plot plot;
+    int ys, bys;
+  } picture = { .ys = 0 };
+  static const struct member members[] = {
+    MEMBER(TEXT, "file", plot, file, ),
+    MEMBER(TEXT, "script", plot, script, ),
+    MEMBER(TEXT, "x", plot, x, ),
+    MEMBER(TEXTS, "y", plot, y, .high = PLOT_COLUMNS, .count = offsetof(struct picture, ys)),
+    MEMBER(TEXTS, "by", plot, by, .high = PLOT_COLUMNS, .count = offsetof(struct picture, bys)),
+    MEMBER(FLAG, "log_x", plot, log_x, ),
+    MEMBER(FLAG, "log_y", plot, log_y, ),
+    { .name = NULL }
+  };
+  const struct style *given = &r->options->request.style;
   struct plot *p = &w->plot;
-  int ys = 0, bys = 0;
-  const struct member members[] = { A_TEXT("file", &p->file),
-                                    A_TEXT("script", &p->script),
-                                    A_TEXT("x", &p->x),
-                                    TEXTS("y", p->y, PLOT_COLUMNS, &ys),
-                                    TEXTS("by", p->by, PLOT_COLUMNS, &bys),
-                                    A_FLAG("log_x", &p->log_x),
-                                    A_FLAG("log_y", &p->log_y),
-                                    NO_MORE };
-  w->has_plot = true;
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(r, at, members, "a plot"))
+  if (!read_members(r, at, members, &picture, "a plot", NULL))
     return false;
+  *p = picture.plot;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r, at, "a plot needs a file that ends in .svg, .png or .pdf");
-  if (r->options->request.style.has_format
-      && r->options->request.style.format != FORMAT_TSV) /* of what the command line asks for there is none */
-    w->has_plot = false;
-  else if (!w->file || w->format != FORMAT_TSV)
+  w->has_plot = !given->has_format || given->format == FORMAT_TSV; /* of what the command line asks for there is none */
+  if (w->has_plot && (!w->file || w->format != FORMAT_TSV))
     return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
-  if (!p->x || ys == 0)
+  if (!p->x || !p->y[0])
     return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
-  bool good = has_column(r, at, w, p->x);
-  for (int i = 0; i < ys && good; i++)
-    good = has_column(r, at, w, p->y[i]);
-  return good;
+  for (int i = -1; i < picture.ys && w->columns > 0; i++) { /* else they are a command's own: it will show */
+    const char *name = i < 0 ? p->x : p->y[i];
+    if (!has_column(w, name))
+      return refuse_at(r, at, "the table has no column %s", name);
+  }
+  return true;
 }
 
 /* The kinds of wants. The last are the tables of commands. */
@@ -190,20 +108,44 @@ static const struct {
   const char *what;
   enum want_kind kind;
   long most_digits; /* beyond a double's are digits of certified values */
-  bool (*read)(const struct reading *, const config_setting_t *, struct scene_want *, struct wanted *);
-} kinds[] = { { "trajectory", WANT_TRAJECTORY, DIGITS_OF_DOUBLE, read_trajectory },
-              { "phase", WANT_ROWS, MOST_CERTIFIED_DIGITS, read_rows },
-              { "steady", WANT_ROWS, MOST_CERTIFIED_DIGITS, read_rows },
-              { "series", WANT_ROWS, DIGITS_OF_DOUBLE, read_rows },
-              { "error", WANT_ROWS, DIGITS_OF_DOUBLE, read_rows },
-              { "orders", WANT_ORDERS, DIGITS_OF_DOUBLE, read_orders },
-              { "terms", WANT_COMMAND, 0, NULL },
-              { "bounds", WANT_COMMAND, 0, NULL },
-              { "breakdown", WANT_COMMAND, 0, NULL },
-              { "stability", WANT_COMMAND, 0, NULL },
-              { "work-precision", WANT_COMMAND, 0, NULL },
-              { "claims", WANT_COMMAND, 0, NULL } };
+} kinds[] = { { "trajectory", WANT_TRAJECTORY, DIGITS_OF_DOUBLE },
+              { "phase", WANT_ROWS, MOST_CERTIFIED_DIGITS },
+              { "steady", WANT_ROWS, MOST_CERTIFIED_DIGITS },
+              { "series", WANT_ROWS, DIGITS_OF_DOUBLE },
+              { "error", WANT_ROWS, DIGITS_OF_DOUBLE },
+              { "orders", WANT_ORDERS, DIGITS_OF_DOUBLE },
+              { "terms", WANT_COMMAND, 0 },
+              { "bounds", WANT_COMMAND, 0 },
+              { "breakdown", WANT_COMMAND, 0 },
+              { "stability", WANT_COMMAND, 0 },
+              { "work-precision", WANT_COMMAND, 0 },
+              { "claims", WANT_COMMAND, 0 } };
 enum { KINDS = sizeof kinds / sizeof *kinds };
+
+#define OF_SERIES "series error orders"
+static const char *const formats[] = { "tsv", "json", NULL }, *const references[] = { "exact", "certified", NULL };
+static const struct member members[] = {
+  MEMBER(TEXT, "what", scene_want, what, ),
+  MEMBER(TEXT, "file", scene_want, file, ),
+  MEMBER(WORD, "format", scene_want, format, .words = formats),
+  OTHER("plot"),
+  MEMBER(COUNT, "digits", scene_want, digits, .low = 1, .high = MOST_CERTIFIED_DIGITS,
+         .only = "trajectory phase steady " OF_SERIES),
+  MEMBER(TEXTS, "columns", scene_want, name, .high = SCENE_COLUMNS, .count = offsetof(struct scene_want, named),
+         .only = "trajectory phase steady series error"),
+  MEMBER(TEXTS, "of", scene_want, series_name, .high = SCENE_COLUMNS, .count = offsetof(struct scene_want, series),
+         .only = OF_SERIES),
+  MEMBER(WORD, "source", scene_want, source, .words = series_sources, .only = OF_SERIES),
+  MEMBER(COUNT, "order", scene_want, order, .low = 1, .high = 1000, .only = OF_SERIES),
+  MEMBER(NUMBER, "accuracy", scene_want, accuracy, .only = "phase steady " OF_SERIES),
+  MEMBER(WORD, "reference", scene_want, reference, .words = references, .only = "phase steady " OF_SERIES),
+  MEMBER(NUMBER, "expect", scene_want, expect, .only = "orders"),
+  MEMBER(NUMBER, "tol", scene_want, tolerance, .only = "orders"),
+  MEMBER(COUNT, "periods", scene_want, periods, .low = 1, .high = MOST_PERIODS, .only = "trajectory"),
+  MEMBER(COUNT, "samples", scene_want, samples, .low = 1, .high = MOST_PERIODS, .only = "trajectory"),
+  MEMBER(OTHER, "until", scene_want, until, .only = "trajectory"),
+  { .name = NULL }
+};
 
 /* The place of what among the kinds, or KINDS, and it is refused. */
 static int find_kind(const struct reading *r, const config_setting_t *at, const char *what)
@@ -216,138 +158,128 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
   while (k < KINDS && strcmp(what, names[k]) != 0)
     k++;
   if (k == KINDS)
-    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names, false),
+    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names),
               did_you_mean(nearest(what, names)));
   return k;
 }
 
-/* Members that mean something to some kinds only */
-static bool check_members(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
+/* How well errors are told, and against which reference; and how many digits there can be. */
+static bool check_accuracy(const struct reading *r, const config_setting_t *at, struct scene_want *w, long most_digits)
 {
-  static const struct {
-    const char *name, *kinds;
-  } only[] = { { "of", "series error orders" },
-               { "source", "series error orders" },
-               { "order", "series error orders" },
-               { "expect", "orders" },
-               { "tol", "orders" },
-               { "periods", "trajectory" },
-               { "samples", "trajectory" },
-               { "until", "trajectory" },
-               { "columns", "trajectory phase steady series error" },
-               { "accuracy", "phase steady series error orders" },
-               { "reference", "phase steady series error orders" } };
-  for (size_t i = 0; i < sizeof only / sizeof *only; i++) {
-    const config_setting_t *member = config_setting_get_member(at, only[i].name);
-    if (member && !strstr(only[i].kinds, w->what))
-      return refuse_at(r, member, "%s is not for what = \"%s\", but for: %s", only[i].name, w->what, only[i].kinds);
-  }
-  return true;
-}
-
-static bool read_own(const struct reading *r, const config_setting_t *at, struct scene_want *w, int kind)
-{
-  static const char *const references[] = { "exact", "certified", NULL };
-  struct wanted wanted = { .reference = REFERENCE_NOT_GIVEN, .series = { .order = 8 } };
-  const long most = kinds[kind].most_digits;
-  const struct member members[] = { OTHER("what"),
-                                    OTHER("file"),
-                                    OTHER("format"),
-                                    OTHER("plot"),
-                                    A_COUNT("digits", &w->digits, 1, most),
-                                    TEXTS("columns", wanted.columns, SCENE_COLUMNS, &wanted.count),
-                                    TEXTS("of", wanted.series.name, SCENE_COLUMNS, &wanted.series.count),
-                                    A_WORD("source", &wanted.series.source, series_sources),
-                                    A_COUNT("order", &wanted.series.order, 1, 1000),
-                                    A_NUMBER("accuracy", &w->accuracy),
-                                    A_WORD("reference", &wanted.reference, references),
-                                    A_NUMBER("expect", &w->expect),
-                                    A_NUMBER("tol", &w->tolerance),
-                                    A_COUNT("periods", &w->periods, 1, MOST_PERIODS),
-                                    A_COUNT("samples", &w->samples, 1, MOST_PERIODS),
-                                    OTHER("until"),
-                                    NO_MORE };
-  if (!read_members(r, at, members, "a want") || !check_members(r, at, w) || !check_accuracy(r, at, w, wanted.reference))
-    return false;
-  if (r->options->request.style.digits > most)
-    return refuse_at(r, at, "--digits %ld: in this table a whole number from 1 to %ld", r->options->request.style.digits,
-                     most);
+  if (!(w->accuracy >= 1e-300) || !(w->accuracy < 1))
+    return refuse_at(r, config_setting_get_member(at, "accuracy"),
+                     "accuracy is a part of the exact value, between 1e-300 and 1");
+  if (w->reference == REFERENCE_EXACT && w->accuracy < OF_DOUBLES)
+    return refuse_at(r, config_setting_get_member(at, "reference"),
+                     "the exact solver works in doubles, whose errors are told down to 1e-10; accuracy = %g needs "
+                     "reference = \"certified\"",
+                     w->accuracy);
   if (r->options->request.style.digits > 0)
     w->digits = r->options->request.style.digits;
-  return kinds[kind].read(r, at, w, &wanted);
+  return w->digits <= most_digits
+         || refuse_at(r, at, "%ld digits: in this table a whole number from 1 to %ld", w->digits, most_digits);
 }
 
-/* Where the table goes, and how it is written */
-static bool read_output(const struct reading *r, const config_setting_t *at, struct scene_want *w)
+/* More digits than a double has are digits of something certified. */
+static bool check_digits(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
 {
-  static const char *const formats[] = { "tsv", "json", NULL };
-  int format = 0;
-  const struct member members[] = { A_TEXT("what", &w->what), A_TEXT("file", &w->file), A_WORD("format", &format, formats),
-                                    THE_REST };
-  if (!read_members(r, at, members, "a want"))
+  bool has = w->digits <= DIGITS_OF_DOUBLE;
+  for (int i = 0; i < w->columns; i++)
+    has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
+  return has
+         || refuse_at(
+             r, config_setting_get_member(at, "digits"),
+             "%ld digits are more than a double has, and no column is certified: certified.displacement is, for one",
+             w->digits);
+}
+
+/* A table of the scene's own */
+static bool read_own(const struct reading *r, const config_setting_t *at, struct scene_want *w, long most_digits)
+{
+  const config_setting_t *until = config_setting_get_member(at, "until");
+  bool onset = false;
+  if (!read_members(r, at, members, w, "a want", w->what) || !check_accuracy(r, at, w, most_digits)
+      || (until && !read_end(r, until, &w->until, &onset)))
     return false;
-  if (w->file && strcmp(w->file, "-") == 0)
-    w->file = NULL;
-  w->format = r->options->request.style.has_format ? r->options->request.style.format
-              : format == 0                        ? FORMAT_TSV
-                                                   : FORMAT_JSON;
-  return !w->file || !plot_kind(w->file)
-         || refuse_at(r, config_setting_get_member(at, "file"),
-                      "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
-                      w->file);
+  if (w->kind == WANT_ORDERS && !read_orders(r, at, w))
+    return false;
+  if (w->named > 0 && w->series > 0)
+    return refuse_at(r, config_setting_get_member(at, "of"),
+                     "of and columns exclude each other: columns may name series and what is said of them");
+  return (w->named > 0 ? add_columns(r, config_setting_get_member(at, "columns"), w, w->name) : usual_columns(r, at, w))
+         && check_digits(r, at, w);
 }
 
-static bool put_into(const struct reading *r, const char *folder, const char **file)
+static bool put_into(const struct reading *r, const char **file)
 {
-  if (!folder || !*file || **file == '/')
-    return true;
-  const char *head = keep_text(r, folder, (int)strlen(folder), "/");
-  *file = head ? keep_text(r, head, (int)strlen(head), *file) : NULL;
+  if (r->options->folder && **file != '/')
+    *file = keep(r, "%s/%s", r->options->folder, *file);
   return *file != NULL;
 }
 
-/* Where the table and its plot go in the end: the command line may name the file, or a folder. */
-static bool place(const struct reading *r, struct scene_want *w)
+/* Where the table and its plot go, and how the table is written: the command line may name the file, or a folder. */
+static bool place(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   const struct scene_options *o = r->options;
+  const config_setting_t *plot = config_setting_get_member(at, "plot");
   bool is_named = o->request.style.has_output && !o->explain; /* else -o names the plan's */
+  if (w->file && strcmp(w->file, "-") == 0)
+    w->file = NULL;
+  if (o->request.style.has_format)
+    w->format = o->request.style.format;
+  if (w->file && plot_kind(w->file))
+    return refuse_at(r, config_setting_get_member(at, "file"),
+                     "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
+                     w->file);
+  if (plot && !read_plot(r, plot, w))
+    return false;
   if (is_named)
     w->file = o->request.style.output;
+  else if ((w->file && !put_into(r, &w->file)) || (w->plot.file && !put_into(r, &w->plot.file)))
+    return false;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
-  return is_named || (put_into(r, o->folder, &w->file) && put_into(r, o->folder, &w->plot.file));
+  w->plot.table = w->file;
+  w->plot.title = r->scene->title;
+  return true;
 }
 
 static bool read_want(const struct reading *r, const config_setting_t *at)
 {
   struct scene_want *w = &r->scene->want[r->scene->wants++];
-  *w = (struct scene_want){ .accuracy = OF_DOUBLES, .periods = 10, .samples = 40, .tolerance = 0.1 };
+  *w = (struct scene_want){ .accuracy = OF_DOUBLES,
+                            .reference = REFERENCE_NOT_GIVEN,
+                            .order = 8,
+                            .periods = 10,
+                            .samples = 40,
+                            .until = { .number = INFINITY },
+                            .tolerance = 0.1 };
   w->column = calloc(SCENE_COLUMNS, sizeof *w->column);
   if (!w->column)
     return refuse_at(r, at, "out of memory");
   if (!config_setting_is_group(at))
     return refuse_at(r, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
-  if (!read_output(r, at, w))
-    return false;
-  if (!w->what)
+  const config_setting_t *what = config_setting_get_member(at, "what");
+  if (!what)
     return refuse_at(r, at, "what is wanted? what = \"steady\", for one");
+  if (!read_member(r, what, &members[0], w))
+    return false;
   int kind = find_kind(r, at, w->what);
   if (kind == KINDS)
     return false;
   w->kind = kinds[kind].kind;
-  const config_setting_t *plot = config_setting_get_member(at, "plot");
-  return (w->kind == WANT_COMMAND ? read_command(r, at, w) : read_own(r, at, w, kind)) && (!plot || read_plot(r, plot, w))
-         && place(r, w);
+  return (w->kind == WANT_COMMAND ? read_command(r, at, w, members) : read_own(r, at, w, kinds[kind].most_digits))
+         && place(r, at, w);
 }
 
 bool read_wants(const struct reading *r, const config_setting_t *want)
 {
-  int count = !want ? 0 : config_setting_is_list(want) ? config_setting_length(want) : 1;
+  int count = want ? element_count(want) : 0;
   if (count == 0)
     return refuse_at(r, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
   if (count > SCENE_WANTS)
     return refuse_at(r, want, "%d wants: %d at most", count, SCENE_WANTS);
   for (int i = 0; i < count; i++)
-    if (!read_want(r, config_setting_is_list(want) ? config_setting_get_elem(want, (unsigned)i) : want))
+    if (!read_want(r, element_at(want, i)))
       return false;
   return true;
 }

@@ -27,22 +27,20 @@ static double period_for(const struct scallop_crawler *c, double eps)
 /* Sets T for an eps of so many decades. */
 static void set_eps(struct scallop_crawler *c, double x, double lo, double hi) { c->T = period_for(c, decades(x, lo, hi)); }
 
+/* m1, m2, F1, F2 and L, each from 10^-most to 10^most */
+static void set_five(struct scallop_crawler *c, const double *x, double most)
+{
+  double *const five[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L };
+  for (int i = 0; i < 5; i++)
+    *five[i] = decades(x[i], -most, most);
+}
+
 /* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
 static void calm(struct scallop_crawler *c, const double *x)
 {
-  c->m1 = decades(x[0], -1, 1);
-  c->m2 = decades(x[1], -1, 1);
-  c->F1 = decades(x[2], -1, 1);
-  c->F2 = decades(x[3], -1, 1);
-  c->L = decades(x[4], -1, 1);
+  set_five(c, x, 1);
   c->alpha = between(x[5], 0.02, 0.98);
   set_eps(c, x[6], -6, 2.5);
-}
-
-static bool ordinary(struct stress_case *s, const double *x)
-{
-  (void)s, (void)x;
-  return true;
 }
 
 /* Moves the ratio of two parameters by up to 12 decades either way. */
@@ -53,51 +51,17 @@ static void spread(double *a, double *b, double x)
   *b /= half;
 }
 
-static bool masses(struct stress_case *s, const double *x)
+/* Units of any size: the same crawler, far from 1 */
+static void scale(struct scallop_crawler *c, const double *x, double most)
 {
-  spread(&s->crawler.m1, &s->crawler.m2, x[7]);
-  set_eps(&s->crawler, x[6], -6, 6);
-  return true;
-}
-
-static bool forces(struct stress_case *s, const double *x)
-{
-  spread(&s->crawler.F1, &s->crawler.F2, x[7]);
-  set_eps(&s->crawler, x[6], -6, 6);
-  return true;
-}
-
-static bool masses_and_forces(struct stress_case *s, const double *x)
-{
-  spread(&s->crawler.m1, &s->crawler.m2, x[7]);
-  spread(&s->crawler.F1, &s->crawler.F2, x[8]);
-  set_eps(&s->crawler, x[6], -12, 12);
-  return true;
-}
-
-static bool equal_forces(struct stress_case *s, const double *x)
-{
-  s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
-  return true;
-}
-
-static bool equal_phases(struct stress_case *s, const double *x)
-{
-  s->crawler.alpha = 0.5 + 0.5 * small(x[7]);
-  return true;
-}
-
-static bool equal_both(struct stress_case *s, const double *x)
-{
-  s->crawler.F1 = s->crawler.F2 * (1 + small(x[7]));
-  s->crawler.alpha = 0.5 + 0.5 * small(x[8]);
-  return true;
+  double *const five[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L };
+  for (int i = 0; i < 5; i++)
+    *five[i] *= decades(x[7 + i / 2], -most, most);
 }
 
 static bool short_phase(struct stress_case *s, const double *x)
 {
   s->crawler.alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9);
-  set_eps(&s->crawler, x[6], -6, 20);
   return true;
 }
 
@@ -116,63 +80,36 @@ static bool small_period(struct stress_case *s, const double *x)
 
 static bool deep_stick_slip(struct stress_case *s, const double *x)
 {
-  spread(&s->crawler.F1, &s->crawler.F2, x[7]);
   s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
-  set_eps(&s->crawler, x[6], 0.5, 9);
   return is_in(s, SCALLOP_STICK_SLIP);
 }
 
 static bool at_rest(struct stress_case *s, const double *x)
 {
-  set_eps(&s->crawler, x[6], 0.5, 30);
+  (void)x;
   return is_in(s, SCALLOP_AT_REST);
 }
 
-static void scale(struct scallop_crawler *c, const double *x, double most)
+/* Nearly all of these crawlers over- or underflow somewhere, and must be refused or right. */
+static bool any_period(struct stress_case *s, const double *x)
 {
-  double m = decades(x[7], -most, most), F = decades(x[8], -most, most), L = decades(x[9], -most, most);
-  c->m1 *= m;
-  c->m2 *= m;
-  c->F1 *= F;
-  c->F2 *= F;
-  c->L *= L;
-}
-
-/* Units of any size: the same crawler, far from 1. What over- or underflows on the way is refused, and that is right. */
-static bool units(struct stress_case *s, const double *x)
-{
-  struct scallop_crawler *c = &s->crawler;
-  scale(c, x, 150);
-  set_eps(c, x[6], -6, 2.5);
-  return c->T > 0 && isfinite(c->T);
-}
-
-/* Any doubles at all: nearly all of these crawlers over- or underflow somewhere, and must be refused or right. */
-static bool range(struct stress_case *s, const double *x)
-{
-  struct scallop_crawler *c = &s->crawler;
-  scale(c, x, 306);
   if (x[6] < 0.5)
-    set_eps(c, 2 * x[6], -300, 300);
+    set_eps(&s->crawler, 2 * x[6], -300, 300);
   else
-    set_eps(c, 2 * x[6] - 1, -6, 2.5);
-  return scallop_crawler_check(c, NULL) == SCALLOP_OK;
+    set_eps(&s->crawler, 2 * x[6] - 1, -6, 2.5);
+  return true;
 }
 
 static bool wild(struct stress_case *s, const double *x)
 {
   struct scallop_crawler *c = &s->crawler;
-  c->m1 = decades(x[0], -8, 8);
-  c->m2 = decades(x[1], -8, 8);
-  c->F1 = decades(x[2], -8, 8);
-  c->F2 = decades(x[3], -8, 8);
-  c->L = decades(x[4], -8, 8);
+  set_five(c, x, 8);
   c->T = decades(x[6], -12, 12);
   c->alpha = x[7] < 0.3 ? decades(x[5], -12, -0.3) : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3) : between(x[5], 0.01, 0.99);
   return true;
 }
 
-enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
+enum boundary { NO_BOUNDARY, START_VELOCITY, STICKING, OTHER_MODES };
 
 /* What differs on the two sides of a boundary */
 struct side {
@@ -188,16 +125,13 @@ static bool solve_side(const struct stress_case *s, struct side *side)
   return solved;
 }
 
-static bool same(const struct side *a, const struct side *b)
-{
-  return a->forward == b->forward && a->answer.regime == b->answer.regime && same_modes(a->answer.modes, b->answer.modes);
-}
-
-static enum boundary kind_of(const struct side *a, const struct side *b)
+static enum boundary boundary_between(const struct side *a, const struct side *b)
 {
   if (a->answer.regime != b->answer.regime)
     return STICKING;
-  return a->forward != b->forward ? START_VELOCITY : OTHER_MODES;
+  if (a->forward != b->forward)
+    return START_VELOCITY;
+  return same_modes(a->answer.modes, b->answer.modes) ? NO_BOUNDARY : OTHER_MODES;
 }
 
 /* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary that halving the
@@ -210,7 +144,7 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
   if (!solve_side(s, &first))
     return false;
   *moved = there;
-  if (!solve_side(s, &second) || same(&first, &second))
+  if (!solve_side(s, &second) || boundary_between(&first, &second) == NO_BOUNDARY)
     return false;
   for (int i = 0; i < HALVINGS; i++) {
     *moved = here + (there - here) / 2;
@@ -218,27 +152,23 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
       break;
     if (!solve_side(s, &at))
       return false;
-    if (same(&first, &at))
-      here = *moved;
-    else {
-      there = *moved;
-      second = at;
-    }
+    bool beyond = boundary_between(&first, &at) != NO_BOUNDARY;
+    *(beyond ? &there : &here) = *moved;
+    second = beyond ? at : second;
   }
   double side = x < 0.5 ? -1 : 1, away = decades(x < 0.5 ? 2 * x : 2 * x - 1, -14, -3);
   *moved = here * (1 + side * away);
-  return kind_of(&first, &second) == kind;
+  return boundary_between(&first, &second) == kind;
 }
 
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
 {
   struct scallop_crawler *c = &s->crawler;
-  set_eps(c, x[6], -1.5, 2.5);
   switch ((int)(4 * x[7])) {
   case 0: return approach(s, &c->T, c->T * decades(x[8], -1, 1), kind, x[9]);
   case 1: return approach(s, &c->F1, c->F1 * decades(x[8], -1, 1), kind, x[9]);
   case 2: return approach(s, &c->m2, c->m2 * decades(x[8], -1, 1), kind, x[9]);
-  default: return approach(s, &c->alpha, between(x[8], 0.02, 0.98), kind, x[9]) && c->alpha < 1;
+  default: return approach(s, &c->alpha, between(x[8], 0.02, 0.98), kind, x[9]);
   }
 }
 
@@ -267,12 +197,21 @@ static bool phase_small_period(struct stress_case *s, const double *x)
   return phase_ordinary(s, x);
 }
 
-static bool phase_range(struct stress_case *s, const double *x)
+/* From rest, or of a size from 10^lo to 10^hi */
+static bool start(struct stress_case *s, const double *x, double lo, double hi)
 {
-  if (!range(s, x))
-    return false;
   choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -300, 300);
+  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], lo, hi);
+  return true;
+}
+
+static bool phase_range(struct stress_case *s, const double *x) { return any_period(s, x) && start(s, x, -300, 300); }
+
+static bool phase_wild(struct stress_case *s, const double *x)
+{
+  wild(s, x);
+  start(s, x, -6, 1);
+  s->v0 *= phase_velocity(s);
   return true;
 }
 
@@ -280,14 +219,6 @@ static bool phase_velocities(struct stress_case *s, const double *x)
 {
   choose_phase(s, x[7]);
   s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
-  return true;
-}
-
-static bool phase_wild(struct stress_case *s, const double *x)
-{
-  wild(s, x);
-  choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -6, 1) * phase_velocity(s);
   return true;
 }
 
@@ -305,7 +236,6 @@ static bool phase_boundaries(struct stress_case *s, const double *x)
 static bool trajectory(struct stress_case *s, const double *x)
 {
   struct scallop_steady_result r;
-  set_eps(&s->crawler, x[6], -6, 0);
   if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
     return false;
   bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
@@ -314,33 +244,59 @@ static bool trajectory(struct stress_case *s, const double *x)
 }
 
 const struct stress_family stress_families[] = {
-  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", STRESS_STEADY, ordinary },
-  { "masses", "m1/m2 from 1e-12 to 1e12", STRESS_STEADY, masses },
-  { "forces", "F1/F2 from 1e-12 to 1e12", STRESS_STEADY, forces },
-  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", STRESS_STEADY, masses_and_forces },
-  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", STRESS_STEADY, equal_forces },
-  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", STRESS_STEADY, equal_phases },
-  { "equal-both", "both", STRESS_STEADY, equal_both },
-  { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, short_phase },
-  { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, small_period },
-  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY, near_start_velocity },
-  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY, near_sticking },
-  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY, near_grazing },
-  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, deep_stick_slip },
-  { "at-rest", "one body never moves", STRESS_STEADY, at_rest },
-  { "units", "m, F and L each times 1e-150 to 1e150", STRESS_STEADY, units },
-  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", STRESS_STEADY, range },
-  { "wild", "every parameter anywhere in 16 decades or more", STRESS_STEADY, wild },
-  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, phase_ordinary },
-  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, phase_small_period },
-  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, phase_velocities },
-  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, phase_range },
-  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, phase_wild },
-  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, phase_boundaries },
+  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", .make = NULL },
+  { "masses", "m1/m2 from 1e-12 to 1e12", STRESS_STEADY, .masses = 7, .eps = { -6, 6 } },
+  { "forces", "F1/F2 from 1e-12 to 1e12", STRESS_STEADY, .forces = 7, .eps = { -6, 6 } },
+  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", STRESS_STEADY, .masses = 7, .forces = 8,
+    .eps = { -12, 12 } },
+  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", STRESS_STEADY, .equal_forces = 7 },
+  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", STRESS_STEADY, .equal_phases = 7 },
+  { "equal-both", "both", STRESS_STEADY, .equal_forces = 7, .equal_phases = 8 },
+  { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, .eps = { -6, 20 }, .make = short_phase },
+  { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, .make = small_period },
+  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY, .eps = { -1.5, 2.5 },
+    .make = near_start_velocity },
+  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY, .eps = { -1.5, 2.5 },
+    .make = near_sticking },
+  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY, .eps = { -1.5, 2.5 },
+    .make = near_grazing },
+  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, .forces = 7,
+    .eps = { 0.5, 9 }, .make = deep_stick_slip },
+  { "at-rest", "one body never moves", STRESS_STEADY, .eps = { 0.5, 30 }, .make = at_rest },
+  { "units", "m, F and L each times 1e-150 to 1e150", STRESS_STEADY, .scale = 150, .eps = { -6, 2.5 } },
+  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", STRESS_STEADY, .scale = 306,
+    .make = any_period },
+  { "wild", "every parameter anywhere in 16 decades or more", STRESS_STEADY, .make = wild },
+  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, .make = phase_ordinary },
+  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, .make = phase_small_period },
+  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, .make = phase_velocities },
+  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306, .make = phase_range },
+  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, .make = phase_wild },
+  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, .make = phase_boundaries },
   { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
-    trajectory },
-  { NULL, NULL, STRESS_STEADY, NULL },
+    .eps = { -6, 0 }, .make = trajectory },
+  { .name = NULL },
 };
+
+/* False: x gives none. */
+static bool make(const struct stress_family *f, struct stress_case *s, const double *x)
+{
+  struct scallop_crawler *c = &s->crawler;
+  calm(c, x);
+  if (f->masses > 0)
+    spread(&c->m1, &c->m2, x[f->masses]);
+  if (f->forces > 0)
+    spread(&c->F1, &c->F2, x[f->forces]);
+  if (f->equal_forces > 0)
+    c->F1 = c->F2 * (1 + small(x[f->equal_forces]));
+  if (f->equal_phases > 0)
+    c->alpha = 0.5 + 0.5 * small(x[f->equal_phases]);
+  if (f->scale > 0)
+    scale(c, x, f->scale);
+  if (f->eps[0] < f->eps[1])
+    set_eps(c, x[6], f->eps[0], f->eps[1]);
+  return (!f->make || f->make(s, x)) && scallop_crawler_check(c, NULL) == SCALLOP_OK;
+}
 
 /* A shift of the whole sequence, another one for each seed, family and gait (Cranley & Patterson 1976) */
 static bool draw_shift(unsigned long seed, const struct stress_family *family, const struct scallop_gait *gait,
@@ -350,10 +306,10 @@ static bool draw_shift(unsigned long seed, const struct stress_family *family, c
   unsigned long mixed = seed;
   if (!random)
     return false;
-  for (const char *c = family->name; *c; c++)
-    mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
-  for (const char *c = gait->name; *c; c++)
-    mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
+  const char *const names[] = { family->name, gait->name };
+  for (int i = 0; i < 2; i++)
+    for (const char *c = names[i]; *c; c++)
+      mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
   gsl_rng_set(random, mixed);
   for (int i = 0; i < STRESS_DIMENSIONS; i++)
     shift[i] = gsl_rng_uniform(random);
@@ -381,8 +337,7 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
         x[i] = fmod(x[i] + shift[i], 1);
       *c = (struct stress_case){ .kind = family->kind };
       c->crawler.gait = gait;
-      calm(&c->crawler, x);
-      made += family->make(c, x);
+      made += make(family, c, x);
     }
   gsl_qrng_free(sequence);
   return made;

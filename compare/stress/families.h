@@ -16,14 +16,17 @@ struct stress_case {
 /* What is solved for a steady state or a phase. */
 struct motion stress_motion(const struct stress_case *stressed);
 
+enum { STRESS_DIMENSIONS = 10 };
+/* A family changes ordinary cases, made from x[0] to x[6]; x[STRESS_DIMENSIONS] is quasi-random in [0, 1). */
 struct stress_family {
   const char *name, *about;
   enum stress_kind kind;
-  /* Changes an ordinary case, made from x[0] to x[6], into one of the family. x[STRESS_DIMENSIONS] is quasi-random in [0, 1). False: x
-   * gives none. */
-  bool (*make)(struct stress_case *stressed, const double *x);
+  double eps[2];                  /* decades of T^2 (F1 + F2)/(M L); 0, 0: those of an ordinary case */
+  int masses, forces;             /* which x moves their ratio by up to 12 decades either way; 0: none */
+  int equal_forces, equal_phases; /* which x brings their difference near 0; 0: none */
+  double scale;                   /* m, F and L each times 10^-scale to 10^scale */
+  bool (*make)(struct stress_case *stressed, const double *x); /* what else, or NULL. False: x gives none */
 };
-enum { STRESS_DIMENSIONS = 10 };
 extern const struct stress_family stress_families[]; /* the last has no name */
 
 /* count cases of a family, the same for the same seed. Returns how many there are: fewer where hundreds of tries give none. */

@@ -4,8 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "compare/stress/ball_period.h"
-#include "compare/stress/trajectory.h"
+#include "compare/stress/periods.h"
 
 enum { PARAMETERS = 8, DIGITS = 36 };
 
@@ -124,47 +123,43 @@ static bool neighbour(const struct stress_case *s, int parameter, double towards
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-/* Adds to each unit what changes of one parameter, so many doubles up and down, do to the number, for each double. */
-static void add_changes(const struct stress_case *s, int parameter, int places, const struct answer *wide,
-                        double unit[STRESS_QUANTITIES])
-{
-  double most[STRESS_QUANTITIES] = { 0 };
-  for (int side = -1; side <= 1; side += 2) {
-    struct stress_case next;
-    struct answer there;
-    if (neighbour(s, parameter, side * INFINITY, places, &next) && solve_wider(&next, &there))
-      for (int q = 0; q < STRESS_QUANTITIES; q++)
-        most[q] = fmax(most[q], distance(&numbers(s, &there)[q], &numbers(s, wide)[q]));
-  }
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    unit[q] += most[q] / places;
-}
-
-/* The changes of all parameters by one double; or by as many as are promised, as a kink that far away counts in proportion. */
+/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one; or by as many as are promised,
+ * as a kink that far away counts in proportion. */
 static void find_units(const struct stress_case *s, int places, const struct answer *wide, double unit[STRESS_QUANTITIES])
 {
+  struct stress_case next;
+  struct answer there;
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     unit[q] = 0;
-  for (int parameter = 0; parameter < PARAMETERS; parameter++)
-    add_changes(s, parameter, places, wide, unit);
+  for (int parameter = 0; parameter < PARAMETERS; parameter++) {
+    double most[STRESS_QUANTITIES] = { 0 };
+    for (int side = -1; side <= 1; side += 2)
+      if (neighbour(s, parameter, side * INFINITY, places, &next) && solve_wider(&next, &there))
+        for (int q = 0; q < STRESS_QUANTITIES; q++)
+          most[q] = fmax(most[q], distance(&numbers(s, &there)[q], &numbers(s, wide)[q]));
+    for (int q = 0; q < STRESS_QUANTITIES; q++)
+      unit[q] += most[q] / places;
+  }
+}
+
+/* The same motion, or nearly the same, once more in double. False: it is out of range; any other failure breaks the promise. */
+static bool solve_again(const struct stress_case *s, struct answer *there, struct stress_judgement *j, const char *why)
+{
+  bool solved = solve_double(s, there);
+  return solved || there->status == SCALLOP_ERANGE ? solved : fail(j, STRESS_BROKEN, why);
 }
 
 /* What changes of one parameter do to the result in double */
 static void perturb(const struct stress_case *s, int parameter, const struct answer *got, struct stress_judgement *j)
 {
-  for (int side = -1; side <= 1; side += 2) {
-    struct stress_case next;
-    struct answer there;
-    if (!neighbour(s, parameter, side * INFINITY, 1, &next))
-      continue;
-    bool solved = solve_double(&next, &there);
-    if (!solved && there.status != SCALLOP_ERANGE)
-      fail(j, STRESS_BROKEN, "no solution where a parameter is an ulp off");
-    bool same = solved && same_modes(there.modes, got->modes);
-    for (int q = 0; solved && q < STRESS_QUANTITIES; q++)
-      if (same || !may_jump(s, q))
-        j->number[q].perturbed = fmax(j->number[q].perturbed, distance(&numbers(s, &there)[q], &numbers(s, got)[q]));
-  }
+  struct stress_case next;
+  struct answer there;
+  for (int side = -1; side <= 1; side += 2)
+    if (neighbour(s, parameter, side * INFINITY, 1, &next)
+        && solve_again(&next, &there, j, "no solution where a parameter is an ulp off"))
+      for (int q = 0; q < STRESS_QUANTITIES; q++)
+        if (!may_jump(s, q) || same_modes(there.modes, got->modes))
+          j->number[q].perturbed = fmax(j->number[q].perturbed, distance(&numbers(s, &there)[q], &numbers(s, got)[q]));
 }
 
 /* The same in the other three rounding modes */
@@ -178,17 +173,13 @@ static void round_otherwise(const struct stress_case *s, const struct answer *go
     struct answer there;
     int before = fegetround();
     fesetround(directions[i]);
-    bool solved = solve_double(s, &there);
+    bool solved = solve_again(s, &there, j, "no solution in a directed rounding");
     fesetround(before);
-    if (!solved && there.status != SCALLOP_ERANGE)
-      fail(j, STRESS_BROKEN, "no solution in a directed rounding");
-    bool same = solved && same_modes(there.modes, got->modes);
-    for (int q = 0; solved && q < STRESS_QUANTITIES; q++) {
-      if (!same && may_jump(s, q))
-        continue;
-      low[q] = fmin(low[q], numbers(s, &there)[q].high);
-      high[q] = fmax(high[q], numbers(s, &there)[q].high);
-    }
+    for (int q = 0; solved && q < STRESS_QUANTITIES; q++)
+      if (!may_jump(s, q) || same_modes(there.modes, got->modes)) {
+        low[q] = fmin(low[q], numbers(s, &there)[q].high);
+        high[q] = fmax(high[q], numbers(s, &there)[q].high);
+      }
   }
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->number[q].rounding = high[q] - low[q];

@@ -1,7 +1,7 @@
-#include "compare/stress/stiff.h"
-
+/* The tables of `stress --stiff`. */
 #include <assert.h>
 #include <math.h>
+#include <stddef.h>
 
 #include "compare/stress/stiff_measure.h"
 #include "compare/stress/table.h"
@@ -10,18 +10,27 @@
 enum { MOST_SCENES = 6 };
 
 static const char *const names[] = { "scene", "gait", "regime", "stepper", NULL }; /* of a series */
-static const char *const run_columns[] = {
-  "delta", "tolerance",   "v_end_error", "displacement_error", "v_end_own_error", "displacement_own_error",
-  "steps", "evaluations", NULL
+/* The numbers of a run; status is the last column. */
+static const struct {
+  const char *name, *format;
+  size_t at; /* in struct stiff_run */
+} run_columns[] = {
+  { "delta", "%.3g", offsetof(struct stiff_run, delta) },
+  { "tolerance", "%.3g", offsetof(struct stiff_run, tolerance) },
+  { "v_end_error", "%.3g", offsetof(struct stiff_run, error[STIFF_V_END]) },
+  { "displacement_error", "%.3g", offsetof(struct stiff_run, error[STIFF_DISPLACEMENT]) },
+  { "v_end_own_error", "%.2g", offsetof(struct stiff_run, own[STIFF_V_END]) },
+  { "displacement_own_error", "%.2g", offsetof(struct stiff_run, own[STIFF_DISPLACEMENT]) },
+  { "steps", "%.0f", offsetof(struct stiff_run, steps) },
+  { "evaluations", "%.0f", offsetof(struct stiff_run, evaluations) },
+  { "creep", "%.4g", offsetof(struct stiff_run, error[STIFF_CREEP]) },
+  { "creep_over_delta", "%.4g", offsetof(struct stiff_run, creep_over_delta) },
+  { "predicted_creep_over_delta", "%.4g", offsetof(struct stiff_run, predicted_creep) },
+  { "creep_velocity", "%.4g", offsetof(struct stiff_run, velocity) },
+  { "predicted_creep_velocity", "%.4g", offsetof(struct stiff_run, predicted_velocity) },
+  { "last_velocity", "%.4g", offsetof(struct stiff_run, last) },
 };
-static const char *const creep_columns[] = { "creep",
-                                             "creep_over_delta",
-                                             "predicted_creep_over_delta",
-                                             "creep_velocity",
-                                             "predicted_creep_velocity",
-                                             "last_velocity",
-                                             "status",
-                                             NULL };
+enum { RUN_COLUMNS = sizeof run_columns / sizeof *run_columns };
 static const char *const summary_columns[] = {
   "quantity",    "order",       "order_low",         "order_high",   "points",      "verdict", "good_to",
   "error_there", "steps_there", "evaluations_there", "worst_beyond", "gives_up_at", "status",  NULL
@@ -57,32 +66,24 @@ static bool has_parameters(const struct stress_options *o)
   return false;
 }
 
-static bool add_scene(struct book *b, const char *name, const struct scallop_crawler *crawler)
-{
-  assert(b->scene_count < MOST_SCENES);
-  const char *why = stiff_scene_init(&b->scenes[b->scene_count++], name, crawler);
-  if (why)
-    complain(b->options->request.style.command, "no certified period to compare with for the %s gait, T = %.17g: %s",
-             crawler->gait->name, crawler->T, why);
-  return !why;
-}
-
 /* All are solved before anything is written. */
 static bool make_scenes(struct book *b)
 {
-  const struct stress_options *o = b->options;
-  bool given = has_parameters(o);
+  const struct point *p = &b->options->request.point;
+  bool given = has_parameters(b->options);
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
-    for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-      struct scallop_crawler c = given ? o->request.point.crawler : scallop_crawler_default();
-      c.gait = o->request.point.has_gait ? o->request.point.crawler.gait : scallop_gait_named(scallop_gait_name(g));
-      if (!given) {
-        c.F1 = made[i].F1;
-        c.T = made[i].T;
-      }
-      if (!add_scene(b, given ? "given" : made[i].name, &c))
-        return false;
+    for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      struct scallop_crawler c = given ? p->crawler : scallop_crawler_default();
+      c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+      c.F1 = given ? c.F1 : made[i].F1;
+      c.T = given ? c.T : made[i].T;
+      assert(b->scene_count < MOST_SCENES);
+      const char *why = stiff_scene_init(&b->scenes[b->scene_count++], given ? "given" : made[i].name, &c);
+      if (!why)
+        continue;
+      complain("stress", "no certified period to compare with for the %s gait, T = %.17g: %s", c.gait->name, c.T, why);
+      return false;
     }
   return true;
 }
@@ -130,9 +131,9 @@ static bool begin(struct book *b)
     note_scene(t, &b->scenes[i]);
   note_meaning(b, t);
   table_columns(t, names);
-  table_columns(t, o->summary ? summary_columns : run_columns);
-  if (!o->summary)
-    table_columns(t, creep_columns);
+  for (int i = 0; i < RUN_COLUMNS && !o->summary; i++)
+    table_columns(t, (const char *const[]){ run_columns[i].name, NULL });
+  table_columns(t, o->summary ? summary_columns : (const char *const[]){ "status", NULL });
   table_begin_rows(t);
   return true;
 }
@@ -147,22 +148,11 @@ static void write_names(struct table *t, const struct stiff_scene *scene, int st
 
 static void write_run(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *run)
 {
-  bool held = scene->held.body != 0;
   write_names(t, scene, stepper);
-  table_rounded(t, run->delta, "%.3g");
-  table_rounded(t, run->tolerance, "%.3g");
-  table_rounded(t, run->error[STIFF_V_END], "%.3g");
-  table_rounded(t, run->error[STIFF_DISPLACEMENT], "%.3g");
-  table_rounded(t, run->own[STIFF_V_END], "%.2g");
-  table_rounded(t, run->own[STIFF_DISPLACEMENT], "%.2g");
-  table_number(t, run->steps);
-  table_number(t, run->evaluations);
-  table_rounded(t, run->error[STIFF_CREEP], "%.4g");
-  table_rounded(t, run->error[STIFF_CREEP] / run->delta, "%.4g");
-  table_rounded(t, held ? scene->held.creep : NAN, "%.4g");
-  table_rounded(t, run->velocity, "%.4g");
-  table_rounded(t, held ? scene->held.velocity : NAN, "%.4g");
-  table_rounded(t, run->last, "%.4g");
+  for (int i = 0; i < RUN_COLUMNS; i++) {
+    const void *number = (const char *)run + run_columns[i].at;
+    table_rounded(t, *(const double *)number, run_columns[i].format);
+  }
   table_text(t, run->status);
 }
 

@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_integration.h>
 
-#include "compare/stress/ball_period.h"
+#include "compare/stress/periods.h"
 
 /* Digits that the reference is proven to: errors down to the last bit of a double need twice as many */
 enum { REFERENCE_DIGITS = 40 };
@@ -175,6 +175,7 @@ static enum scallop_status look_inside(const struct stiff_scene *scene, struct s
     return status;
   bool first = held->body == 1;
   run->error[STIFF_CREEP] = ((first ? sample[2].x1 : sample[2].x2) - (first ? sample[0].x1 : sample[0].x2)) / c->L;
+  run->creep_over_delta = run->error[STIFF_CREEP] / run->delta;
   run->velocity = (first ? sample[1].v1 : sample[1].v2) / unit;
   run->last = (first ? sample[2].v1 : sample[2].v2) / unit;
   return SCALLOP_OK;
@@ -215,14 +216,15 @@ double stiff_tolerance(double delta)
 static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta,
                        double tolerance, long most, struct stiff_run *run)
 {
-  *run = (struct stiff_run){ .delta = delta,
-                             .tolerance = tolerance,
-                             .error = { NAN, NAN, NAN },
-                             .own = { NAN, NAN, NAN },
-                             .velocity = NAN,
-                             .last = NAN,
-                             .steps = NAN,
-                             .evaluations = NAN };
+  static const struct stiff_run unknown = {
+    NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, ""
+  };
+  bool held = scene->held.body != 0;
+  *run = unknown;
+  run->delta = delta;
+  run->tolerance = tolerance;
+  run->predicted_creep = held ? scene->held.creep : NAN;
+  run->predicted_velocity = held ? scene->held.velocity : NAN;
   struct scallop_rival *rival = scallop_smoothed_rival(stepper, delta, tolerance);
   if (!rival) {
     snprintf(run->status, sizeof run->status, "out of memory");
@@ -231,7 +233,7 @@ static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_st
   struct ration ration = { .most = most };
   const struct scallop_patience patience = { ration_lasts, &ration };
   enum scallop_status status = solve_period_smoothed(scene, rival, &patience, run);
-  if (status == SCALLOP_OK && scene->held.body != 0) {
+  if (status == SCALLOP_OK && held) {
     ration.taken = 0;
     status = look_inside(scene, rival, &patience, run);
   }

@@ -40,8 +40,10 @@ struct stiff_run {
   double delta, tolerance;
   double error[STIFF_QUANTITIES]; /* smoothed - certified, over L/T and L; all of creep, which ought to be 0; nan: none */
   double own[STIFF_QUANTITIES]; /* of the stepper: how much the answer changes with ten times the tolerance; nan: unknown */
-  double velocity, last;        /* of the held body, in the middle and at the end of the stretch, over v_delta */
-  double steps, evaluations;    /* of the period; nan without an answer */
+  double creep_over_delta, velocity,
+      last; /* of the held body; velocities in the middle and at the end of the stretch, over v_delta */
+  double predicted_creep, predicted_velocity; /* those of struct stiff_held, nan without a held body */
+  double steps, evaluations;                  /* of the period; nan without an answer */
   bool solved;
   char status[STIFF_STATUS]; /* "ok", or why it gave up, and after how many steps */
 };

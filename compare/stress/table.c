@@ -5,22 +5,41 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+
 #include "compare/answers/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/text/progress.h"
 #include "model/flint.h"
 #include "numerics/threads.h"
 
-/* In the order in which the cells are written. */
-static const char *const family_columns[] = { "family",    "gait",        "cases",    "refused",
-                                              "undecided", "other_modes", "quantity", NULL };
-static const char *const point_columns[] = { "quantity", "value", "certified", NULL };
-static const char *const error_columns[] = { "units", "ulp", "condition", "digits", NULL };
-static const char *const median_column[] = { "ulp_median", NULL };
-static const char *const spread_columns[] = { "rounding",         "perturbed",      "lost_double",
-                                              "lost_long_double", "lost_binary128", NULL };
-static const char *const family_end[] = { "estimate_least", "estimate_most", "verdict", "worst_at", NULL };
-static const char *const point_end[] = { "estimate", "verdict", NULL };
+/* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding on the largest of
+ * all; of a point those of each number, without the three that are of many. */
+enum { UNITS, ULP, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
+static const char *const measures[MEASURES] = {
+  "units",     "ulp",         "condition",        "digits",         "ulp_median",     "rounding",
+  "perturbed", "lost_double", "lost_long_double", "lost_binary128", "estimate_least", "estimate_most"
+};
+
+static bool is_column(int m, bool of_point) { return !of_point || (m != MEDIAN && m < LEAST); }
+
+static void begin_rows(struct table *t, const char *const *before, bool of_point, const char *const *after)
+{
+  table_columns(t, before);
+  for (int m = 0; m < MEASURES; m++)
+    if (is_column(m, of_point))
+      table_columns(t, (const char *const[]){ measures[m], NULL });
+  table_columns(t, after);
+  table_begin_rows(t);
+}
+
+static void write_measures(struct table *t, const double value[MEASURES], bool of_point)
+{
+  for (int m = 0; m < MEASURES; m++)
+    if (is_column(m, of_point))
+      table_rounded(t, value[m], m >= LEAST ? "%.4f" : m == DIGITS || m >= LOST ? "%.1f" : "%.3g");
+}
 
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
@@ -54,16 +73,25 @@ static double digits_lost(double error, double ulp, int bits)
   return ulps > 1 ? log10(ulps) : 0;
 }
 
-/* What the columns from rounding to lost_binary128 hold: of one number, or the largest of many. In units, and in digits. */
-enum { ROUNDING, PERTURBED, LOST, SPREADS = LOST + 3 };
-
-static void find_spreads(const struct stress_number *n, double spread[SPREADS])
+/* nan: not judged. In estimates over errors an error below the 128th part of an ulp counts as that. */
+static void find_measures(const struct stress_judgement *j, int q, double value[MEASURES])
 {
-  spread[ROUNDING] = over(n->rounding, n->unit);
-  spread[PERTURBED] = over(n->perturbed, n->unit);
-  spread[LOST] = digits_lost(n->error, n->ulp, 53);
+  const struct stress_number *n = &j->number[q];
+  const bool judged = stress_is_judged(j, q), has_ulp = judged && n->ulp > 0, all = !j->only_error;
+  const double least = 0x1p-7 * n->ulp, estimate = has_ulp && all ? over(n->estimate, fmax(n->error, least)) : NAN;
+  value[UNITS] = judged ? over(n->error, n->unit) : NAN;
+  value[ULP] = has_ulp ? over(n->error, n->ulp) : NAN;
+  value[CONDITION] = has_ulp ? n->unit / n->ulp : NAN;
+  value[DIGITS] = has_ulp ? digits_kept(n->error, n->exact) : NAN;
+  value[MEDIAN] = NAN;
+  value[ROUNDING] = judged && all ? over(n->rounding, n->unit) : NAN;
+  value[PERTURBED] = judged && all ? over(n->perturbed, n->unit) : NAN;
+  value[LOST] = digits_lost(n->error, has_ulp && all ? n->ulp : 0, 53);
   for (int w = 0; w < 2; w++)
-    spread[LOST + 1 + w] = digits_lost(n->wide_error[w], n->ulp, scallop_width_bits((enum scallop_width)w));
+    value[LOST + 1 + w] = digits_lost(n->wide_error[w], has_ulp && all ? n->ulp : 0,
+                                      scallop_width_bits((enum scallop_width)w));
+  value[LEAST] = n->error > 0 && n->error >= least ? estimate : NAN;
+  value[MOST] = estimate;
 }
 
 /* A row of the table of families */
@@ -72,60 +100,30 @@ struct row {
   const struct scallop_gait *gait;
   int cases, refused, undecided, other_modes, broken;
   int worst, quantity; /* where error/unit is largest: the case, or -1, and which of its numbers */
-  double units;        /* there                                                                  */
-  double median;       /* of errors in ulp over all numbers                                      */
-  double spread[SPREADS], estimate_least, estimate_most;
+  double value[MEASURES];
   const char *what; /* is broken, first of all; NULL: nothing */
 };
 
-static int by_size(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static double median_of(double *x, int count)
-{
-  if (count == 0)
-    return NAN;
-  qsort(x, (size_t)count, sizeof *x, by_size);
-  return count % 2 ? x[count / 2] : (x[count / 2 - 1] + x[count / 2]) / 2;
-}
-
-/* Estimates over errors; an error below the 128th part of an ulp counts as that. */
-static void add_estimate(struct row *r, const struct stress_number *n)
-{
-  double least = 0x1p-7 * n->ulp, generous = over(n->estimate, fmax(n->error, least));
-  if (!(n->ulp > 0))
-    return;
-  if (n->error > 0 && n->error >= least)
-    r->estimate_least = fmin(r->estimate_least, generous);
-  r->estimate_most = fmax(r->estimate_most, generous);
-}
-
 static void add_number(struct row *r, const struct stress_judgement *j, int i, int q)
 {
-  const struct stress_number *n = &j->number[q];
-  double units = over(n->error, n->unit), spread[SPREADS];
-  if (r->worst < 0 || units > r->units) {
-    r->units = units;
+  double value[MEASURES];
+  find_measures(j, q, value);
+  if (r->worst < 0 || value[UNITS] > r->value[UNITS]) {
+    memcpy(r->value, value, MEDIAN * sizeof *value);
     r->worst = i;
     r->quantity = q;
   }
-  if (j->only_error)
-    return;
-  find_spreads(n, spread);
-  for (int k = 0; k < SPREADS; k++)
-    r->spread[k] = fmax(r->spread[k], spread[k]);
-  add_estimate(r, n);
+  for (int m = ROUNDING; m < MEASURES; m++)
+    r->value[m] = m == LEAST ? fmin(r->value[m], value[m]) : fmax(r->value[m], value[m]);
 }
 
 /* errors: room for STRESS_QUANTITIES * r->cases numbers */
 static void sum_up(struct row *r, const struct stress_judgement *judgements, double *errors)
 {
-  int count = 0;
+  size_t count = 0;
   r->worst = -1;
-  r->estimate_least = INFINITY;
+  for (int m = 0; m < MEASURES; m++)
+    r->value[m] = NAN;
   for (int i = 0; i < r->cases; i++) {
     const struct stress_judgement *j = &judgements[i];
     r->refused += j->outcome == STRESS_REFUSED;
@@ -142,23 +140,8 @@ static void sum_up(struct row *r, const struct stress_judgement *judgements, dou
         errors[count++] = over(j->number[q].error, j->number[q].ulp);
     }
   }
-  r->median = median_of(errors, count);
-}
-
-/* units, ulp, condition and digits; NULL: there is no number */
-static void write_errors(struct table *t, const struct stress_number *n)
-{
-  bool has_ulp = n && n->ulp > 0;
-  table_rounded(t, n ? over(n->error, n->unit) : NAN, "%.3g");
-  table_rounded(t, has_ulp ? over(n->error, n->ulp) : NAN, "%.3g");
-  table_rounded(t, has_ulp ? n->unit / n->ulp : NAN, "%.3g");
-  table_rounded(t, has_ulp ? digits_kept(n->error, n->exact) : NAN, "%.1f");
-}
-
-static void write_spreads(struct table *t, const double spread[SPREADS], bool known)
-{
-  for (int k = 0; k < SPREADS; k++)
-    table_rounded(t, known ? spread[k] : NAN, k < LOST ? "%.3g" : "%.1f");
+  gsl_sort(errors, 1, count);
+  r->value[MEDIAN] = count > 0 ? gsl_stats_median_from_sorted_data(errors, 1, count) : NAN;
 }
 
 static void write_verdict(struct table *t, const char *what, int broken)
@@ -168,26 +151,18 @@ static void write_verdict(struct table *t, const char *what, int broken)
   table_text(t, what ? text : "holds");
 }
 
-static void write_row(struct table *t, const struct row *r, const struct stress_case *cases,
-                      const struct stress_judgement *judgements)
+static void write_row(struct table *t, const struct row *r, const struct stress_case *cases)
 {
   char arguments[STRESS_ARGUMENTS] = "-";
-  const struct stress_judgement *j = r->worst >= 0 ? &judgements[r->worst] : NULL;
-  bool more = r->family->kind != STRESS_TRAJECTORY;
+  const int counts[] = { r->cases, r->refused, r->undecided, r->other_modes };
   table_text(t, r->family->name);
   table_text(t, r->gait->name);
-  table_number(t, r->cases);
-  table_number(t, r->refused);
-  table_number(t, r->undecided);
-  table_number(t, r->other_modes);
-  table_text(t, j ? stress_quantity_name(r->family->kind, r->quantity) : "-");
-  write_errors(t, j ? &j->number[r->quantity] : NULL);
-  table_rounded(t, r->median, "%.3g");
-  write_spreads(t, r->spread, more || !j);
-  table_rounded(t, isfinite(r->estimate_least) ? r->estimate_least : NAN, "%.4f");
-  table_rounded(t, more || !j ? r->estimate_most : NAN, "%.4f");
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+    table_number(t, counts[i]);
+  table_text(t, r->worst >= 0 ? stress_quantity_name(r->family->kind, r->quantity) : "-");
+  write_measures(t, r->value, false);
   write_verdict(t, r->what, r->broken);
-  if (j)
+  if (r->worst >= 0)
     stress_arguments(&cases[r->worst], arguments);
   table_text(t, arguments);
 }
@@ -205,11 +180,11 @@ struct run {
 /* Prints the first few broken promises of a family, each as one command. */
 static void report(const struct row *r, const struct run *run)
 {
-  enum { MOST = 3 };
+  enum { REPORTED = 3 };
   char arguments[STRESS_ARGUMENTS];
   int reported = 0;
-  for (int i = 0; i < r->cases && reported < MOST; i++)
-    for (int q = 0; q < STRESS_QUANTITIES && reported < MOST; q++) {
+  for (int i = 0; i < r->cases && reported < REPORTED; i++)
+    for (int q = 0; q < STRESS_QUANTITIES && reported < REPORTED; q++) {
       const char *what = stress_broken(&run->judgements[i], q);
       if (!what)
         continue;
@@ -243,7 +218,7 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   judge_all(run, r.cases);
   sum_up(&r, run->judgements, run->errors);
   progress_end(&run->progress);
-  write_row(&run->table, &r, run->stressed, run->judgements);
+  write_row(&run->table, &r, run->stressed);
   report(&r, run);
   run->broken += r.broken > 0;
 }
@@ -277,6 +252,8 @@ static void run_families(struct run *run)
 
 static void begin(struct run *run)
 {
+  static const char *const before[] = { "family", "gait", "cases", "refused", "undecided", "other_modes", "quantity", NULL };
+  static const char *const after[] = { "verdict", "worst_at", NULL };
   const struct stress_options *o = run->options;
   struct table *t = &run->table;
   table_note(t, "scallop " SCALLOP_VERSION);
@@ -293,12 +270,7 @@ static void begin(struct run *run)
   for (const struct stress_family *f = stress_families; f->name; f++)
     if (!o->family || f == family_named(o->family))
       table_note(t, "%s: %s", f->name, f->about);
-  table_columns(t, family_columns);
-  table_columns(t, error_columns);
-  table_columns(t, median_column);
-  table_columns(t, spread_columns);
-  table_columns(t, family_end);
-  table_begin_rows(t);
+  begin_rows(t, before, false, after);
 }
 
 enum exit_code stress_table(const struct stress_options *o)
@@ -336,13 +308,12 @@ static void write_number(struct table *t, enum stress_kind kind, const struct st
   const char *broken = stress_broken(j, q);
   bool judged = stress_is_judged(j, q);
   const struct stress_number *n = &j->number[q];
-  double spread[SPREADS];
-  find_spreads(n, spread);
+  double value[MEASURES];
+  find_measures(j, q, value);
   table_text(t, stress_quantity_name(kind, q));
   table_number(t, judged ? n->got : NAN);
   table_number(t, judged ? n->exact : NAN);
-  write_errors(t, judged ? n : NULL);
-  write_spreads(t, spread, judged);
+  write_measures(t, value, true);
   table_rounded(t, judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
   if (j->outcome == STRESS_REFUSED)
     table_text(t, j->why);
@@ -354,6 +325,8 @@ static void write_number(struct table *t, enum stress_kind kind, const struct st
 
 enum exit_code stress_point(const struct stress_options *o)
 {
+  static const char *const before[] = { "quantity", "value", "certified", NULL }, *const after[] = { "estimate", "verdict",
+                                                                                                     NULL };
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
@@ -372,11 +345,7 @@ enum exit_code stress_point(const struct stress_options *o)
   table_note(&t, "command: stress %s", arguments);
   if (j.outcome == STRESS_UNDECIDED)
     table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
-  table_columns(&t, point_columns);
-  table_columns(&t, error_columns);
-  table_columns(&t, spread_columns);
-  table_columns(&t, point_end);
-  table_begin_rows(&t);
+  begin_rows(&t, before, true, after);
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     write_number(&t, s.kind, &j, q);
     broken |= stress_broken(&j, q) != NULL;

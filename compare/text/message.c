@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-void complain(const char *command, const char *format, ...)
+bool complain(const char *command, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
@@ -14,6 +14,7 @@ void complain(const char *command, const char *format, ...)
   vfprintf(stderr, format, arguments);
   fputc('\n', stderr);
   va_end(arguments);
+  return false;
 }
 
 /* Levenshtein's, upper and lower case being the same */

@@ -7,8 +7,8 @@
 
 enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
 
-/* "scallop NAME: message" on stderr. */
-void complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "scallop NAME: message" on stderr. Returns false. */
+bool complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Is word name but for upper and lower case? */
 bool likely(const char *word, const char *name);

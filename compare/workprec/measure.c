@@ -1,11 +1,10 @@
-#include "compare/workprec/measure.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/text/values.h"
+#include "compare/workprec/setting.h"
 
 enum { ERROR_DIGITS = 3 };
 
@@ -53,7 +52,9 @@ static void try_once(struct setting *s, double seconds)
     return;
   }
   double start = stopwatch_now();
-  s->outcome = s->solve(s, &patience, &s->answer);
+  s->patience = &patience;
+  s->outcome = s->solve(s, &s->answer);
+  s->patience = NULL;
   s->first = stopwatch_now() - start;
   if (s->outcome < 0)
     s->answer = no_answer;
@@ -74,7 +75,7 @@ static double solve_again(void *context)
 {
   struct setting *s = context;
   struct setting_answer answer = no_answer;
-  enum scallop_status status = s->solve(s, NULL, &answer);
+  enum scallop_status status = s->solve(s, &answer);
   return (double)status + answer.value[0] + answer.value[1];
 }
 

@@ -1,100 +1,94 @@
-#include "compare/workprec/methods.h"
-
+/* The methods of the paper and of this tool: published and derived series, the limit, the exact and the certified solver. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/derived/evaluate.h"
+#include "compare/workprec/setting.h"
 
 static int place(const struct scallop_formula *formula)
 {
   return formula->quantity == SCALLOP_STEADY_VELOCITY ? VELOCITY : DISPLACEMENT;
 }
 
-/* The paper's formulas */
-static enum scallop_status solve_published(struct setting *s, const struct scallop_patience *patience,
-                                           struct setting_answer *answer)
+/* What methods in balls work with, and their answers, which live as long as the setting */
+struct balls {
+  struct series_answer series;
+  struct ball_answer certified;
+  arb_t T, value[COMPARED];
+};
+
+static void *make_balls(const struct setting *s)
 {
-  const struct scallop_formula *formula = s->memory;
-  (void)patience;
-  answer->value[place(formula)] = formula->steady(&s->reference->crawler);
+  struct balls *b = malloc(sizeof *b);
+  (void)s;
+  if (!b)
+    return NULL;
+  series_answer_init(&b->series);
+  ball_answer_init(&b->certified);
+  arb_init(b->T);
+  for (int i = 0; i < COMPARED; i++)
+    arb_init(b->value[i]);
+  return b;
+}
+
+static void release_balls(void *memory)
+{
+  struct balls *b = memory;
+  series_answer_clear(&b->series);
+  ball_answer_clear(&b->certified);
+  arb_clear(b->T);
+  for (int i = 0; i < COMPARED; i++)
+    arb_clear(b->value[i]);
+  free(b);
+}
+
+/* The paper's formulas */
+static enum scallop_status solve_published(struct setting *s, struct setting_answer *answer)
+{
+  answer->value[place(s->formula)] = s->formula->steady(&s->reference->crawler);
   return SCALLOP_OK;
 }
 
-static void add_published(struct settings *settings, const struct reference *reference)
-{
-  for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    if (f->setting == SCALLOP_STEADY)
-      settings_add(settings, reference, "published", METHOD_FORMULA, solve_published, "%s", f->equation)->memory = (void *)f;
-}
-
 /* What replaces them where they are wrong: texts, evaluated in ball arithmetic */
-struct corrected {
-  const struct scallop_formula *formula;
-  struct series value;
-  arb_t ball;
-};
-
-static void release_corrected(void *memory)
+static enum scallop_status solve_corrected(struct setting *s, struct setting_answer *answer)
 {
-  struct corrected *c = memory;
-  series_clear(&c->value);
-  arb_clear(c->ball);
-  free(c);
-}
-
-static enum scallop_status solve_corrected(struct setting *s, const struct scallop_patience *patience,
-                                           struct setting_answer *answer)
-{
-  const struct ring ring = { 1, 64 };
-  struct corrected *c = s->memory;
-  struct scallop_symbols symbols;
-  (void)patience;
-  scallop_symbols_init(&symbols);
-  scallop_symbols_set(&symbols, &s->reference->exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
-  series_set_rational(&symbols.value[SYMBOL_T], s->reference->exact.T);
-  bool done = scallop_formula_expand(&c->value, c->formula, &symbols, SCALLOP_EXTENSION, &ring);
-  series_coefficient(c->ball, &c->value, 0, ring.precision);
-  scallop_symbols_clear(&symbols);
-  answer->ball[place(c->formula)] = c->ball;
+  const struct scallop_rational_crawler *c = &s->reference->exact;
+  struct balls *b = s->memory;
+  int q = place(s->formula);
+  answer->ball[q] = b->value[q];
+  bool done = published_in_balls(b->value[q], s->formula, c, SCALLOP_EXTENSION, NULL, c->T, NULL, 64);
   return done ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
 
-/* How the names of the formulas end that hold where, for T -> 0, no body turns in a phase; NULL where one does in both. */
-static const char *no_turn(const struct reference *reference)
+/* Does a body turn in both phases for T -> 0? Where that is not known it is said to. */
+static enum scallop_turns turns_in_limit(const struct reference *reference)
 {
   struct series_answer limit;
-  const char *ending = NULL;
+  enum scallop_turns turns = SCALLOP_TURNS_IN_BOTH;
   series_answer_init(&limit);
   if (scallop_gait_is_rational(reference->exact.gait)
-      && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64)) {
-    if (strcmp(strchr(limit.modes, '|'), "| ++") == 0)
-      ending = "_no_turn";
-    else if (strncmp(limit.modes, "++ |", 4) == 0)
-      ending = "_no_turn_extension";
-  }
+      && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64))
+    turns = strcmp(strchr(limit.modes, '|'), "| ++") == 0 ? SCALLOP_NO_TURN_IN_CONTRACTION
+            : strncmp(limit.modes, "++ |", 4) == 0        ? SCALLOP_NO_TURN_IN_EXTENSION
+                                                          : SCALLOP_TURNS_IN_BOTH;
   series_answer_clear(&limit);
-  return ending;
+  return turns;
 }
 
-static void add_corrected(struct settings *settings, const struct reference *reference)
+static void add_formulas(struct settings *settings, const struct reference *reference)
 {
-  const char *ending = no_turn(reference);
-  for (const struct scallop_formula *f = scallop_corrected; ending && f->name; f++) {
-    const char *there = strstr(f->name, "_no_turn");
-    if (f->setting != SCALLOP_STEADY || !there || strcmp(there, ending) != 0)
-      continue;
-    struct setting *s = settings_add(settings, reference, "corrected", METHOD_FORMULA, solve_corrected,
-                                     "for %s, from its text", f->equation);
-    struct corrected *c = calloc(1, sizeof *c);
-    s->memory = c;
-    s->release = release_corrected;
-    if (!c)
-      continue;
-    c->formula = f;
-    series_init(&c->value);
-    arb_init(c->ball);
-  }
+  enum scallop_turns turns = turns_in_limit(reference);
+  for (const struct scallop_formula *f = scallop_published; f->name; f++)
+    if (f->setting == SCALLOP_STEADY)
+      settings_add(settings, reference, "published", METHOD_FORMULA, solve_published, "%s", f->equation)->formula = f;
+  for (const struct scallop_formula *f = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && f->name; f++)
+    if (f->turns == turns) {
+      struct setting *s = settings_add(settings, reference, "corrected", METHOD_FORMULA, solve_corrected,
+                                       "for %s, from its text", f->equation);
+      s->formula = f;
+      s->memory = make_balls(s);
+      s->release = release_balls;
+    }
 }
 
 /* Bits so that rounding does not show beside the terms from T^order on, which go as eps^(order/2). */
@@ -109,46 +103,16 @@ static bool derive(struct series_answer *series, const struct reference *referen
   return answer_in_series(series, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, order, bits(reference, order));
 }
 
-struct derived {
-  struct series_answer series;
-  arb_t T, value[COMPARED];
-};
-
-static void *make_derived(const struct setting *s)
+static enum scallop_status solve_derived(struct setting *s, struct setting_answer *answer)
 {
-  struct derived *d = malloc(sizeof *d);
-  (void)s;
-  if (!d)
-    return NULL;
-  series_answer_init(&d->series);
-  arb_init(d->T);
-  for (int i = 0; i < COMPARED; i++)
-    arb_init(d->value[i]);
-  return d;
-}
-
-static void release_derived(void *memory)
-{
-  struct derived *d = memory;
-  series_answer_clear(&d->series);
-  arb_clear(d->T);
-  for (int i = 0; i < COMPARED; i++)
-    arb_clear(d->value[i]);
-  free(d);
-}
-
-static enum scallop_status solve_derived(struct setting *s, const struct scallop_patience *patience,
-                                         struct setting_answer *answer)
-{
-  struct derived *d = s->memory;
+  struct balls *b = s->memory;
   slong precision = bits(s->reference, s->number);
-  (void)patience;
-  if (!derive(&d->series, s->reference, s->number))
-    return d->series.status;
-  arb_set_fmpq(d->T, s->reference->exact.T, precision);
+  if (!derive(&b->series, s->reference, s->number))
+    return b->series.status;
+  arb_set_fmpq(b->T, s->reference->exact.T, precision);
   for (int i = 0; i < COMPARED; i++) {
-    series_value(d->value[i], d->series.value[compared[i]], d->T, s->number, precision);
-    answer->ball[i] = d->value[i];
+    series_value(b->value[i], b->series.value[compared[i]], b->T, s->number, precision);
+    answer->ball[i] = b->value[i];
   }
   return SCALLOP_OK;
 }
@@ -190,12 +154,10 @@ static double horner(const double *coefficient, int count, double x)
   return sum;
 }
 
-static enum scallop_status solve_coefficients(struct setting *s, const struct scallop_patience *patience,
-                                              struct setting_answer *answer)
+static enum scallop_status solve_coefficients(struct setting *s, struct setting_answer *answer)
 {
   const struct coefficients *known = s->memory;
   double T = s->reference->crawler.T;
-  (void)patience;
   if (known->status != SCALLOP_OK)
     return known->status;
   answer->value[VELOCITY] = horner(known->of[VELOCITY], known->count[VELOCITY], T * T) / T;
@@ -203,12 +165,10 @@ static enum scallop_status solve_coefficients(struct setting *s, const struct sc
   return SCALLOP_OK;
 }
 
-/* The exact solver itself: an answer (answers/answer.h) would take as long to fill as a steady state takes to be solved. */
-static enum scallop_status solve_exact(struct setting *s, const struct scallop_patience *patience,
-                                       struct setting_answer *answer)
+/* The exact solver itself, without the answer (answers/answer.h) around it, whose filling would be timed too. */
+static enum scallop_status solve_exact(struct setting *s, struct setting_answer *answer)
 {
   struct scallop_steady_result r;
-  (void)patience;
   enum scallop_status status = scallop_steady(&s->reference->crawler, &r);
   if (status < 0)
     return status;
@@ -220,11 +180,9 @@ static enum scallop_status solve_exact(struct setting *s, const struct scallop_p
   return SCALLOP_OK;
 }
 
-static enum scallop_status solve_period(struct setting *s, const struct scallop_patience *patience,
-                                        struct setting_answer *answer)
+static enum scallop_status solve_period(struct setting *s, struct setting_answer *answer)
 {
   struct scallop_period_result r;
-  (void)patience;
   enum scallop_status status = scallop_period(&s->reference->crawler, s->reference->v_start, &r);
   if (status < 0)
     return status;
@@ -261,15 +219,13 @@ static void *make_batch(const struct setting *s)
   return b;
 }
 
-static enum scallop_status solve_batch(struct setting *s, const struct scallop_patience *patience,
-                                       struct setting_answer *answer)
+static enum scallop_status solve_batch(struct setting *s, struct setting_answer *answer)
 {
   struct batch *b = s->memory;
   const struct scallop_crawlers crawlers = { BATCH, b->m1, b->m2, b->F1, b->F2, b->L, b->T, b->alpha, b->gait };
   const struct scallop_steady_states states = { .v_start = b->v_start,
                                                 .displacement = b->displacement,
                                                 .status = b->status };
-  (void)patience;
   scallop_steady_batch(&crawlers, &states, 1);
   if (b->status[0] < 0)
     return b->status[0];
@@ -278,26 +234,9 @@ static enum scallop_status solve_batch(struct setting *s, const struct scallop_p
   return SCALLOP_OK;
 }
 
-static void *make_certified(const struct setting *s)
+static enum scallop_status solve_certified(struct setting *s, struct setting_answer *answer)
 {
-  struct ball_answer *a = malloc(sizeof *a);
-  (void)s;
-  if (a)
-    ball_answer_init(a);
-  return a;
-}
-
-static void release_certified(void *memory)
-{
-  ball_answer_clear(memory);
-  free(memory);
-}
-
-static enum scallop_status solve_certified(struct setting *s, const struct scallop_patience *patience,
-                                           struct setting_answer *answer)
-{
-  struct ball_answer *a = s->memory;
-  (void)patience;
+  struct ball_answer *a = &((struct balls *)s->memory)->certified;
   if (!answer_in_balls(a, &s->reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, s->number))
     return a->status;
   for (int i = 0; i < COMPARED; i++)
@@ -307,52 +246,49 @@ static enum scallop_status solve_certified(struct setting *s, const struct scall
 
 enum { MOST_NUMBERS = 4, QUICK_NUMBERS = 3 };
 
-struct solver {
-  setting_solve *solve;
-  void *(*make)(const struct setting *setting); /* the memory, or NULL */
-  void (*release)(void *memory);
-};
-static const struct solver derived = { solve_derived, make_derived, release_derived };
-static const struct solver coefficients = { solve_coefficients, make_coefficients, free };
-static const struct solver exact = { solve_exact, NULL, NULL };
-static const struct solver batch = { solve_batch, make_batch, free };
-static const struct solver one_period = { solve_period, NULL, NULL };
-static const struct solver certified = { solve_certified, make_certified, release_certified };
-
 /* A setting for each number, of terms, digits or crawlers. */
 static const struct method {
   const char *name;
   enum method_kind kind;
-  const struct solver *solver;
+  setting_solve *solve;
+  void *(*make)(const struct setting *setting); /* the memory, or NULL */
+  void (*release)(void *memory);
   long numbers[MOST_NUMBERS]; /* 0: no more */
-  const char *before, *after; /* the number in the setting's text; after NULL: the text does not print it */
+  const char *text;           /* of the setting; it may print the number */
 } methods[] = {
-  { "limit", METHOD_FORMULA, &derived, { 1 }, "leading terms", NULL },
-  { "derived series", METHOD_FORMULA, &derived, { 4, 8, 16, MOST_TERMS }, "terms below T^", "" },
-  { "derived series, coefficients known", METHOD_OTHER, &coefficients, { 4, 8, 16, MOST_TERMS }, "terms below T^", "" },
-  { "exact", METHOD_EXACT, &exact, { 1 }, "steady state", NULL },
-  { "exact, batch", METHOD_OTHER, &batch, { BATCH }, "each of ", ", one thread" },
-  { "exact, one period", METHOD_OTHER, &one_period, { 1 }, "from the steady velocity", NULL },
-  { "certified", METHOD_EXACT, &certified, { 16, 50, 200 }, "", " digits" },
+  { "limit", METHOD_FORMULA, solve_derived, make_balls, release_balls, { 1 }, "leading terms" },
+  { "derived series",
+    METHOD_FORMULA,
+    solve_derived,
+    make_balls,
+    release_balls,
+    { 4, 8, 16, MOST_TERMS },
+    "terms below T^%ld" },
+  { "derived series, coefficients known",
+    METHOD_OTHER,
+    solve_coefficients,
+    make_coefficients,
+    free,
+    { 4, 8, 16, MOST_TERMS },
+    "terms below T^%ld" },
+  { "exact", METHOD_EXACT, solve_exact, NULL, NULL, { 1 }, "steady state" },
+  { "exact, batch", METHOD_OTHER, solve_batch, make_batch, free, { BATCH }, "each of %ld, one thread" },
+  { "exact, one period", METHOD_OTHER, solve_period, NULL, NULL, { 1 }, "from the steady velocity" },
+  { "certified", METHOD_EXACT, solve_certified, make_balls, release_balls, { 16, 50, 200 }, "%ld digits" },
 };
 
 static void add(struct settings *settings, const struct reference *reference, const struct method *m, long number)
 {
-  setting_solve *solve = m->solver->solve;
-  struct setting *s = m->after ? settings_add(settings, reference, m->name, m->kind, solve, "%s%ld%s", m->before, number,
-                                              m->after)
-                               : settings_add(settings, reference, m->name, m->kind, solve, "%s", m->before);
+  struct setting *s = settings_add(settings, reference, m->name, m->kind, m->solve, m->text, number);
   s->number = number;
-  s->share = m->solver == &batch ? 1.0 / BATCH : 1;
-  s->release = m->solver->release;
-  if (m->solver->make)
-    s->memory = m->solver->make(s);
+  s->share = m->make == make_batch ? 1.0 / BATCH : 1;
+  s->memory = m->make ? m->make(s) : NULL;
+  s->release = m->release;
 }
 
 void methods_add(struct settings *settings, const struct reference *reference, bool quick)
 {
-  add_published(settings, reference);
-  add_corrected(settings, reference);
+  add_formulas(settings, reference);
   for (size_t k = 0; k < sizeof methods / sizeof *methods; k++)
     for (int i = 0; i < (quick ? QUICK_NUMBERS : MOST_NUMBERS) && methods[k].numbers[i] > 0; i++)
       add(settings, reference, &methods[k], methods[k].numbers[i]);

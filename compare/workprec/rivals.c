@@ -1,37 +1,27 @@
-#include "compare/workprec/rivals.h"
-
+/* The rivals of numerics/rival.h: GSL's solvers with events, CVODE, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
+ * Each is two methods: simulation from rest until the periods repeat, and the root of its period map. */
 #include <stdio.h>
 
+#include "compare/workprec/setting.h"
 #include "numerics/cvode.h"
 #include "numerics/moreau.h"
 #include "numerics/odeiv.h"
 #include "numerics/smoothed.h"
 
-static enum scallop_status take(struct setting_answer *answer, enum scallop_status status,
-                                const struct scallop_rival_steady *steady)
+static enum scallop_status solve_rival(struct setting *s, struct setting_answer *answer)
 {
+  const struct scallop_crawler *c = &s->reference->crawler;
+  struct scallop_rival_steady r;
+  enum scallop_status status = s->kind == METHOD_ROOT
+                                   ? scallop_rival_root(s->memory, c, s->tolerance, s->patience, &r)
+                                   : scallop_rival_simulate(s->memory, c, 0, s->tolerance, s->patience, &r);
   if (status >= 0)
-    *answer = (struct setting_answer){ .value = { [VELOCITY] = steady->v_start, [DISPLACEMENT] = steady->displacement },
-                                       .gait_evaluations = (double)steady->evaluations,
-                                       .events = (double)steady->events,
-                                       .root_iterations = (double)steady->root_iterations,
-                                       .periods = (double)steady->periods };
+    *answer = (struct setting_answer){ .value = { [VELOCITY] = r.v_start, [DISPLACEMENT] = r.displacement },
+                                       .gait_evaluations = (double)r.evaluations,
+                                       .events = (double)r.events,
+                                       .root_iterations = (double)r.root_iterations,
+                                       .periods = (double)r.periods };
   return status;
-}
-
-static enum scallop_status simulate(struct setting *s, const struct scallop_patience *patience,
-                                    struct setting_answer *answer)
-{
-  struct scallop_rival_steady steady;
-  return take(answer, scallop_rival_simulate(s->memory, &s->reference->crawler, 0, s->tolerance, patience, &steady),
-              &steady);
-}
-
-static enum scallop_status find_root(struct setting *s, const struct scallop_patience *patience,
-                                     struct setting_answer *answer)
-{
-  struct scallop_rival_steady steady;
-  return take(answer, scallop_rival_root(s->memory, &s->reference->crawler, s->tolerance, patience, &steady), &steady);
 }
 
 static void release(void *memory) { scallop_rival_destroy(memory); }
@@ -89,16 +79,12 @@ static const struct rival {
   { "moreau", make_moreau, 0, steps, 5, 1 },
 };
 
-/* The two methods of a rival */
-static const struct {
-  const char *ending;
-  enum method_kind kind;
-  setting_solve *solve;
-} methods[] = { { "simulated", METHOD_SIMULATION, simulate }, { "root", METHOD_ROOT, find_root } };
-
+/* NULL: left out. */
 static void describe(char text[SETTING_TEXT], const struct accuracy *a)
 {
-  if (a->steps > 0)
+  if (!a)
+    snprintf(text, SETTING_TEXT, "-");
+  else if (a->steps > 0)
     snprintf(text, SETTING_TEXT, "%ld steps", a->steps);
   else if (a->delta > 0)
     snprintf(text, SETTING_TEXT, "delta %g, tolerance %g", a->delta, a->tolerance);
@@ -111,24 +97,19 @@ static void describe(char text[SETTING_TEXT], const struct accuracy *a)
 static void add(struct settings *settings, const struct reference *reference, const struct rival *rival,
                 const struct accuracy *a)
 {
+  static const enum method_kind kinds[] = { METHOD_SIMULATION, METHOD_ROOT };
   char text[SETTING_TEXT], name[SETTING_TEXT];
   describe(text, a);
   for (int i = 0; i < 2; i++) {
-    snprintf(name, sizeof name, "%s, %s", rival->name, methods[i].ending);
-    struct setting *s = settings_add(settings, reference, name, methods[i].kind, methods[i].solve, "%s", text);
+    snprintf(name, sizeof name, "%s, %s", rival->name, kinds[i] == METHOD_ROOT ? "root" : "simulated");
+    struct setting *s = settings_add(settings, reference, name, kinds[i], a ? solve_rival : NULL, "%s", text);
+    if (!a) {
+      snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
+      continue;
+    }
     s->tolerance = a->steps > 0 ? 1 / ((double)a->steps * (double)a->steps) : a->tolerance;
     s->memory = rival->make(rival->stepper, a);
     s->release = release;
-  }
-}
-
-static void leave_out(struct settings *settings, const struct reference *reference, const struct rival *rival)
-{
-  char name[SETTING_TEXT];
-  for (int i = 0; i < 2; i++) {
-    snprintf(name, sizeof name, "%s, %s", rival->name, methods[i].ending);
-    struct setting *s = settings_add(settings, reference, name, METHOD_LEFT_OUT, NULL, "-");
-    snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
   }
 }
 
@@ -136,12 +117,9 @@ void rivals_add(struct settings *settings, const struct reference *reference, bo
 {
   for (size_t k = 0; k < sizeof rivals / sizeof *rivals; k++) {
     const struct rival *rival = &rivals[k];
-    if (rival->make == make_cvode && !scallop_has_cvode())
-      leave_out(settings, reference, rival);
-    else if (quick)
-      add(settings, reference, rival, &rival->accuracies[rival->quick]);
-    else
-      for (int i = 0; i < rival->count; i++)
-        add(settings, reference, rival, &rival->accuracies[i]);
+    bool missing = rival->make == make_cvode && !scallop_has_cvode();
+    int first = quick ? rival->quick : 0, end = quick || missing ? first + 1 : rival->count;
+    for (int i = first; i < end; i++)
+      add(settings, reference, rival, missing ? NULL : &rival->accuracies[i]);
   }
 }

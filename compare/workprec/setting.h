@@ -6,6 +6,8 @@
 #define SCALLOP_WORKPREC_SETTING_H
 
 #include "compare/answers/answer_flint.h"
+#include "compare/text/progress.h"
+#include "compare/text/table.h"
 #include "compare/workprec/stopwatch.h"
 #include "numerics/rival.h"
 
@@ -39,29 +41,29 @@ enum method_kind {
   METHOD_FORMULA, /* a series or a limit                           */
   METHOD_EXACT,   /* the solvers of this tool                      */
   METHOD_OTHER, /* answers another question (takes coefficients or a velocity as given, needs many crawlers): not on the front */
-  METHOD_ROOT,       /* a rival: the root of its period map           */
-  METHOD_SIMULATION, /* a rival: simulation until its periods repeat  */
-  METHOD_LEFT_OUT    /* the library is missing                        */
+  METHOD_ROOT,      /* a rival: the root of its period map           */
+  METHOD_SIMULATION /* a rival: simulation until its periods repeat  */
 };
 
 struct setting;
 /* Solves once; the answer is no_answer before. */
-typedef enum scallop_status setting_solve(struct setting *setting, const struct scallop_patience *patience,
-                                          struct setting_answer *answer);
+typedef enum scallop_status setting_solve(struct setting *setting, struct setting_answer *answer);
 
 enum { SETTING_SAMPLES = 31, SETTING_TEXT = 64, SETTING_STATUS = 120, MOST_SETTINGS = 160 };
 struct setting {
   char method[SETTING_TEXT], text[SETTING_TEXT];
   enum method_kind kind;
   const struct reference *reference;
-  setting_solve *solve;
-  long number; /* of terms or digits                          */
+  setting_solve *solve;                  /* NULL: the library is missing, as status says      */
+  const struct scallop_formula *formula; /* published or corrected                            */
+  long number;                           /* of terms, digits or crawlers                      */
   double tolerance;
   double share;            /* of one answer in what one call does: 1, or 1/1024   */
   void *memory;            /* what the method needs besides, made beforehand      */
   void (*release)(void *); /* of the memory                                       */
 
-  enum scallop_status outcome; /* from here on: what was measured */
+  const struct scallop_patience *patience; /* with the solve under way, or NULL */
+  enum scallop_status outcome;             /* from here on: what was measured */
   struct setting_answer answer;
   double first; /* seconds that the first solve took */
   long passes;
@@ -86,5 +88,24 @@ struct setting *settings_add(struct settings *settings, const struct reference *
                              enum method_kind kind, setting_solve *solve, const char *format, ...)
     __attribute__((format(printf, 6, 7)));
 void settings_clear(struct settings *settings);
+
+/* methods.c: the methods of the paper and of this tool; rivals.c: those of general-purpose solvers. quick: fewer settings. */
+void methods_add(struct settings *settings, const struct reference *reference, bool quick);
+void rivals_add(struct settings *settings, const struct reference *reference, bool quick);
+
+/* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them, so that a machine
+ * that slows down slows all; then errors against the certified value, and the Pareto front. limit: seconds for the first solve of each. */
+void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit,
+                      const struct progress *progress);
+/* Is there a row for this quantity? */
+bool setting_has(const struct setting *setting, int quantity);
+/* Times and errors are compared as they are printed, so that the front can be found again from the table: seconds with four digits;
+ * log10 of an error, whose exponent may be beyond a double's, nan if the text is no number >= 0. */
+double printed_seconds(double seconds);
+double printed_error_log10(const char *error);
+
+/* summary.c: the cheapest setting for each wanted error that some setting of one reference reaches. */
+void summary_begin(struct table *table); /* its columns */
+void summary_write(struct table *table, const struct settings *settings);
 
 #endif

@@ -1,8 +1,10 @@
 #include "compare/workprec/stopwatch.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <time.h>
+
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 
 enum { CLOCK_READINGS = 4096, CLOCK_TRIES = 9, MOST_STRIDE = 1000 };
 
@@ -57,29 +59,16 @@ double stopwatch_long_enough(const struct stopwatch_clock *clock)
   return fmax(shortest_batch, fmax(clock->cost, clock->step) / clock_share);
 }
 
-static int ascending(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-/* Of sorted samples: below it lies so great a part of them. */
-static double quantile(const double *sorted, int count, double part)
-{
-  double at = part * (count - 1);
-  int below = (int)at, above = below + 1 < count ? below + 1 : below;
-  return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
-}
-
 struct stopwatch_spread stopwatch_spread(double *samples, int count)
 {
   if (count <= 0)
     return (struct stopwatch_spread){ NAN, NAN, NAN, NAN, 0 };
-  qsort(samples, (size_t)count, sizeof *samples, ascending);
-  return (struct stopwatch_spread){ .median = quantile(samples, count, 0.5),
+  size_t n = (size_t)count;
+  gsl_sort(samples, 1, n);
+  return (struct stopwatch_spread){ .median = gsl_stats_median_from_sorted_data(samples, 1, n),
                                     .least = samples[0],
-                                    .q1 = quantile(samples, count, 0.25),
-                                    .q3 = quantile(samples, count, 0.75),
+                                    .q1 = gsl_stats_quantile_from_sorted_data(samples, 1, n, 0.25),
+                                    .q3 = gsl_stats_quantile_from_sorted_data(samples, 1, n, 0.75),
                                     .repetitions = count };
 }
 

@@ -1,35 +1,33 @@
-#include "compare/workprec/summary.h"
-
 #include <math.h>
 #include <string.h>
 
-#include "compare/workprec/measure.h"
+#include "compare/workprec/setting.h"
 
-const char *const summary_columns[] = { "gait",
-                                        "T",
-                                        "quantity",
-                                        "wanted_error",
-                                        "method",
-                                        "setting",
-                                        "error",
-                                        "next_method",
-                                        "next_setting",
-                                        "next_ratio",
-                                        "exact_method",
-                                        "exact_setting",
-                                        "exact_ratio",
-                                        "rival_method",
-                                        "rival_setting",
-                                        "rival_over_exact",
-                                        "simulation_method",
-                                        "simulation_setting",
-                                        "simulation_over_exact",
-                                        NULL };
-
-static bool is_any(enum method_kind kind) { return kind != METHOD_OTHER && kind != METHOD_LEFT_OUT; }
+static bool is_any(enum method_kind kind) { return kind != METHOD_OTHER; }
 static bool is_exact(enum method_kind kind) { return kind == METHOD_EXACT; }
 static bool is_rival(enum method_kind kind) { return kind == METHOD_ROOT || kind == METHOD_SIMULATION; }
 static bool is_simulation(enum method_kind kind) { return kind == METHOD_SIMULATION; }
+
+/* What is compared: the cheapest of these kinds, by its time over that of the cheapest of all, or of the cheapest exact one */
+static const struct comparison {
+  const char *columns[4];
+  bool (*is_kind)(enum method_kind);
+  bool of_another_method, over_exact;
+} comparisons[] = {
+  { { "next_method", "next_setting", "next_ratio", NULL }, is_any, true, false },
+  { { "exact_method", "exact_setting", "exact_ratio", NULL }, is_exact, false, false },
+  { { "rival_method", "rival_setting", "rival_over_exact", NULL }, is_rival, false, true },
+  { { "simulation_method", "simulation_setting", "simulation_over_exact", NULL }, is_simulation, false, true },
+};
+enum { COMPARISONS = sizeof comparisons / sizeof *comparisons };
+
+void summary_begin(struct table *t)
+{
+  static const char *const first[] = { "gait", "T", "quantity", "wanted_error", "method", "setting", "error", NULL };
+  table_columns(t, first);
+  for (int i = 0; i < COMPARISONS; i++)
+    table_columns(t, comparisons[i].columns);
+}
 
 /* The one of a kind, and of a method other than this one, that reaches the error in the least time; NULL if none does. */
 static const struct setting *cheapest(const struct settings *settings, int quantity, double error_log10,
@@ -47,14 +45,6 @@ static const struct setting *cheapest(const struct settings *settings, int quant
   return best;
 }
 
-/* A s, and how many times as long as the other one it takes */
-static void write_ratio(struct table *t, const struct setting *s, const struct setting *to)
-{
-  table_text(t, s ? s->method : "-");
-  table_text(t, s ? s->text : "-");
-  table_rounded(t, s && to ? printed_seconds(s->time.median) / printed_seconds(to->time.median) : NAN, "%.3g");
-}
-
 static void write_wanted(struct table *t, const struct settings *settings, int quantity, double error_log10)
 {
   const struct setting *best = cheapest(settings, quantity, error_log10, is_any, NULL);
@@ -70,10 +60,15 @@ static void write_wanted(struct table *t, const struct settings *settings, int q
   table_text(t, best->method);
   table_text(t, best->text);
   table_digits(t, best->error[quantity]);
-  write_ratio(t, cheapest(settings, quantity, error_log10, is_any, best->method), best);
-  write_ratio(t, exact, best);
-  write_ratio(t, cheapest(settings, quantity, error_log10, is_rival, NULL), exact);
-  write_ratio(t, cheapest(settings, quantity, error_log10, is_simulation, NULL), exact);
+  for (int i = 0; i < COMPARISONS; i++) {
+    const struct comparison *c = &comparisons[i];
+    const struct setting *to = c->over_exact ? exact : best;
+    const struct setting *s = cheapest(settings, quantity, error_log10, c->is_kind,
+                                       c->of_another_method ? best->method : NULL);
+    table_text(t, s ? s->method : "-");
+    table_text(t, s ? s->text : "-");
+    table_rounded(t, s && to ? printed_seconds(s->time.median) / printed_seconds(to->time.median) : NAN, "%.3g");
+  }
 }
 
 void summary_write(struct table *table, const struct settings *settings)

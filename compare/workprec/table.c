@@ -6,10 +6,7 @@
 
 #include "compare/answers/defaults.h"
 #include "compare/answers/points.h"
-#include "compare/workprec/measure.h"
-#include "compare/workprec/methods.h"
-#include "compare/workprec/rivals.h"
-#include "compare/workprec/summary.h"
+#include "compare/workprec/setting.h"
 
 enum { MOST_REFERENCES = 40 };
 
@@ -29,35 +26,27 @@ struct run {
   struct progress progress;
 };
 
-static const char *add_reference(struct run *r, const struct scallop_gait *gait, double T)
-{
-  struct scallop_crawler c = r->options->request.point.crawler;
-  assert(r->count < MOST_REFERENCES);
-  c.gait = gait;
-  c.T = T;
-  return reference_init(&r->references[r->count++], &c);
-}
-
 /* All are solved before anything is written. */
 static bool make_references(struct run *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
-  const struct workprec_options *o = r->options;
-  bool one = o->request.point.written[5] != NULL; /* T */
-  const double *T = one ? &o->request.point.crawler.T : o->quick ? few : all;
-  int times = (int)(one ? 1 : o->quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
-  for (int g = 0; o->request.point.has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    const struct scallop_gait *gait = o->request.point.has_gait ? o->request.point.crawler.gait
-                                                                : scallop_gait_named(scallop_gait_name(g));
+  const struct point *p = &r->options->request.point;
+  bool one = p->written[5] != NULL, quick = r->options->quick; /* T */
+  const double *T = one ? &p->crawler.T : quick ? few : all;
+  int times = (int)(one ? 1 : quick ? sizeof few / sizeof *few : sizeof all / sizeof *all);
+  struct scallop_crawler c = p->crawler;
+  for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++)
     for (int i = 0; i < times; i++) {
-      const char *why = add_reference(r, gait, T[i]);
-      if (why)
-        complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", gait->name, T[i],
-                 why);
-      if (why)
-        return false;
+      c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
+      c.T = T[i];
+      assert(r->count < MOST_REFERENCES);
+      const char *why = reference_init(&r->references[r->count++], &c);
+      if (!why)
+        continue;
+      complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", c.gait->name, c.T,
+               why);
+      return false;
     }
-  }
   return true;
 }
 
@@ -85,15 +74,16 @@ static bool begin(struct run *r)
   note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
-  if (o->summary)
+  if (o->summary) {
     table_note(t, "ratios: of median times of one run on one machine");
-  else {
+    summary_begin(t);
+  } else {
     table_note(t,
                "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean anything");
     table_note(t, "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
                r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
+    table_columns(t, columns);
   }
-  table_columns(t, o->summary ? summary_columns : columns);
   table_begin_rows(t);
   return true;
 }

@@ -8,13 +8,12 @@
 #include <string.h>
 
 #include "tests/fuzz/target.h"
+#include "tests/scoped.h"
 
 /* Is |x - double| at most half of the way from there to the next one on that side? */
 static bool is_nearest(const fmpq_t x, double value)
 {
-  fmpq_t here, next;
-  fmpq_init(here);
-  fmpq_init(next);
+  SCOPED(fmpq, here, next);
   scallop_rational_set_double(here, value);
   double beyond = nextafter(value, fmpq_cmp(x, here) < 0 ? -INFINITY : INFINITY);
   scallop_rational_set_double(next, isfinite(beyond) ? beyond : value);
@@ -25,10 +24,7 @@ static bool is_nearest(const fmpq_t x, double value)
   fmpq_abs(here, here);
   fmpq_abs(next, next);
   fmpq_add(here, here, here);
-  bool nearest = fmpq_cmp(here, next) <= 0;
-  fmpq_clear(here);
-  fmpq_clear(next);
-  return nearest;
+  return fmpq_cmp(here, next) <= 0;
 }
 
 /* A number in C's notation; not the words that strtod takes as well, and no exponent beyond a long or 10^5. */
@@ -45,9 +41,7 @@ static bool is_plain_number(const char *text, double *value)
 static void read_text(const char *text)
 {
   double wanted;
-  fmpq_t x, untouched;
-  fmpq_init(x);
-  fmpq_init(untouched);
+  SCOPED(fmpq, x, untouched);
   fmpq_set_si(untouched, 22, 7);
   fmpq_set(x, untouched);
   bool number = is_plain_number(text, &wanted), read = scallop_rational_parse(x, text);
@@ -57,34 +51,28 @@ static void read_text(const char *text)
     fuzz_fail("'%s' is refused, and something changed", text);
   if (read && isfinite(wanted) && !is_nearest(x, wanted))
     fuzz_fail("'%s' is a fraction to which %a is not the nearest double", text, wanted);
-  fmpq_clear(x);
-  fmpq_clear(untouched);
 }
 
 /* The crawler as people mean it: the decimals that its doubles are printed as */
 static void mean_decimals(double value)
 {
   struct scallop_crawler crawler = { value, value, value, value, value, value, value, NULL };
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   rational_crawler(&exact, &crawler);
   if (!is_nearest(exact.m1, value) || !fmpq_equal(exact.m1, exact.alpha))
     fuzz_fail("%a is meant as a decimal to which it is not the nearest", value);
-  scallop_rational_clear(&exact);
 }
 
 /* The digits of a ball are those of the number, to a unit of the last; rounded up, the largest are beyond every double. */
 static void write_digits(double value, long digits)
 {
-  arb_t ball;
-  arb_init(ball);
+  SCOPED(arb, ball);
   arb_set_d(ball, value);
   char *text = decimal_text(ball, digits);
   double back = strtod(text, NULL);
   if (isfinite(back) && !(fabs(back - value) <= fabs(value) * pow(10, 1 - (double)digits) + 0x1p-1074))
     fuzz_fail("%a with %ld digits is '%s'", value, digits, text);
   flint_free(text);
-  arb_clear(ball);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

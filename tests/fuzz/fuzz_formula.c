@@ -180,17 +180,6 @@ static void judge_refusal(const char *wrong, const char *text)
       fuzz_fail("'%s' is refused with the byte %d", text, *c);
 }
 
-enum { UNTOUCHED = 0x5a };
-
-static bool is_untouched(const void *data, size_t size)
-{
-  const unsigned char *bytes = data;
-  for (size_t i = 0; i < size; i++)
-    if (bytes[i] != UNTOUCHED)
-      return false;
-  return true;
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   static const double pool[] = { 4.25, 0.3, -2.385, 0.0, -0.0, 1e-300, -1e300, NAN, INFINITY, 2, 16, 0.5 };
@@ -206,7 +195,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   const char *wrong = formula_read(&formula, text, &(struct formula_names){ .place = place_of }, message);
   if (!wrong)
     judge_value(&formula, text, values);
-  else if (!is_untouched(&formula, sizeof formula))
+  else if (!untouched(&formula, sizeof formula))
     fuzz_fail("'%s' is refused, and the formula changed", text);
   else
     judge_refusal(wrong, text);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "tests/fuzz/target.h"
+#include "tests/scoped.h"
 
 enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions of digits */ };
 static const struct ring ring = { .length = 6, .precision = 100 };
@@ -27,14 +28,12 @@ static bool evaluate_text(struct series *value, const char *text)
   struct formula formula;
   char message[FORMULA_MESSAGE];
   struct series values[SYMBOLS];
-  fmpq_t half;
-  arb_t pi;
   if (formula_read(&formula, text, &names, message))
     return false;
   for (int i = 0; i < SYMBOLS; i++)
     series_init(&values[i]);
-  fmpq_init(half);
-  arb_init(pi);
+  SCOPED(fmpq, half);
+  SCOPED(arb, pi);
   fmpq_set_si(half, 1, 2);
   arb_const_pi(pi, ring.precision);
   series_set_x(&values[0]);
@@ -43,8 +42,6 @@ static bool evaluate_text(struct series *value, const char *text)
   bool evaluated = !formula_series(value, &formula, values, &ring, message);
   for (int i = 0; i < SYMBOLS; i++)
     series_clear(&values[i]);
-  fmpq_clear(half);
-  arb_clear(pi);
   return evaluated;
 }
 
@@ -151,28 +148,23 @@ static uint64_t operand(struct modulo *m, int level)
 static void judge_value(const struct series *value, const char *text)
 {
   struct modulo m = { .at = text };
-  fmpq_t exact;
-  fmpz_t residue, prime;
+  fmpz_t prime;
   if (text[strspn(text, "0123456789h+-*/^() ")] != '\0')
     return;
   uint64_t wanted = operand(&m, 0);
-  fmpq_init(exact);
-  fmpz_init(residue);
+  SCOPED(fmpq, exact);
+  SCOPED(fmpz, residue);
   fmpz_init_set_ui(prime, PRIME);
   if (!series_rational_coefficient(exact, value, 0))
     fuzz_fail("'%s' is not exact", text);
   if (!m.undefined && fmpq_mod_fmpz(residue, exact, prime) && fmpz_get_ui(residue) != wanted)
     fuzz_fail("'%s' is another number modulo 2^31 - 1: not %lu", text, (unsigned long)wanted);
-  fmpq_clear(exact);
-  fmpz_clear(residue);
   fmpz_clear(prime);
 }
 
 static void judge(const struct series *value, const char *text)
 {
-  struct series other, negative;
-  series_init(&other);
-  series_init(&negative);
+  SCOPED(series, other, negative);
   if (!EVALUATE(&other, " (", text, " ) ") || !are_equal(value, &other))
     fuzz_fail("in parentheses '%s' is something else", text);
   series_neg(&negative, value);
@@ -182,8 +174,6 @@ static void judge(const struct series *value, const char *text)
     fuzz_fail("'%s' minus itself is not 0", text);
   if (EVALUATE(&other, "(", text, ")/(", text, ")-1") && !may_vanish(&other))
     fuzz_fail("'%s' over itself is not 1", text);
-  series_clear(&other);
-  series_clear(&negative);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -197,9 +187,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
       || memchr(data, '\0', size))
     return 0;
   char *text = fuzz_text(data, size);
-  struct series value, untouched;
-  series_init(&value);
-  series_init(&untouched);
+  SCOPED(series, value, untouched);
   series_set_si(&untouched, 22);
   series_set(&value, &untouched);
   if (EVALUATE(&value, text)) {
@@ -207,8 +195,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     judge(&value, text);
   } else if (!are_equal(&value, &untouched))
     fuzz_fail("'%s' is refused, and something changed", text);
-  series_clear(&value);
-  series_clear(&untouched);
   free(text);
   return 0;
 }

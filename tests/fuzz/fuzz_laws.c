@@ -10,6 +10,7 @@
 
 #include "tests/fuzz/crawler.h"
 #include "tests/fuzz/target.h"
+#include "tests/interval.h"
 
 enum { ROUNDINGS = 64, KEPT = 256 };
 #define ROUNDOFF (ROUNDINGS * (0.5 * DBL_EPSILON))
@@ -52,15 +53,6 @@ static void keep(void *context, const struct scallop_interval *interval)
   now.count++;
 }
 
-/* ---- an interval at its ends ---- */
-
-static double sense(const struct scallop_interval *i) { return i->piece->anchor == SCALLOP_FROM_START ? 1 : -1; }
-static double duration(const struct scallop_interval *i) { return sense(i) * (i->u_end - i->u_begin); }
-static double rate(const struct scallop_interval *i, double u) { return i->piece->curve->velocity(i->piece, u); }
-static double bend(const struct scallop_interval *i, double u) { return i->piece->curve->acceleration(i->piece, u); }
-static double length(const struct scallop_interval *i, double u) { return i->piece->curve->length(i->piece, u); }
-static bool glued(const struct scallop_interval *i) { return i->mode.s1 == 0 || i->mode.s2 == 0; }
-
 /* What the velocity of the faster body is a sum of, with a rounding of u, which may be below the normal range */
 static double size(const struct scallop_interval *i)
 {
@@ -69,22 +61,14 @@ static double size(const struct scallop_interval *i)
   return fmax(fabs(i->c_begin), fabs(i->c_end)) + l + (fabs(i->c_slope) + b) * (fmax(i->u_begin, i->u_end) + DBL_MIN);
 }
 
-/* ---- the laws ---- */
-
 static void order(void)
 {
-  const struct scallop_shape *shape = &now.input.crawler.gait->phase[now.kind];
-  const struct scallop_interval *first = now.interval, *last = first + now.count - 1;
-  REQUIRE(first, first->piece == shape->pieces && first->u_begin == first->piece->begin && first->x_begin == 0);
-  REQUIRE(last, last->piece == shape->pieces + shape->count - 1 && last->u_end == last->piece->end);
-  for (const struct scallop_interval *i = first; i <= last; i++)
-    REQUIRE(i, duration(i) > 0 && (i->mode.s1 != 0 || i->mode.s2 != 0));
-  for (const struct scallop_interval *a = first, *b = first + 1; b <= last; a++, b++) {
-    REQUIRE(b, a->piece == b->piece
-                   ? a->u_end == b->u_begin
-                   : b->piece == a->piece + 1 && a->u_end == a->piece->end && b->u_begin == b->piece->begin);
-    BALANCED(b, b->c_begin, a->c_end, size(a) + size(b)); /* between them may be one that is shorter than a rounding */
-  }
+  const char *wrong = disorder(now.interval, now.count, &now.input.crawler.gait->phase[now.kind]);
+  if (wrong)
+    fuzz_fail("%s: %s", wrong, place(now.interval));
+  for (const struct scallop_interval *b = now.interval + 1; b < now.interval + now.count; b++)
+    BALANCED(b, b->c_begin, b[-1].c_end,
+             size(b - 1) + size(b)); /* between them may be one that is shorter than a rounding */
 }
 
 /* A body that slides has the velocity of its sign at both ends. */
@@ -121,13 +105,6 @@ static double friction(const struct scallop_interval *i)
   return -scaled(now.input.crawler.F1 * i->mode.s1 + now.input.crawler.F2 * i->mode.s2);
 }
 
-/* The change of c is the impulse of friction; a stuck body is held with what the other one's Newton's law leaves. */
-static double impulse(const struct scallop_interval *i)
-{
-  double dl = rate(i, i->u_end) - rate(i, i->u_begin);
-  return i->mode.s1 == 0 ? now.mu[1] * dl : i->mode.s2 == 0 ? -now.mu[0] * dl : friction(i) * duration(i);
-}
-
 /* The kinetic energy changes by what the linkage does, force times l', less what friction takes. x: of the centre of mass, a
  * difference of numbers of the size of reached. */
 static void energy(const struct scallop_interval *i, double x, double reached)
@@ -151,7 +128,7 @@ static void judge(const struct scallop_phase_result *r)
   double total = 0, terms = 0, half = (c->m1 - c->m2) / (c->m1 + c->m2) * 0.5;
   double stroke = now.kind == SCALLOP_EXTENSION ? 1 : -1, travel = r->dxC / c->L - half * stroke;
   for (const struct scallop_interval *i = now.interval; i <= last; i++) {
-    double one = impulse(i), x = (i < last ? i[1].x_begin : travel) - i->x_begin;
+    double one = friction_impulse(i, now.mu, friction(i)), x = (i < last ? i[1].x_begin : travel) - i->x_begin;
     signs(i);
     if (!glued(i))
       BALANCED(i, i->c_slope, friction(i), fabs(friction(i)));

@@ -34,7 +34,8 @@ static void judge(const struct arguments *a, const char *text)
       fuzz_fail("%ld digits from\n%s", r->style.digits, text);
     if (o->kind == &count_option && count->given && (count->value < o->least || count->value > o->most))
       fuzz_fail("--%s %ld from\n%s", o->name, count->value, text);
-    if ((o->kind == &number_option && !isfinite(number->value)) || (o->kind == &positive_option && !(number->value > 0)))
+    if (o->kind == &number_option
+        && !(isfinite(number->value) && (!number->given || (number->value >= o->least && number->value <= o->most))))
       fuzz_fail("--%s %g from\n%s", o->name, number->value, text);
   }
   if (!isfinite(r->point.v0))

@@ -27,19 +27,6 @@ static struct fuzz_case now;
                 near_tolerance, fuzz_describe(&now)); \
   } while (0)
 
-/* ---- statuses ---- */
-
-enum { UNTOUCHED = 0xa5 };
-
-static bool untouched(const void *result, size_t size)
-{
-  const unsigned char *bytes = result;
-  for (size_t i = 0; i < size; i++)
-    if (bytes[i] != UNTOUCHED)
-      return false;
-  return true;
-}
-
 static void judge_modes(const struct scallop_modes *modes)
 {
   char text[SCALLOP_MODES_TEXT];
@@ -72,8 +59,6 @@ static double friction(void)
 }
 
 static double size_of_velocities(void) { return highest() + friction() + fabs(now.v0); }
-
-/* ---- one phase, one period ---- */
 
 static void judge_phase(enum scallop_phase_kind kind)
 {
@@ -120,8 +105,6 @@ static void judge_period(struct scallop_period_result *r)
   NEAR(r->v_end - r->v_start, r->balance * friction(), ROUNDOFF * (size_of_velocities() + fabs(r->balance * friction())));
 }
 
-/* ---- the steady state ---- */
-
 static double balance_at(double v)
 {
   struct scallop_period_result r;
@@ -166,8 +149,6 @@ static enum scallop_status judge_steady(struct scallop_steady_result *s)
   judge_root(s);
   return status;
 }
-
-/* ---- a batch ---- */
 
 enum { BATCH = 11, NUMBERS = 8 };
 
@@ -227,8 +208,6 @@ static void judge_batch(const struct scallop_steady_result *s, enum scallop_stat
   }
   REQUIRE(failed == counted);
 }
-
-/* ---- a trajectory ---- */
 
 struct seen {
   long count;

@@ -28,6 +28,17 @@ static inline bool same_bits(double a, double b)
   return x == y;
 }
 
+/* Every byte is still UNTOUCHED, as memset had it. */
+enum { UNTOUCHED = 0xa5 };
+static inline bool untouched(const void *data, size_t size)
+{
+  const unsigned char *bytes = data;
+  for (size_t i = 0; i < size; i++)
+    if (bytes[i] != UNTOUCHED)
+      return false;
+  return true;
+}
+
 /* The bytes with a NUL after them, in memory that ends there; to be freed. */
 char *fuzz_text(const uint8_t *data, size_t size);
 

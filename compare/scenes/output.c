@@ -1,29 +1,9 @@
-/* The '#' lines of the tables of a scene. */
+/* What stands in the tables of a scene: '#' lines, columns and rows. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "compare/scenes/parts.h"
-
-static bool varies(const struct scene *s, const char *parameter)
-{
-  const struct sweep_variable *v;
-  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
-    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
-      return true;
-  return false;
-}
-
-/* A measured gait among several brings L, T and alpha of its own. */
-static bool goes_with_gait(const struct scene *s, const char *parameter)
-{
-  const struct sweep_variable *v;
-  int place = crawler_place(parameter);
-  bool own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place], measured = false;
-  for (int i = 0; own && (v = sweep_variable(&s->sweep, i)); i++)
-    for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)
-      measured |= strncmp(v->texts[k], "measured:", 9) == 0;
-  return measured;
-}
 
 /* Has the table a column of that name with something else in it, as "T = alpha*T"? */
 static bool is_renamed(const struct scene *s, const struct scene_want *w, const char *parameter)
@@ -55,14 +35,29 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
   return used > 0;
 }
 
+/* Is the parameter the same in all rows? Not where it varies; nor L, T and alpha among gaits of which a measured one brings its own. */
+static bool is_held(const struct scene *s, const char *parameter)
+{
+  const struct sweep_variable *v;
+  int place = crawler_place(parameter);
+  bool is_own = place < CRAWLER_NUMBERS && strchr("LTa", *parameter) && !s->base.written[place];
+  for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++) {
+    if (v->target != TARGET_LABEL && strcmp(v->sets, parameter) == 0)
+      return false;
+    for (long k = 0; is_own && v->target == TARGET_GAIT && k < v->count; k++)
+      if (strncmp(v->texts[k], "measured:", 9) == 0)
+        return false;
+  }
+  return true;
+}
+
 static void note_held(struct output *o, const struct scene *s)
 {
-  const char *not_held[CRAWLER_NUMBERS + 2];
+  const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (varies(s, *name) || goes_with_gait(s, *name) || is_renamed(s, o->want, *name))
+    if (!is_held(s, *name) || is_renamed(s, o->want, *name))
       not_held[count++] = *name;
-  not_held[count] = NULL;
   note_parameters(&o->table, &s->base, not_held, false);
 }
 
@@ -91,10 +86,11 @@ static void note_start(struct table *t, const struct scene *s, const struct scen
     table_note(t, "phase: %s, from %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", start);
 }
 
-void head_write(const struct running *r, struct output *o)
+void output_begin(const struct running *r, struct output *o)
 {
   struct table *t = &o->table;
   const struct scene *s = r->scene;
+  const char *names[SCENE_COLUMNS + 1] = { NULL };
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
@@ -104,4 +100,41 @@ void head_write(const struct running *r, struct output *o)
     table_note(t, "%s", s->note[i]);
   note_held(o, s);
   note_start(t, s, o->want);
+  for (int i = 0; i < o->want->columns; i++)
+    names[i] = o->want->column[i].name;
+  table_columns(t, names);
+  if (o->want->kind == WANT_ORDERS)
+    table_columns(t, order_columns);
+  table_begin_rows(t);
+}
+
+static void put_column(const struct running *r, struct output *o, const struct scene_column *c)
+{
+  struct table *t = &o->table;
+  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
+  if (!q || !quantity_is_text(q)) {
+    table_number(t, q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula));
+    return;
+  }
+  const char *text = state_text(r->state, c->quantity, o->style.digits);
+  if (q->kind != QUANTITY_CERTIFIED)
+    table_text(t, text);
+  else if (strcmp(text, "nan") == 0)
+    table_number(t, NAN);
+  else
+    table_digits(t, text);
+}
+
+void output_row(const struct running *r, struct output *o)
+{
+  const struct scene_want *w = o->want;
+  for (int i = 0; i < w->columns && w->kind == WANT_ROWS;
+       i++) /* its status is that of all its columns, wherever it stands */
+    if (w->column[i].quantity >= 0)
+      state_find(r->state, w->column[i].quantity, o->style.digits);
+    else
+      state_formula(r->state, &w->column[i].formula);
+  for (int i = 0; i < w->columns; i++)
+    put_column(r, o, &w->column[i]);
+  count_add(COUNT_ROWS, 1);
 }

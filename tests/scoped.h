@@ -1,0 +1,52 @@
+/* Numbers of FLINT, and what is made of them, that begin where they are declared and end with their block:
+ *   SCOPED(arb, x, y);   for   arb_t x, y; arb_init(x); arb_init(y); ... arb_clear(x); arb_clear(y);
+ * SCOPED_KIND makes that possible for a struct, by its _init and _clear. Header-only; needs FLINT. */
+#ifndef SCOPED_H
+#define SCOPED_H
+
+#include "asymptotics/derived/derived.h"
+#include "model/ball.h"
+#include "numerics/certified.h"
+
+#define SCOPED(kind, ...) SCOPED_OF(__VA_ARGS__, 6, 5, 4, 3, 2, 1)(kind, __VA_ARGS__)
+#define SCOPED_OF(a, b, c, d, e, f, count, ...) SCOPED_##count
+#define SCOPED_1(kind, name) \
+  scoped_##kind name __attribute__((cleanup(scoped_end_##kind))); \
+  scoped_begin_##kind(&name)
+#define SCOPED_2(kind, name, ...) \
+  SCOPED_1(kind, name); \
+  SCOPED_1(kind, __VA_ARGS__)
+#define SCOPED_3(kind, name, ...) \
+  SCOPED_1(kind, name); \
+  SCOPED_2(kind, __VA_ARGS__)
+#define SCOPED_4(kind, name, ...) \
+  SCOPED_1(kind, name); \
+  SCOPED_3(kind, __VA_ARGS__)
+#define SCOPED_5(kind, name, ...) \
+  SCOPED_1(kind, name); \
+  SCOPED_4(kind, __VA_ARGS__)
+#define SCOPED_6(kind, name, ...) \
+  SCOPED_1(kind, name); \
+  SCOPED_5(kind, __VA_ARGS__)
+
+#define SCOPED_BY(kind, type, begin, end) \
+  typedef type scoped_##kind; \
+  static inline void scoped_begin_##kind(scoped_##kind *x) { begin; } \
+  static inline void scoped_end_##kind(scoped_##kind *x) { end; }
+#define SCOPED_KIND(kind, type) SCOPED_BY(kind, type, kind##_init(x), kind##_clear(x))
+#define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
+
+SCOPED_FLINT(fmpq)
+SCOPED_FLINT(fmpz)
+SCOPED_FLINT(fmpq_poly)
+SCOPED_FLINT(arf)
+SCOPED_FLINT(arb)
+SCOPED_FLINT(arb_poly)
+SCOPED_KIND(series, struct series)
+SCOPED_KIND(scallop_rational, struct scallop_rational_crawler)
+SCOPED_KIND(scallop_certified_phase, struct scallop_certified_phase)
+SCOPED_KIND(scallop_certified_steady, struct scallop_certified_steady)
+SCOPED_KIND(scallop_phase_expansion, struct scallop_phase_expansion)
+SCOPED_KIND(scallop_steady_expansion, struct scallop_steady_expansion)
+
+#endif
