@@ -37,7 +37,7 @@ SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvec
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
 all_parts := $(basename $(wildcard $(rooms:=/*.c)))
 flint     := $(filter asymptotics/derived/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec) %flint,$(all_parts)) \
-             $(addprefix model/,ball fractions exact_gaits) $(addprefix numerics/,certified certified_steady march enclose)
+             $(addprefix model/,ball fractions exact_gaits) $(addprefix numerics/,certified certified_steady march march_mode enclose)
 flint     := $(filter-out compare/workprec/stopwatch,$(flint))
 cvode      = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
 parts     := $(filter-out compare/command/main numerics/cvode%,$(all_parts))
@@ -182,7 +182,7 @@ of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
 core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h) asymptotics/asymptotics.h $(addprefix numerics/,numerics.h wide.h)
 headers    = $(core_headers) $(addprefix numerics/,rival.h odeiv.h smoothed.h moreau.h cvode.h) \
              $(if $(filter 0,$(WITH_FLINT)),,model/flint.h model/ball.h numerics/certified.h)
-rivals    := $(addprefix numerics/,moreau odeiv rival rival_centre rival_motion smoothed)
+rivals    := $(addprefix numerics/,moreau odeiv rival rival_motion rival_phases smoothed)
 to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)" LDFLAGS="$(LDFLAGS)" INSTALL="$(INSTALL)" DESTDIR="$(DESTDIR)" \
              PREFIX="$(PREFIX)" bindir="$(bindir)" libdir="$(libdir)" includedir="$(includedir)" datadir="$(datadir)" mandir="$(mandir)" \
              pkgconfigdir="$(pkgconfigdir)" completionsdir="$(completionsdir)" sh scripts/dev

@@ -8,8 +8,6 @@
 
 #include "model/fractions.h"
 
-/* ---- rationals ---- */
-
 static fmpq *fields(struct scallop_rational_crawler *c, int i)
 {
   fmpq *all[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
@@ -143,8 +141,6 @@ bool scallop_rational_parse(fmpq_t x, const char *text)
   free(digits);
   return read;
 }
-
-/* ---- the law of a piece ---- */
 
 static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
 

@@ -3,8 +3,6 @@
 
 #include "model/fractions.h"
 
-/* ---- what all have in common ---- */
-
 static struct scallop_piece *piece_of(struct scallop_exact_gait *e, int kind, int i)
 {
   return e->pieces + (kind == 0 ? 0 : e->gait.phase[0].count) + i;
@@ -61,8 +59,6 @@ static void leave_out_empty(struct scallop_exact_gait *e)
     shape->count = kept;
   }
 }
-
-/* ---- of straight pieces ---- */
 
 /* The parts of a phase in which |l'| rises, stays, and falls; the fall may be split at half of the phase, and what stays as well. */
 enum part { RISES, STAYS, FALLS, FALLS_FROM_START };
@@ -155,8 +151,6 @@ void scallop_exact_skewed(struct scallop_exact_gait *e, const struct scallop_gai
   scallop_exact_trapezoidal(e, gait, beta, beta); /* what falls is the rest */
 }
 
-/* ---- polynomials ---- */
-
 static bool never_turns(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++)
@@ -209,8 +203,6 @@ bool scallop_exact_polynomial(struct scallop_exact_gait *e, const struct scallop
   fmpq_poly_clear(back);
   return right;
 }
-
-/* ---- splines ---- */
 
 struct points { /* of a phase */
   const fmpq *time, *length;

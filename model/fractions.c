@@ -21,8 +21,6 @@ void fractions_clear(struct scallop_fractions *f)
   fmpq_poly_clear(f->speed);
 }
 
-/* ---- of doubles ---- */
-
 static void set_coefficient(fmpq_poly_t law, int k, double value)
 {
   fmpq_t c;
@@ -50,17 +48,18 @@ static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
 /* The coefficients b[j] of a Bernstein law, from near to far, whose distance is range */
 static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const fmpq_t range)
 {
-  int n = law->degree, implied = (int)law->numerator[n + 3];
+  const struct scallop_bernstein_law *given = &law->bernstein;
+  int n = law->degree, implied = given->implied;
   fmpq_t others, more;
   fmpq_init(others);
   fmpq_init(more);
   for (int j = 0; j <= n; j++) {
-    scallop_rational_set_double(b + j, law->numerator[j]);
+    scallop_rational_set_double(b + j, j == implied ? given->way : given->b[j]);
     if (j != implied)
       fmpq_add(others, others, b + j);
   }
-  for (int i = 1; i < law->denominator; i++) {
-    scallop_rational_set_double(more, law->numerator[n + 4 + i]);
+  for (int i = 0; i < given->more_count; i++) {
+    scallop_rational_set_double(more, given->more[i]);
     fmpq_add(b + implied, b + implied, more);
   }
   fmpq_mul_si(b + implied, b + implied, n + 1);
@@ -81,8 +80,8 @@ static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallo
   fmpq_init(power);
   fmpq_init(c);
   fmpz_init(binomial);
-  scallop_rational_set_double(origin, law->numerator[n + 1]);
-  scallop_rational_set_double(range, law->numerator[n + 2]);
+  scallop_rational_set_double(origin, law->bernstein.near);
+  scallop_rational_set_double(range, law->bernstein.far);
   fmpq_sub(range, range, origin);
   bernstein_coefficients(b, law, range);
   fmpq_one(power);
@@ -115,20 +114,18 @@ void fractions_of_doubles(struct scallop_fractions *f, const struct scallop_piec
     set_coefficient(law, 0, p->direction * p->velocity);
     set_coefficient(law, 1, p->direction * (sense * p->acceleration));
   } else if (p->law->kind == SCALLOP_LAW_RAMP) {
-    for (int k = 0; k < 2; k++)
-      set_coefficient(law, k, p->law->numerator[k]);
-    divide_by_sum(law, p->law->numerator + 2, 1);
-    divide_by_sum(law, p->law->numerator + 3, 3);
+    set_coefficient(law, 0, p->law->ramp.start);
+    set_coefficient(law, 1, p->law->ramp.slope);
+    divide_by_sum(law, &p->law->ramp.divisor, 1);
+    divide_by_sum(law, p->law->ramp.parts, 3);
   } else if (p->law->kind == SCALLOP_LAW_BERNSTEIN) {
     bernstein(law, origin, p->law);
   } else {
     for (int k = 0; k <= p->law->degree; k++)
-      set_coefficient(law, k, p->law->numerator[k]);
-    divide_by_sum(law, &p->law->denominator, 1);
+      set_coefficient(law, k, p->law->polynomial.c[k]);
+    divide_by_sum(law, &p->law->polynomial.denominator, 1);
   }
 }
-
-/* ---- a gait ---- */
 
 static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
 

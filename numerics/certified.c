@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-/* ---- results ---- */
-
 enum { PHASE_BALLS = 9 };
 
 static arb_ptr phase_ball(struct scallop_certified_phase *r, int i)
@@ -27,15 +25,11 @@ void scallop_certified_phase_clear(struct scallop_certified_phase *r)
     arb_clear(phase_ball(r, i));
 }
 
-/* ---- domain ---- */
-
 bool certified_domain(const struct scallop_rational_crawler *c, long digits)
 {
   return scallop_rational_is_valid(c) && fmpq_sgn(c->T) > 0 && digits >= 1 && digits <= SCALLOP_MOST_DIGITS
          && scallop_gait_is_exact(c->gait);
 }
-
-/* ---- accuracy and precision ---- */
 
 slong certified_bits(long digits) { return (slong)((double)digits * 3.3219280948873624) + 4; }
 
@@ -77,8 +71,6 @@ bool certified_is_accurate(const arb_t x, const arb_t size, slong bits)
   return accurate;
 }
 
-/* ---- one phase ---- */
-
 enum scallop_regime certified_regime(bool sticks, bool both_move)
 {
   return !both_move ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
@@ -98,9 +90,9 @@ static bool phase_result(struct scallop_certified_phase *r, struct scallop_march
   arb_sub_ui(r->dT, m->last, 1, p);
   arb_neg(r->dT, r->dT);
   arb_set(r->v_end, m->v_end);
-  arb_set(r->dx1, m->x1);
-  arb_set(r->dx2, m->x2);
-  arb_add(r->dxC, m->x1, m->x2, p);
+  arb_set(r->dx1, m->x[0]);
+  arb_set(r->dx2, m->x[1]);
+  arb_add(r->dxC, m->x[0], m->x[1], p);
   arb_mul_2exp_si(r->dxC, r->dxC, -1);
   arb_set(r->at_first, m->at_first);
   arb_set(r->at_last, m->at_last);

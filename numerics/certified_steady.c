@@ -26,8 +26,6 @@ void scallop_certified_steady_clear(struct scallop_certified_steady *r)
     arb_clear(steady_ball(r, i));
 }
 
-/* ---- domain ---- */
-
 static bool is_zero_at(const struct scallop_piece *piece, double u)
 {
   arb_t at, speed;
@@ -56,7 +54,7 @@ static bool is_continuous(const struct scallop_gait *gait)
   return true;
 }
 
-/* ---- one period; velocities in L/T ---- */
+/* Velocities in L/T */
 
 struct period {
   struct scallop_forces forces[2];
@@ -119,8 +117,6 @@ static bool march_period(struct period *period, const arb_t v, slong precision)
   arb_mul(period->multiplier, period->march[0].multiplier, period->march[1].multiplier, precision);
   return true;
 }
-
-/* ---- the steady state ---- */
 
 struct search {
   struct period period;
@@ -359,7 +355,7 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
   fmpq_add(sum, friction[0], friction[1]);
   arb_zero(work);
   for (int i = 0; i < 2; i++) {
-    arb_add(path, i == 0 ? m[0].path1 : m[0].path2, i == 0 ? m[1].path1 : m[1].path2, precision);
+    arb_add(path, m[0].path[i], m[1].path[i], precision);
     arb_set_fmpq(force, friction[i], precision);
     arb_addmul(work, path, force, precision);
   }
@@ -386,8 +382,8 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
   arb_set(r->v_start, v);
   arb_set(r->v_mid, period->v_mid);
   arb_set(r->multiplier, period->multiplier);
-  arb_add(r->displacement, m[0].x1, m[1].x1, precision);
-  arb_add(r->mean_velocity, m[0].x2, m[1].x2, precision);
+  arb_add(r->displacement, m[0].x[0], m[1].x[0], precision);
+  arb_add(r->mean_velocity, m[0].x[1], m[1].x[1], precision);
   bool accurate = arb_intersection(r->displacement, r->displacement, r->mean_velocity, precision);
   if (is_balanced(period) || is_mirrored(c, period))
     arb_zero(r->displacement);

@@ -47,22 +47,6 @@ static bool meet(const struct scallop_piece *p, double a, double b, double q, do
   return false; /* GCOVR_EXCL_LINE: convex, so Newton's method is there before that; the walk takes over if not */
 }
 
-struct line { /* seen so that c starts at or above 0, in a mirror where it starts below            */
-  double q0, q1, eps, between;
-  double f_first, f_second; /* of the body that turns first, and of the other, over F1 + F2              */
-};
-
-static struct line line_of(const struct motion_input *in, bool plain)
-{
-  const struct scallop_scaled *s = in->scaled;
-  return (struct line){ .q0 = plain ? s->mu2 : s->mu1,
-                        .q1 = plain ? s->mu1 : s->mu2,
-                        .eps = in->eps,
-                        .between = in->eps * (plain ? s->delta : -s->delta),
-                        .f_first = plain ? s->f1 : s->f2,
-                        .f_second = plain ? s->f2 : s->f1 };
-}
-
 /* From c above the curves to curve 0; from rest at once. */
 static bool turn(const struct line *l, const struct scallop_shape *shape, double c, struct meeting *m,
                  struct scallop_work *work)

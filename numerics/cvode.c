@@ -38,12 +38,10 @@ struct run {
   bool let_go[2]; /* a body that was at rest where the integration began */
 };
 
-/* ---- what CVODE asks for ---- */
-
 static int equation(double t, N_Vector y, N_Vector dydt, void *context)
 {
   struct rival_motion *m = context;
-  m->evaluations++;
+  m->phases.evaluations++;
   NV_Ith_S(dydt, 0) = rival_acceleration(m, t);
   NV_Ith_S(dydt, 1) = NV_Ith_S(y, 0);
   return 0;
@@ -67,8 +65,6 @@ static int velocities(double t, N_Vector y, double *ahead, void *context)
     ahead[body] = rival_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
   return 0;
 }
-
-/* ---- from event to event ---- */
 
 /* From where the motion stands, with no memory of what was before. */
 static bool begin(struct run *r)
@@ -103,7 +99,7 @@ static int advance(struct run *r, double stop)
   int found[2] = { 0, 0 };
   while (rival_motion_goes_on(m)) {
     int flag = CVode(tools->memory, stop, tools->y, &m->t, CV_ONE_STEP);
-    m->steps++;
+    m->phases.steps++;
     if (flag == CV_TOO_CLOSE) { /* a few units in the last place: nothing moves */
       m->t = stop;
       break;
@@ -145,7 +141,7 @@ static int slide(struct rival_motion *m, double end)
     else
       body = advance(r, stop);
   }
-  m->steps += rejected(r->tools->memory);
+  m->phases.steps += rejected(r->tools->memory);
   return body;
 }
 
@@ -153,13 +149,11 @@ static enum scallop_status period(struct scallop_rival *self, const struct scall
                                   const struct scallop_patience *patience, struct scallop_rival_period *result)
 {
   struct cvode_rival *tools = (struct cvode_rival *)self;
-  struct run r = { .motion = { .slide = slide, .patience = patience }, .tools = tools };
+  struct run r = { .motion = { .slide = slide }, .tools = tools };
   if (CVodeSetUserData(tools->memory, &r) != CV_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
-  return rival_motion_period(&r.motion, crawler, v0, result);
+  return rival_motion_period(&r.motion, crawler, v0, patience, result);
 }
-
-/* ---- memory ---- */
 
 #if SUNDIALS_VERSION_MAJOR < 7
 static void be_silent(int code, const char *module, const char *function, char *message, void *context)

@@ -4,6 +4,9 @@
  *
  * Where a body is held to the end of a phase both bodies are then at rest, so the next phase is known, and the one after it: if
  * this comes to rest again the period is closed, and that is the steady state.
+ *
+ * What it saves, as in ramps.h (else a search by ramps.c, and a walk for the ways of the bodies): 1575 for 2345 for a steady state with
+ * stick-slip, 1121 for 1686 in a batch.
  */
 #ifndef SCALLOP_HELD_H
 #define SCALLOP_HELD_H

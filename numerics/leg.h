@@ -19,29 +19,29 @@ struct leg {
   bool goes_on;                      /* there is a second leg                                                   */
   struct scallop_piece part;
   struct scallop_law law;
-  double numbers[7];
 };
 
 static inline bool leg_is_spline(const struct scallop_piece *p)
 {
   const struct scallop_law *law = p->law;
-  return !p->linear && law && law->kind == SCALLOP_LAW_BERNSTEIN && law->degree == 2 && law->denominator == 1
-         && law->numerator[5] == 1;
+  return !p->linear && law && law->kind == SCALLOP_LAW_BERNSTEIN && law->degree == 2 && law->bernstein.more_count == 0
+         && law->bernstein.implied == 1;
 }
 
 /* From the knot that the law calls near, or the one that it calls far. Knots are multiples of 2^-53, and so differences of them exact. */
 static inline void leg_from_knot(struct leg *leg, bool far)
 {
-  const double *n = leg->given->law->numerator;
+  const struct scallop_bernstein_law *given = &leg->given->law->bernstein;
+  struct scallop_bernstein_law *law = &leg->law.bernstein;
   bool forward = (leg->given->anchor == SCALLOP_FROM_START) != far;
-  leg->origin = n[far ? 4 : 3];
+  leg->law = *leg->given->law;
+  leg->law.base = 0;
+  leg->origin = far ? given->far : given->near;
   leg->turn = far ? -1 : 1;
-  for (int i = 0; i < 3; i++)
-    leg->numbers[i] = n[far ? 2 - i : i];
-  leg->numbers[3] = leg->numbers[6] = 0;
-  leg->numbers[4] = n[4] - n[3];
-  leg->numbers[5] = n[5]; /* the way is the coefficient in the middle */
-  leg->law = (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, 2, leg->numbers, 1 };
+  law->b[0] = given->b[far ? 2 : 0];
+  law->b[2] = given->b[far ? 0 : 2];
+  law->near = 0;
+  law->far = given->far - given->near;
   leg->part = *leg->given;
   leg->part.law = &leg->law;
   leg->part.anchor = forward ? SCALLOP_FROM_START : SCALLOP_FROM_END;
@@ -63,7 +63,7 @@ static inline void leg_first(struct leg *leg, const struct scallop_piece *given)
     leg->part.end = given->end - given->begin;
     leg->piece = &leg->part;
   } else if (leg_is_spline(given)) {
-    double length = given->law->numerator[4] - given->law->numerator[3];
+    double length = given->law->bernstein.far - given->law->bernstein.near;
     bool whole = fabs(given->end - given->begin) == length;
     leg_from_knot(leg, whole && given->anchor == SCALLOP_FROM_END);
     leg->goes_on = whole && given->end == 0;
@@ -76,7 +76,7 @@ static inline void leg_second(struct leg *leg)
 {
   leg->goes_on = false;
   leg_from_knot(leg, leg->given->anchor == SCALLOP_FROM_START);
-  leg->part.begin = leg->numbers[4] - leg->numbers[4] / 2;
+  leg->part.begin = leg->law.bernstein.far - leg->law.bernstein.far / 2;
 }
 
 #endif

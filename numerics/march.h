@@ -28,11 +28,11 @@ struct scallop_march {
 
   arb_t now;            /* how far it has come                                                   */
   arb_t since, rate;    /* when velocities and positions were last brought up to date, and l' then */
-  arb_t v1, v2, x1, x2; /* the bodies then                                                       */
-  arb_t path1, path2;   /* how far they have slid, one way and the other                         */
+  arb_t v[2], x[2];     /* the bodies then                                                       */
+  arb_t path[2];        /* how far they have slid, one way and the other                         */
   arb_t l_since, l_now; /* length gained from the start until since, from since until now        */
-  arb_t share1, share2; /* as in forces                                                          */
-  int s1, s2;           /* the mode                                                              */
+  arb_t share[2];       /* as in forces                                                          */
+  int s[2];             /* the mode                                                              */
   int departure[2];     /* of each body's velocity, at now: enum scallop_departure               */
 
   arb_t first, last;       /* times of the first and the last change of mode, if it switches        */

@@ -4,8 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "numerics/rival_centre.h"
-#include "numerics/rival_motion.h"
+#include "numerics/rival_phases.h"
 
 enum { STEPS_PER_QUESTION = 256 }; /* to patience */
 
@@ -15,7 +14,7 @@ struct moreau {
 };
 
 struct run {
-  struct rival_centre centre; /* first, so that the one is the other */
+  struct rival_phases phases; /* first, so that the one is the other */
   long steps;
 };
 
@@ -53,13 +52,13 @@ static double gait_velocity(const struct scallop_piece *p, double from_start, do
 /* Steps begin + 1 to end, which lie in one piece. The path by the theta rule, theta = 1/2. */
 static void take_steps(struct run *run, const struct scallop_piece *piece, long begin, long end)
 {
-  struct rival_centre *r = &run->centre;
+  struct rival_phases *r = &run->phases;
   double h = 1 / (double)run->steps, impulse = h * r->eps, difference = impulse * r->f_difference, c = r->c, sum = 0;
-  struct jump body1 = { 0, impulse * r->f1 }, body2 = { 0, impulse * r->f2 };
+  struct jump body1 = { 0, impulse * r->f[0] }, body2 = { 0, impulse * r->f[1] };
   for (long k = begin + 1; k <= end; k++) {
     double l1 = gait_velocity(piece, (double)k * h, (double)(run->steps - k) * h), before = c;
-    body1.at = r->mu2 * l1;
-    body2.at = -r->mu1 * l1;
+    body1.at = r->mu[1] * l1;
+    body2.at = -r->mu[0] * l1;
     c = l1 >= 0 ? solve(body2, body1, -difference, c) : solve(body1, body2, difference, c);
     sum += before + c;
   }
@@ -72,16 +71,16 @@ static void take_steps(struct run *run, const struct scallop_piece *piece, long 
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece, long begin, long end)
 {
   for (long k = begin; k < end; k += STEPS_PER_QUESTION) {
-    if (!rival_patience_lasts(run->centre.patience))
+    if (!rival_patience_lasts(run->phases.patience))
       return SCALLOP_ESTOPPED;
     take_steps(run, piece, k, end - k < STEPS_PER_QUESTION ? end : k + STEPS_PER_QUESTION);
   }
   return SCALLOP_OK;
 }
 
-static enum scallop_status run_phase(struct rival_centre *centre, const struct scallop_shape *shape)
+static enum scallop_status run_phase(struct rival_phases *phases, const struct scallop_shape *shape)
 {
-  struct run *run = (struct run *)centre;
+  struct run *run = (struct run *)phases;
   enum scallop_status status = SCALLOP_OK;
   long done = 0;
   for (int i = 0; i < shape->count && status == SCALLOP_OK; i++) {
@@ -97,8 +96,8 @@ static enum scallop_status run_phase(struct rival_centre *centre, const struct s
 static enum scallop_status moreau_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
                                          const struct scallop_patience *patience, struct scallop_rival_period *period)
 {
-  struct run run = { .centre = { .phase = run_phase, .patience = patience }, .steps = ((const struct moreau *)self)->steps };
-  return rival_centre_period(&run.centre, crawler, v0, period);
+  struct run run = { .phases = { .phase = run_phase, .patience = patience }, .steps = ((const struct moreau *)self)->steps };
+  return rival_period(&run.phases, crawler, v0, period);
 }
 
 static void moreau_destroy(struct scallop_rival *self) { free(self); }

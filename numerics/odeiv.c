@@ -39,13 +39,11 @@ struct run {
 static int equation(double t, const double y[], double dydt[], void *params)
 {
   struct rival_motion *m = params;
-  m->evaluations++;
+  m->phases.evaluations++;
   dydt[0] = rival_acceleration(m, t);
   dydt[1] = y[0];
   return GSL_SUCCESS;
 }
-
-/* ---- events within a step ---- */
 
 static double ahead(const struct run *r, const struct point *p, int body)
 {
@@ -76,7 +74,7 @@ static void relay_to(struct run *r, double from, struct point *to)
   do {
     check(r, gsl_odeiv2_evolve_apply(e, tools->driver->c, tools->relay, &tools->system, &t, to->t, &h, to->y));
   } while (t < to->t && rival_motion_goes_on(&r->motion));
-  r->motion.steps += tried(e);
+  r->motion.phases.steps += tried(e);
   to->dydt[0] = e->dydt_out[0];
   to->dydt[1] = e->dydt_out[1];
 }
@@ -93,7 +91,7 @@ static void step_to(struct run *r, const struct point *from, double t, struct po
   if (tools->relay) {
     relay_to(r, from->t, to);
   } else {
-    r->motion.steps++;
+    r->motion.phases.steps++;
     check(r,
           gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt, &tools->system));
   }
@@ -181,8 +179,6 @@ static int first_event(struct run *r, const struct point *from, struct point *to
   return first;
 }
 
-/* ---- from event to event ---- */
-
 static void begin(struct run *r, struct point *from)
 {
   const struct rival_motion *m = &r->motion;
@@ -204,7 +200,7 @@ static void accepted_step(struct run *r, double end, struct point *from, struct 
   to->y[0] = from->y[0];
   to->y[1] = from->y[1];
   check(r, gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &r->tools->system, &to->t, end, &r->h, to->y));
-  r->motion.steps += tried(e) - before;
+  r->motion.phases.steps += tried(e) - before;
   from->dydt[0] = e->dydt_in[0];
   from->dydt[1] = e->dydt_in[1];
   to->dydt[0] = e->dydt_out[0];
@@ -235,7 +231,7 @@ static enum scallop_status run(struct scallop_odeiv *odeiv, const struct scallop
 {
   /* h: the whole piece is the first step tried, as the control cuts down faster than it grows; but a multistep method starts
    * with Euler's */
-  struct run r = { .motion = { .slide = slide, .patience = patience },
+  struct run r = { .motion = { .slide = slide },
                    .tools = odeiv,
                    .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON),
                    .start = odeiv->relay ? sqrt(tolerance) : 1,
@@ -243,7 +239,7 @@ static enum scallop_status run(struct scallop_odeiv *odeiv, const struct scallop
   odeiv->system.params = &r.motion;
   if (gsl_odeiv2_control_init(odeiv->driver->c, tolerance, tolerance, 1, 0) != GSL_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: GSL refuses negative tolerances only */
-  return rival_motion_period(&r.motion, crawler, v0, period);
+  return rival_motion_period(&r.motion, crawler, v0, patience, period);
 }
 
 static bool good_tolerance(double tolerance) { return tolerance >= DBL_EPSILON && tolerance <= 0.1; }
@@ -253,8 +249,6 @@ enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct 
 {
   return good_tolerance(tolerance) ? run(odeiv, crawler, v0, tolerance, NULL, period) : SCALLOP_EDOMAIN;
 }
-
-/* ---- memory ---- */
 
 static const gsl_odeiv2_step_type *type_of(enum scallop_odeiv_stepper stepper)
 {
@@ -319,16 +313,14 @@ enum scallop_status scallop_odeiv_period(const struct scallop_crawler *crawler, 
   return status;
 }
 
-/* ---- as a rival ---- */
-
 struct odeiv_rival {
   struct scallop_rival rival; /* first, so that the one is the other */
   struct scallop_odeiv *odeiv;
   double tolerance;
 };
 
-static enum scallop_status rival_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                        const struct scallop_patience *patience, struct scallop_rival_period *period)
+static enum scallop_status period_of_rival(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
+                                           const struct scallop_patience *patience, struct scallop_rival_period *period)
 {
   const struct odeiv_rival *r = (struct odeiv_rival *)self;
   return run(r->odeiv, crawler, v0, r->tolerance, patience, period);
@@ -346,7 +338,7 @@ struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, do
   struct odeiv_rival *r = good_tolerance(tolerance) ? malloc(sizeof *r) : NULL;
   if (!r)
     return NULL;
-  *r = (struct odeiv_rival){ { rival_period, rival_destroy }, scallop_odeiv_make(stepper), tolerance };
+  *r = (struct odeiv_rival){ { period_of_rival, rival_destroy }, scallop_odeiv_make(stepper), tolerance };
   if (r->odeiv)
     return &r->rival;
   free(r);

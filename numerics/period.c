@@ -6,11 +6,11 @@
 
 #include "numerics/concave.h"
 #include "numerics/ramps.h"
+#include "numerics/solve.h"
 #include "numerics/start.h"
-#include "numerics/wide_parts.h"
 
 /* By a short cut where there is one. */
-static void solve_phase(const struct motion_input *input, double c0, struct motion *motion)
+static void solve_motion(const struct motion_input *input, double c0, struct motion *motion)
 {
   bool solved = input->base != 0        ? false
                 : input->shape->ramps   ? ramps_solve(input, c0, motion)
@@ -31,8 +31,9 @@ void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, 
   if (visit)
     motion_solve(&input, entry * fraction, motion, visit, context);
   else
-    solve_phase(&input, entry * fraction, motion);
+    solve_motion(&input, entry * fraction, motion);
   *(extension ? &period->c_mid : &period->c_end) = motion->c_end / fraction;
+  period->goes_on = !extension;
 }
 
 /* Over a whole period the centre of mass and both bodies come equally far. Where much of that cancels for the first, the one for which least
@@ -75,43 +76,44 @@ void period_sum_up(const struct scallop_scaled *s, struct period *period)
     look_at_bodies(s, period);
 }
 
-void period_solve(const struct scallop_scaled *scaled, double c_start, double solved, struct period *period)
+void period_begin(struct period *period)
 {
+  period->base[0] = period->base[1] = 0;
+  period->goes_on = false;
+}
+
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period)
+{
+  bool solved = period->goes_on;
+  double from = solved ? period->c_mid : 0;
   period->c_start = c_start;
   period_phase(scaled, SCALLOP_EXTENSION, period, NULL, NULL);
-  if (period->c_mid != solved) /* once a body has been held, it is often the very same */
+  if (solved && period->c_mid == from) /* once a body has been held, it is often the very same */
+    period->goes_on = true;
+  else
     period_phase(scaled, SCALLOP_CONTRACTION, period, NULL, NULL);
   period_conclude(scaled, period);
 }
 
-void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *p,
-                   struct scallop_period_result *result)
+void period_result(const struct scallop_scaled *scaled, const struct period *p, struct scallop_period_result *result)
 {
-  double unit = scaled->velocity;
   double near_1 = 1 + scaled->eps * p->balance_slope;
   bool at_rest = false, sticks = p->phase[0].sticks || p->phase[1].sticks;
   for (int body = 0; body < 2; body++)
     at_rest |= p->phase[0].never_moved[body] && p->phase[1].never_moved[body];
-  *result = (struct scallop_period_result){
-    .v_start = p->c_start * unit,
-    .v_mid = p->c_mid * unit,
-    .v_end = p->c_end * unit,
-    .displacement = p->travel * crawler->L,
-    .multiplier = p->forgets     ? 0
-                  : near_1 > 0.5 ? near_1
-                                 : p->phase[0].stretch * p->phase[1].stretch,
-    .balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance,
-    .regime = at_rest  ? SCALLOP_AT_REST
-              : sticks ? SCALLOP_STICK_SLIP
-                       : SCALLOP_SLIDING,
-  };
+  result->v_start = p->c_start;
+  result->v_mid = p->c_mid;
+  result->v_end = p->c_end;
+  result->displacement = p->travel;
+  result->multiplier = p->forgets ? 0 : near_1 > 0.5 ? near_1 : p->phase[0].stretch * p->phase[1].stretch;
+  result->balance = p->forgets ? (p->c_end - p->c_start) / scaled->eps : p->balance;
+  result->regime = at_rest ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
   for (int kind = 0; kind < 2; kind++)
     motion_modes(&p->phase[kind], (enum scallop_phase_kind)kind, &result->modes[kind]);
 }
 
-static bool has_ramps(const struct scallop_scaled *s) { return s->gait->phase[0].ramps && s->gait->phase[1].ramps; }
-
-enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result)
+enum scallop_status solve_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result,
+                                 struct doubt *doubt)
 {
   struct scallop_scaled scaled;
   double c_start;
@@ -119,19 +121,20 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   if (status != SCALLOP_OK)
     return status;
   struct period period;
-  period.base[0] = period.base[1] = 0;
-  period_solve(&scaled, c_start, NAN, &period);
+  period_begin(&period);
+  period_solve(&scaled, c_start, &period);
   period_sum_up(&scaled, &period);
-  struct scallop_period_result answer;
-  struct scallop_wide_period wider;
-  period_result(crawler, &scaled, &period, &answer);
-  answer.v_start = v0;
-  if (period_cancels(period.travel, period.size, has_ramps(&scaled))
-      && wide_enough_period(crawler, v0, fabs(period.travel) / period.size, &wider))
-    answer.displacement = wider.displacement.high;
-  if (!scaling_keeps(period.c_mid, answer.v_mid) || !scaling_keeps(period.c_end, answer.v_end)
-      || !scaling_keeps(period.travel, answer.displacement))
+  double v_mid = period.c_mid * scaled.velocity, v_end = period.c_end * scaled.velocity;
+  double displacement = period.travel * crawler->L;
+  if (!scaling_keeps(period.c_mid, v_mid) || !scaling_keeps(period.c_end, v_end)
+      || !scaling_keeps(period.travel, displacement))
     return SCALLOP_ERANGE;
-  *result = answer;
+  period_result(&scaled, &period, result);
+  result->v_start = v0;
+  result->v_mid = v_mid;
+  result->v_end = v_end;
+  result->displacement = displacement;
+  bool ramps = scaled.gait->phase[0].ramps && scaled.gait->phase[1].ramps;
+  doubt->left = period_cancels(period.travel, period.size, ramps) ? fabs(period.travel) / period.size : 1;
   return SCALLOP_OK;
 }

@@ -32,6 +32,7 @@ struct period {
   double noise;                 /* what rounding can do to balance                                   */
   double balance_slope;         /* d balance / d c_start <= 0, unless it forgets                         */
   bool forgets;                 /* a body was stuck: c_end does not depend on c_start */
+  bool goes_on;                 /* phase[1] is the contraction from c_mid                              */
   struct motion phase[2];
 };
 
@@ -43,9 +44,10 @@ void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind k
 void period_sum_up(const struct scallop_scaled *scaled, struct period *period);
 void period_conclude(const struct scallop_scaled *scaled, struct period *period);
 
-/* solved: the start velocity of the contraction that *period holds already, or nan. */
-void period_solve(const struct scallop_scaled *scaled, double c_start, double solved, struct period *period);
-void period_result(const struct scallop_crawler *crawler, const struct scallop_scaled *scaled, const struct period *period,
-                   struct scallop_period_result *result);
+/* Before the first solve: velocities are counted from 0. */
+void period_begin(struct period *period);
+void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
+/* Velocities in L/T, the displacement in L */
+void period_result(const struct scallop_scaled *scaled, const struct period *period, struct scallop_period_result *result);
 
 #endif

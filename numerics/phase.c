@@ -1,36 +1,10 @@
-#include "numerics/numerics.h"
-
 #include <math.h>
-#include <string.h>
 
 #include "model/scaling.h"
 #include "numerics/motion.h"
 #include "numerics/period.h"
+#include "numerics/solve.h"
 #include "numerics/start.h"
-#include "numerics/wide_parts.h"
-
-const char *scallop_regime_text(enum scallop_regime regime)
-{
-  static const char *const text[] = { "sliding", "stick-slip", "at-rest" };
-  return text[regime];
-}
-
-void scallop_modes_text(const struct scallop_modes *modes, char *text)
-{
-  static const char sign[] = { '-', '0', '+' };
-  int kept = modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT;
-  for (int i = 0; i < kept; i++) {
-    if (i > 0)
-      *text++ = ' ';
-    if (i == SCALLOP_MODES_KEPT - 1 && modes->count > kept) { /* the last place holds the last mode */
-      memcpy(text, "... ", 4);
-      text += 4;
-    }
-    *text++ = sign[modes->kept[i].s1 + 1];
-    *text++ = sign[modes->kept[i].s2 + 1];
-  }
-  *text = '\0';
-}
 
 /* unit is the velocity L/tau, c0 is v0 in that. */
 static enum scallop_status scale(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
@@ -76,8 +50,8 @@ static double best_way(const struct motion_ways *ways, const double beyond[3], d
   return way;
 }
 
-enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                                  struct scallop_phase_result *result)
+enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                struct scallop_phase_result *result, struct doubt *doubt)
 {
   struct scallop_scaled scaled;
   struct motion motion;
@@ -90,8 +64,9 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
   motion_solve_ways(&input, c0, &motion, &ways);
   const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
   const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
-  double left = 1;
-  const double way[3] = { best_way(&ways, body_1, &left), best_way(&ways, body_2, &left), best_way(&ways, middle, &left) };
+  doubt->left = 1;
+  const double way[3] = { best_way(&ways, body_1, &doubt->left), best_way(&ways, body_2, &doubt->left),
+                          best_way(&ways, middle, &doubt->left) };
   struct scallop_phase_result answer = {
     .t1 = motion.first_switch * tau,
     .dT = motion.last_switch * tau,
@@ -110,12 +85,6 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
       || !scaling_keeps(way[2], answer.dxC)
       || (has_switch && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
     return SCALLOP_ERANGE;
-  struct scallop_wide_phase wider;
-  if (left < 1 && wide_enough_phase(crawler, kind, v0, left, &wider)) {
-    answer.dx1 = wider.dx1.high;
-    answer.dx2 = wider.dx2.high;
-    answer.dxC = wider.dxC.high;
-  }
   *result = answer;
   return SCALLOP_OK;
 }

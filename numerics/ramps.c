@@ -8,15 +8,10 @@
 /* Regions and curves are those of motion.c. By symmetry c starts at or above 0 here: a motion that starts below is seen
  * in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. */
 
-struct side {
-  double q0, q1;         /* curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|                         */
-  double eps, between;   /* c' is -eps, between, eps in regions 0, 1, 2                             */
-  double extra0, extra2; /* what regions 0 and 2 add to extra_impulse per unit of time              */
-};
-
 /* All of it fits into registers once the functions below are one, which is why they are inline by force. */
 struct progress {
-  struct side side;
+  struct line line;
+  double extra0, extra2; /* what regions 0 and 2 add to extra_impulse per unit of time              */
   double c, travel, size, extra_impulse, slope, stretch, first_switch, last_switch;
   unsigned trail, shift, events;
   bool held;
@@ -55,16 +50,16 @@ INLINE void cross(struct progress *p, double change, double slope, double then, 
 {
   double x = change / (slope - along);
   p->stretch *= (then - along) / (slope - along);
-  p->slope += x + p->side.eps * x * p->slope;
+  p->slope += x + p->line.eps * x * p->slope;
   p->events++;
 }
 
-/* ---- the way up; false: too close to call ---- */
+/* The way up. False: too close to call. */
 
 /* Between the curves from time t: c can only meet curve 1, and is then held by it. */
 INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum trail_state *state)
 {
-  const struct side *s = &p->side;
+  const struct line *s = &p->line;
   double d = r->top - t, c = p->c + s->between * d, steep = r->up * s->q1, floor = -steep * r->top;
   if (c > floor || s->between >= -steep) {
     begin(p, BETWEEN, t, 1 - t);
@@ -88,18 +83,18 @@ INLINE bool between_up(struct progress *p, const struct ramps *r, double t, enum
 
 INLINE bool go_up(struct progress *p, const struct ramps *r, enum trail_state *state)
 {
-  const struct side *s = &p->side;
+  const struct line *s = &p->line;
   double steep = r->up * s->q0, t = p->c / (steep + s->eps);
   *state = ABOVE;
   if (p->c > 0)
     begin(p, ABOVE, 0, 1);
   if (t >= r->top) {
-    slide(p, p->c - s->eps * r->top, r->top, s->extra0);
+    slide(p, p->c - s->eps * r->top, r->top, p->extra0);
     return t > r->top;
   }
-  slide(p, steep * t, t, s->extra0);
+  slide(p, steep * t, t, p->extra0);
   if (steep > s->between) {
-    cross(p, -s->extra0, -s->eps, s->between, steep);
+    cross(p, -p->extra0, -s->eps, s->between, steep);
     return between_up(p, r, t, state);
   }
   begin(p, HELD_ABOVE, t, 1 - t);
@@ -109,7 +104,7 @@ INLINE bool go_up(struct progress *p, const struct ramps *r, enum trail_state *s
   return true;
 }
 
-/* ---- the way down; times count back from the end ---- */
+/* The way down: times count back from the end. */
 
 INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, double q)
 {
@@ -119,14 +114,14 @@ INLINE void held_to_end(struct progress *p, const struct ramps *r, double u, dou
 /* Between the curves from u on: c meets the one on whose side it would end. */
 INLINE bool between_down(struct progress *p, const struct ramps *r, double u)
 {
-  const struct side *s = &p->side;
+  const struct line *s = &p->line;
   double end = p->c + s->between * u, q = end > 0 ? s->q0 : -s->q1, steep = r->down * q;
   double meets = end / (s->between + steep), sign = end > 0 ? 1 : -1;
   if (!(meets > 0 && meets < u))
     return false;
   slide(p, steep * meets, u - meets, 0);
   if (sign * steep > s->eps) {
-    double extra = end > 0 ? s->extra0 : s->extra2;
+    double extra = end > 0 ? p->extra0 : p->extra2;
     cross(p, extra, s->between, -sign * s->eps, -steep);
     begin(p, end > 0 ? ABOVE : BELOW, 1 - meets, meets);
     slide(p, p->c - sign * s->eps * meets, meets, extra);
@@ -140,18 +135,18 @@ INLINE bool between_down(struct progress *p, const struct ramps *r, double u)
 
 INLINE bool above_down(struct progress *p, const struct ramps *r)
 {
-  const struct side *s = &p->side;
+  const struct line *s = &p->line;
   double u = r->rest, end = p->c - s->eps * u, steep = r->down * s->q0;
   if (end > 0) {
-    slide(p, end, u, s->extra0);
+    slide(p, end, u, p->extra0);
     return true;
   }
   double meets = end / (steep - s->eps);
   if (!(meets > 0 && meets < u))
     return false;
-  slide(p, steep * meets, u - meets, s->extra0);
+  slide(p, steep * meets, u - meets, p->extra0);
   if (-steep > s->between) {
-    cross(p, -s->extra0, -s->eps, s->between, -steep);
+    cross(p, -p->extra0, -s->eps, s->between, -steep);
     begin(p, BETWEEN, 1 - meets, meets);
     return between_down(p, r, meets);
   }
@@ -164,7 +159,7 @@ INLINE bool above_down(struct progress *p, const struct ramps *r)
 /* The slope of the curve changes where l' begins to fall, and this can let the body go. */
 INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
 {
-  const struct side *s = &p->side;
+  const struct line *s = &p->line;
   double u = r->rest, steep = r->down * (above ? s->q0 : s->q1);
   if (above ? -steep > s->between : steep < s->between) {
     /* GCOVR_EXCL_START: never, with up and down > 0: a body is held on the way up where the slope of its curve, which then changes its
@@ -177,7 +172,7 @@ INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
   if (steep > s->eps) {
     p->events++;
     begin(p, above ? ABOVE : BELOW, r->top, u);
-    slide(p, p->c + (above ? -s->eps : s->eps) * u, u, above ? s->extra0 : s->extra2);
+    slide(p, p->c + (above ? -s->eps : s->eps) * u, u, above ? p->extra0 : p->extra2);
     return true;
   }
   held_to_end(p, r, u, above ? s->q0 : -s->q1);
@@ -196,8 +191,6 @@ INLINE bool go_down(struct progress *p, const struct ramps *r, enum trail_state 
   return false; /* GCOVR_EXCL_LINE */
 }
 
-/* ---- the phase ---- */
-
 /* Region 0 to region 2 and back, curve 0 to curve 1 and back */
 unsigned trail_mirrored(unsigned trail)
 {
@@ -214,28 +207,22 @@ void trail_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_mo
     { { 0, 0 }, { 1, 1 }, { -1, 1 }, { -1, -1 }, { 0, 1 }, { -1, 0 } },
     { { 0, 0 }, { 1, 1 }, { 1, -1 }, { -1, -1 }, { 1, 0 }, { 0, -1 } },
   };
-  modes->count = 0;
+  int count = 0;
   for (; trail; trail >>= TRAIL_BITS)
-    modes->kept[modes->count++] = mode[kind][trail & TRAIL_MASK];
+    modes->kept[count++] = mode[kind][trail & TRAIL_MASK];
+  modes->count = count;
 }
 
 bool ramps_solve(const struct motion_input *in, double c0, struct motion *motion)
 {
-  const struct scallop_scaled *s = in->scaled;
   const struct ramps ramps = ramps_of(in->shape);
   bool rear_is_1 = in->shape->pieces[0].direction > 0, forward = c0 >= 0;
-  bool plain = rear_is_1 == forward; /* body 1 is the one that turns first */
-  double sign = forward ? 1 : -1, f_first = plain ? s->f1 : s->f2, f_second = plain ? s->f2 : s->f1;
-  struct progress p = { .side = { .q0 = plain ? s->mu2 : s->mu1,
-                                  .q1 = plain ? s->mu1 : s->mu2,
-                                  .eps = in->eps,
-                                  .between = in->eps * (plain ? s->delta : -s->delta),
-                                  .extra0 = -2 * f_first,
-                                  .extra2 = 2 * f_second },
-                        .c = fabs(c0),
-                        .stretch = 1,
-                        .first_switch = NAN,
-                        .last_switch = NAN };
+  double sign = forward ? 1 : -1;
+  struct progress p = {
+    .line = line_of(in, rear_is_1 == forward), .c = fabs(c0), .stretch = 1, .first_switch = NAN, .last_switch = NAN
+  };
+  p.extra0 = -2 * p.line.f_first;
+  p.extra2 = 2 * p.line.f_second;
   enum trail_state state;
   if (!go_up(&p, &ramps, &state) || !go_down(&p, &ramps, state))
     return false;

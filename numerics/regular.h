@@ -13,6 +13,9 @@
  *     beta (2 alpha - 1) = 2 f_e alpha (t1 + dT)_e + 2 f_c (1 - alpha) (t1 + dT)_c.
  * Where |l'| is made of two straight ramps this is the answer; elsewhere it is a step of Newton's method for all four
  * crossings and the velocity at once.
+ *
+ * What it saves, as in ramps.h (else a search, period by period): 900 for 2495 for a steady state of the quadratic gait, 5622 for 16307 of the
+ * sinusoidal one.
  */
 #ifndef SCALLOP_REGULAR_H
 #define SCALLOP_REGULAR_H

@@ -8,7 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-#include "numerics/rival_motion.h"
+#include "numerics/rival_phases.h"
 
 enum {
   COMPARISONS = 16, /* with strides of one length; then they double */
@@ -45,8 +45,6 @@ static enum scallop_status next_period(struct search *s, double v0, struct scall
   s->at.events += period->events;
   return SCALLOP_OK;
 }
-
-/* ---- simulation ---- */
 
 /* Changes of the start velocity, each over a stride of so many periods. */
 struct watch {
@@ -118,8 +116,6 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
   *steady = s.at;
   return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
 }
-
-/* ---- root ---- */
 
 /* The map at a start velocity, as it was found. */
 struct tried {

@@ -3,15 +3,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/start.h"
-
-/* ---- the mode ---- */
-
 static void set_mode(struct rival_motion *m, int s1, int s2)
 {
   m->sign[0] = s1;
   m->sign[1] = s2;
-  m->drag = m->eps * (m->f[0] * s1 + m->f[1] * s2);
+  m->drag = m->phases.eps * (m->phases.f[0] * s1 + m->phases.f[1] * s2);
 }
 
 /* The direction of a body beside one at rest: the second moves with l', the first against it. */
@@ -24,9 +20,9 @@ static int other_direction(const struct rival_motion *m, int resting)
  * friction can hold it. */
 static int from_rest(const struct rival_motion *m, int body, double t)
 {
-  double push = (body == 0 ? -m->mu[1] : m->mu[0]) * rival_gait_acceleration(m, t);
+  double push = (body == 0 ? -m->phases.mu[1] : m->phases.mu[0]) * rival_gait_acceleration(m, t);
   for (int s = -1; s <= 1; s += 2)
-    if (s * (push - m->eps * (m->f[body] * s + m->f[1 - body] * other_direction(m, body))) > 0)
+    if (s * (push - m->phases.eps * (m->phases.f[body] * s + m->phases.f[1 - body] * other_direction(m, body))) > 0)
       return s;
   return 0;
 }
@@ -35,17 +31,15 @@ static int from_rest(const struct rival_motion *m, int body, double t)
  * once at most, because l'' is monotone in a piece. */
 static double turning_time(const struct rival_motion *m, int body)
 {
-  double level = body == 0 ? -m->drag / m->mu[1] : m->drag / m->mu[0];
+  double level = body == 0 ? -m->drag / m->phases.mu[1] : m->drag / m->phases.mu[0];
   return rival_flip(m->piece, m->piece->curve->when(m->piece, level));
 }
 
-/* ---- from event to event ---- */
-
 bool rival_motion_goes_on(struct rival_motion *m)
 {
-  if (m->status == SCALLOP_OK && m->steps > RIVAL_MAX_STEPS)
+  if (m->status == SCALLOP_OK && m->phases.steps > RIVAL_MAX_STEPS)
     m->status = SCALLOP_ECONVERGE;
-  if (m->status == SCALLOP_OK && !rival_patience_lasts(m->patience))
+  if (m->status == SCALLOP_OK && !rival_patience_lasts(m->phases.patience))
     m->status = SCALLOP_ESTOPPED;
   return m->status == SCALLOP_OK;
 }
@@ -68,7 +62,7 @@ static void slide(struct rival_motion *m, double end)
   rest(m, body, m->t);
   int direction = from_rest(m, body, m->t), other = other_direction(m, body);
   set_mode(m, body == 0 ? direction : other, body == 0 ? other : direction);
-  m->events++;
+  m->phases.events++;
 }
 
 /* A body is stuck: go to its release or the end of the piece. The force that holds it is monotone in
@@ -81,7 +75,7 @@ static void stick(struct rival_motion *m, double end)
   if (released != 0) {
     set_mode(m, body == 0 ? released : m->sign[0], body == 0 ? m->sign[1] : released);
     t = fmax(begin, fmin(turning_time(m, body), end)); /* fmin passes over a nan */
-    m->events++;
+    m->phases.events++;
   }
   rest(m, body, t);
   if (body == 1)
@@ -97,7 +91,7 @@ static void enter(struct rival_motion *m, const struct scallop_piece *piece)
   m->t = rival_flip(piece, piece->begin);
   double l1 = rival_gait_velocity(m, m->t);
   if (anew)
-    m->y[0] = m->c - m->mu[1] * l1;
+    m->y[0] = m->phases.c - m->phases.mu[1] * l1;
   for (int body = 0; body < 2; body++) {
     double v = body == 0 ? m->y[0] : m->y[0] + l1;
     bool resting = v == 0 || (!anew && m->sign[body] == 0);
@@ -108,11 +102,12 @@ static void enter(struct rival_motion *m, const struct scallop_piece *piece)
   set_mode(m, sign[0], sign[1]);
 }
 
-/* ---- one phase, one period ---- */
-
-static void run_phase(struct rival_motion *m, const struct scallop_shape *shape)
+static enum scallop_status run_phase(struct rival_phases *phases, const struct scallop_shape *shape)
 {
+  struct rival_motion *m = (struct rival_motion *)phases;
   m->piece = NULL;
+  m->status = SCALLOP_OK;
+  m->y[1] = phases->x;
   for (int i = 0; i < shape->count && m->status == SCALLOP_OK; i++) {
     enter(m, &shape->pieces[i]);
     double end = rival_flip(m->piece, m->piece->end);
@@ -122,44 +117,15 @@ static void run_phase(struct rival_motion *m, const struct scallop_shape *shape)
       else
         slide(m, end);
     }
-    m->c = m->y[0] + m->mu[1] * rival_gait_velocity(m, end);
+    phases->c = m->y[0] + phases->mu[1] * rival_gait_velocity(m, end); /* goes on where l' jumps */
   }
-}
-
-/* Both phases from v0 in L/T; v[kind] is the velocity after each, in the same unit. */
-static enum scallop_status run_phases(struct rival_motion *m, const struct scallop_scaled *s, double v0, double v[2])
-{
-  for (int kind = 0; kind < 2; kind++) {
-    m->eps = s->eps * (s->fraction[kind] * s->fraction[kind]);
-    m->c = (kind == SCALLOP_EXTENSION ? v0 : v[SCALLOP_EXTENSION]) * s->fraction[kind];
-    run_phase(m, &s->gait->phase[kind]);
-    if (m->status != SCALLOP_OK)
-      return m->status;
-    v[kind] = m->c / s->fraction[kind];
-  }
-  return SCALLOP_OK;
+  phases->x = m->y[1];
+  return m->status;
 }
 
 enum scallop_status rival_motion_period(struct rival_motion *m, const struct scallop_crawler *crawler, double v0,
-                                        struct scallop_rival_period *period)
+                                        const struct scallop_patience *patience, struct scallop_rival_period *period)
 {
-  struct scallop_scaled s;
-  double c0, v[2];
-  enum scallop_status status = start_scaled(crawler, v0, &s, &c0);
-  if (status != SCALLOP_OK)
-    return status;
-  *m = (struct rival_motion){ .slide = m->slide, .patience = m->patience, .mu = { s.mu1, s.mu2 }, .f = { s.f1, s.f2 } };
-  status = run_phases(m, &s, c0, v);
-  if (status != SCALLOP_OK)
-    return status;
-  struct scallop_rival_period answer = { .v_mid = v[0] * s.velocity,
-                                         .v_end = v[1] * s.velocity,
-                                         .displacement = m->y[1] * crawler->L, /* l is back where it was */
-                                         .steps = m->steps,
-                                         .evaluations = m->evaluations,
-                                         .events = m->events };
-  if (!isfinite(answer.v_mid) || !isfinite(answer.v_end) || !isfinite(answer.displacement))
-    return SCALLOP_ERANGE;
-  *period = answer;
-  return SCALLOP_OK;
+  *m = (struct rival_motion){ .phases = { .phase = run_phase, .patience = patience }, .slide = m->slide };
+  return rival_period(&m->phases, crawler, v0, period);
 }

@@ -8,46 +8,28 @@
 #ifndef SCALLOP_RIVAL_MOTION_H
 #define SCALLOP_RIVAL_MOTION_H
 
-#include "numerics/rival.h"
-
-enum { RIVAL_MAX_STEPS = 1000000 }; /* in a period; past it a rival gives up */
+#include "numerics/rival_phases.h"
 
 struct rival_motion {
+  struct rival_phases phases; /* first, so that the one is the other                                  */
   /* Integrates t and y to `end`, which lies in the piece, or to the first event: a body whose velocity falls to zero in
    * the direction that it has in the mode. That body, or -1. Sets status when it cannot. */
   int (*slide)(struct rival_motion *motion, double end);
-  const struct scallop_patience *patience;
   const struct scallop_piece *piece;
-  double mu[2], f[2]; /* of body 1 and body 2; sums are 1                                     */
-  double eps;         /* tau^2 (F1 + F2)/(M L)                                                */
-  double t;           /* since the phase began                                                */
-  double y[2];        /* velocity and position of body 1                                      */
-  double c;           /* velocity of the centre of mass where l' may jump: c does not         */
-  int sign[2];        /* the mode                                                             */
-  double drag;        /* eps (f1 s1 + f2 s2)                                                  */
-  double turn[2];     /* when the velocity of each body turns in this mode; nan if never      */
-  long steps, evaluations, events;
+  double t;       /* since the phase began                                                */
+  double y[2];    /* velocity and position of body 1                                      */
+  int sign[2];    /* the mode                                                             */
+  double drag;    /* eps (f1 s1 + f2 s2)                                                  */
+  double turn[2]; /* when the velocity of each body turns in this mode; nan if never      */
   enum scallop_status status;
 };
 
-/* One period from v0; the caller has set slide and patience, and all else is set here. Statuses and *period as
- * struct scallop_rival promises. */
+/* One period from v0 by these steps. Statuses and *period as struct scallop_rival promises. */
 enum scallop_status rival_motion_period(struct rival_motion *motion, const struct scallop_crawler *crawler, double v0,
-                                        struct scallop_rival_period *period);
+                                        const struct scallop_patience *patience, struct scallop_rival_period *period);
 
 /* What an integration may ask at each step: false, and the status why, when it is to end. */
 bool rival_motion_goes_on(struct rival_motion *motion);
-
-static inline bool rival_patience_lasts(const struct scallop_patience *patience)
-{
-  return !patience || patience->lasts(patience->context);
-}
-
-/* Time since the phase began, for an offset from the piece's anchor; and the other way round. */
-static inline double rival_flip(const struct scallop_piece *piece, double t)
-{
-  return piece->anchor == SCALLOP_FROM_START ? t : 1 - t;
-}
 
 static inline double rival_gait_velocity(const struct rival_motion *m, double t)
 {
@@ -63,7 +45,7 @@ static inline double rival_gait_acceleration(const struct rival_motion *m, doubl
 /* x1'' while both bodies move. */
 static inline double rival_acceleration(const struct rival_motion *m, double t)
 {
-  return -m->mu[1] * rival_gait_acceleration(m, t) - m->drag;
+  return -m->phases.mu[1] * rival_gait_acceleration(m, t) - m->drag;
 }
 
 /* A body's velocity counted in the direction of the mode, so that it is an event when this falls to zero. */
@@ -76,7 +58,7 @@ static inline double rival_ahead(const struct rival_motion *m, double v1, double
 static inline double rival_ahead_rate(const struct rival_motion *m, double t, int body)
 {
   double a = rival_gait_acceleration(m, t);
-  return m->sign[body] * (body == 0 ? -m->mu[1] * a - m->drag : m->mu[0] * a - m->drag);
+  return m->sign[body] * (body == 0 ? -m->phases.mu[1] * a - m->drag : m->phases.mu[0] * a - m->drag);
 }
 
 #endif

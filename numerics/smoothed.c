@@ -8,8 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "numerics/rival_centre.h"
-#include "numerics/rival_motion.h"
+#include "numerics/rival_phases.h"
 #include "numerics/start.h"
 
 enum { DIMENSION = 2 };
@@ -37,7 +36,7 @@ struct watch {
 };
 
 struct run {
-  struct rival_centre centre; /* first, so that the one is the other */
+  struct rival_phases phases; /* first, so that the one is the other */
   const struct smoothed *tools;
   const struct scallop_piece *piece;
   double d; /* the velocity over which friction is smoothed */
@@ -45,14 +44,12 @@ struct run {
   struct watch watch;
 };
 
-/* ---- the equation of motion ---- */
-
 static int equation(double t, const double y[], double dydt[], void *params)
 {
   struct run *run = params;
-  struct rival_centre *r = &run->centre;
+  struct rival_phases *r = &run->phases;
   double c = y[0], l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
-  dydt[0] = -r->eps * (r->f1 * tanh((c - r->mu2 * l1) / run->d) + r->f2 * tanh((c + r->mu1 * l1) / run->d));
+  dydt[0] = -r->eps * (r->f[0] * tanh((c - r->mu[1] * l1) / run->d) + r->f[1] * tanh((c + r->mu[0] * l1) / run->d));
   dydt[1] = c;
   r->evaluations++;
   return GSL_SUCCESS;
@@ -79,22 +76,20 @@ static double tanh_slope(double x)
 static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *params)
 {
   struct run *run = params;
-  struct rival_centre *r = &run->centre;
+  struct rival_phases *r = &run->phases;
   double c = y[0], l1, l2, steepness = r->eps / run->d;
   gait_rates(run->piece, t, &l1, &l2);
-  double slope1 = r->f1 * tanh_slope((c - r->mu2 * l1) / run->d);
-  double slope2 = r->f2 * tanh_slope((c + r->mu1 * l1) / run->d);
+  double slope1 = r->f[0] * tanh_slope((c - r->mu[1] * l1) / run->d);
+  double slope2 = r->f[1] * tanh_slope((c + r->mu[0] * l1) / run->d);
   dfdy[0] = -steepness * (slope1 + slope2);
   dfdy[1] = 0;
   dfdy[2] = 1;
   dfdy[3] = 0;
-  dfdt[0] = steepness * ((r->mu2 * slope1 - r->mu1 * slope2) * l2);
+  dfdt[0] = steepness * ((r->mu[1] * slope1 - r->mu[0] * slope2) * l2);
   dfdt[1] = 0;
   r->evaluations++;
   return GSL_SUCCESS;
 }
-
-/* ---- one piece, one phase, one period ---- */
 
 static long steps_of(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
 
@@ -102,12 +97,12 @@ static enum scallop_status one_step(struct run *run, double *t, double end, doub
 {
   const gsl_odeiv2_driver *d = run->tools->driver;
   const gsl_odeiv2_system system = { equation, jacobian, DIMENSION, run };
-  if (!rival_patience_lasts(run->centre.patience))
+  if (!rival_patience_lasts(run->phases.patience))
     return SCALLOP_ESTOPPED;
   run->h = fmin(run->h, longest_step);
   if (gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &system, t, end, &run->h, y) != GSL_SUCCESS || !isfinite(y[0]))
     return SCALLOP_ECONVERGE;
-  return run->centre.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
+  return run->phases.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
 }
 
 static double next_time(const struct watch *w) { return w->count > 0 ? w->times[0] / w->duration : INFINITY; }
@@ -115,17 +110,17 @@ static double next_time(const struct watch *w) { return w->count > 0 ? w->times[
 static struct scallop_sample sample_at(const struct run *run, double t, const double y[])
 {
   const struct watch *w = &run->watch;
-  const struct rival_centre *r = &run->centre;
+  const struct rival_phases *r = &run->phases;
   double length, start, L = w->crawler->L, unit = L / w->duration;
   double l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
   scallop_gait_at(w->crawler->gait, w->kind, 0, &start, NULL, NULL);
   scallop_gait_at(w->crawler->gait, w->kind, t, &length, NULL, NULL);
   struct scallop_sample s = { .t = w->times[0], .l = L * length };
-  s.x1 = L * (y[1] - r->mu2 * (length - start));
+  s.x1 = L * (y[1] - r->mu[1] * (length - start));
   s.x2 = s.x1 + s.l;
   s.xC = s.x1 + s.l / 2;
-  s.v1 = unit * (y[0] - r->mu2 * l1);
-  s.v2 = unit * (y[0] + r->mu1 * l1);
+  s.v1 = unit * (y[0] - r->mu[1] * l1);
+  s.v2 = unit * (y[0] + r->mu[0] * l1);
   return s;
 }
 
@@ -146,7 +141,7 @@ static enum scallop_status show(struct run *run, double t, const double y[])
 /* Each piece begins anew, as l'' may jump there. */
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
 {
-  struct rival_centre *r = &run->centre;
+  struct rival_phases *r = &run->phases;
   const gsl_odeiv2_driver *d = run->tools->driver;
   double t = rival_flip(piece, piece->begin), end = rival_flip(piece, piece->end), y[DIMENSION] = { r->c, r->x };
   run->piece = piece;
@@ -164,11 +159,11 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
   return status;
 }
 
-static enum scallop_status run_phase(struct rival_centre *centre, const struct scallop_shape *shape)
+static enum scallop_status run_phase(struct rival_phases *phases, const struct scallop_shape *shape)
 {
-  struct run *run = (struct run *)centre;
-  run->d = run->tools->delta * centre->fraction;
-  if (!isnormal(run->d) || !isfinite(centre->eps / run->d))
+  struct run *run = (struct run *)phases;
+  run->d = run->tools->delta * phases->fraction;
+  if (!isnormal(run->d) || !isfinite(phases->eps / run->d))
     return SCALLOP_ERANGE;
   enum scallop_status status = SCALLOP_OK;
   for (int i = 0; i < shape->count && status == SCALLOP_OK; i++)
@@ -179,10 +174,10 @@ static enum scallop_status run_phase(struct rival_centre *centre, const struct s
 static enum scallop_status smoothed_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
                                            const struct scallop_patience *patience, struct scallop_rival_period *period)
 {
-  struct run run = { .centre = { .phase = run_phase, .patience = patience },
+  struct run run = { .phases = { .phase = run_phase, .patience = patience },
                      .tools = (const struct smoothed *)self,
                      .h = first_step };
-  return rival_centre_period(&run.centre, crawler, v0, period);
+  return rival_period(&run.phases, crawler, v0, period);
 }
 
 static bool are_times(const double *times, int count, double duration)
@@ -205,21 +200,17 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
   double duration = scallop_phase_duration(crawler, kind), fraction = s.fraction[kind];
   if (!are_times(times, count, duration))
     return SCALLOP_EDOMAIN;
-  struct run run = { .centre = { .patience = patience,
-                                 .mu1 = s.mu1,
-                                 .mu2 = s.mu2,
-                                 .f1 = s.f1,
-                                 .f2 = s.f2,
+  struct run run = { .phases = { .patience = patience,
+                                 .mu = { s.mu1, s.mu2 },
+                                 .f = { s.f1, s.f2 },
                                  .fraction = fraction,
                                  .eps = s.eps * (fraction * fraction),
                                  .c = c0 * fraction },
                      .tools = (const struct smoothed *)rival,
                      .h = first_step,
                      .watch = { crawler, kind, duration, times, count, sampler, context } };
-  return run_phase(&run.centre, &s.gait->phase[kind]);
+  return run_phase(&run.phases, &s.gait->phase[kind]);
 }
-
-/* ---- memory ---- */
 
 static void smoothed_destroy(struct scallop_rival *self)
 {

@@ -6,7 +6,7 @@
 #include "numerics/held.h"
 #include "numerics/period.h"
 #include "numerics/regular.h"
-#include "numerics/wide_parts.h"
+#include "numerics/solve.h"
 
 enum { STEPS = 2200 /* doubles can be halved no longer */ };
 
@@ -34,8 +34,8 @@ static struct bracket surely(const struct scallop_scaled *s)
 static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
-  p.base[0] = p.base[1] = 0;
-  period_solve(s, c, NAN, &p);
+  period_begin(&p);
+  period_solve(s, c, &p);
   return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
 }
 
@@ -116,7 +116,7 @@ static void improve(const struct scallop_scaled *s, struct period *p)
   if (p->forgets || !(e->stretch * c->stretch < 0.5))
     return;
   if ((p->c_end > 0) != (p->c_start > 0)) { /* other bodies turn there */
-    period_solve(s, p->c_end, NAN, p);
+    period_solve(s, p->c_end, p);
     return;
   }
   p->c_mid += e->stretch * (p->c_end - p->c_start);
@@ -124,16 +124,15 @@ static void improve(const struct scallop_scaled *s, struct period *p)
 }
 
 /* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. within: the bracket, or NULL: it is
- * surely(), which is wanted when Newton's method is in doubt, which is seldom. solved as in period_solve. */
-static enum scallop_status find_root(const struct scallop_scaled *s, double guess, double solved,
-                                     const struct bracket *within, struct period *p, struct scallop_work *work)
+ * surely(), which is wanted when Newton's method is in doubt, which is seldom. */
+static enum scallop_status find_root(const struct scallop_scaled *s, double guess, const struct bracket *within,
+                                     struct period *p, struct scallop_work *work)
 {
   double c = isfinite(guess) ? guess + 0.0 : 0; /* no -0 */
   struct bracket b = within ? *within : (struct bracket){ -INFINITY, INFINITY };
   double last = INFINITY, before = INFINITY;
   for (int i = 0; i < STEPS; i++) {
-    period_solve(s, c, solved, p);
-    solved = p->c_mid;
+    period_solve(s, c, p);
     add_work(work, p);
     if (settled(p)) {
       improve(s, p);
@@ -175,9 +174,10 @@ static void find_from_level(const struct scallop_scaled *s, struct period *p, st
     double same = motion_level(&other, there, rounding * fabs(there)); /* if both phases have a plateau there */
     struct bracket within = { -reach, reach };
     struct period q;
+    period_begin(&q);
     q.base[kind] = level;
     q.base[1 - kind] = same != 0 ? same : there;
-    if (find_root(s, 0, NAN, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach) {
+    if (find_root(s, 0, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach) {
       period_sum_up(s, &q);
       q.base[0] = q.base[1] = 0;
       q.c_start += base;
@@ -189,57 +189,69 @@ static void find_from_level(const struct scallop_scaled *s, struct period *p, st
   }
 }
 
-static void regular_result(const struct scallop_scaled *s, const struct regular *r, double L,
-                           struct scallop_steady_result *result)
+/* A steady state as each of the solvers below tells it */
+struct steady {
+  struct scallop_period_result
+      period;         /* velocities in L/T, the displacement in L; v_start: that of the state               */
+  struct bracket all; /* steady start velocities                                                         */
+  double size;        /* of the parts that the displacement is the sum of; 0: nothing cancels            */
+  bool delicate;      /* as in struct doubt                                                              */
+  struct scallop_work work;
+};
+
+static void set_regular(struct steady *at, const struct regular *r)
 {
-  struct scallop_period_result *p = &result->period;
-  result->v_low = result->v_high = p->v_start = r->c_start * s->velocity;
-  p->v_mid = r->c_mid * s->velocity;
-  p->v_end = r->c_end * s->velocity;
-  p->displacement = r->travel * L;
+  struct scallop_period_result *p = &at->period;
+  p->v_start = at->all.lo = at->all.hi = r->c_start;
+  p->v_mid = r->c_mid;
+  p->v_end = r->c_end;
+  p->displacement = r->travel;
   p->multiplier = r->multiplier;
   p->balance = r->balance;
   p->regime = SCALLOP_SLIDING;
   regular_modes(r->c_start > 0, p->modes);
+  at->size = 0;
+  at->delicate = r->delicate;
 }
 
-static void held_result(const struct scallop_scaled *s, const struct held *h, double L, struct scallop_steady_result *result)
+static void set_held(struct steady *at, const struct held *h)
 {
-  struct scallop_period_result *p = &result->period;
-  result->v_low = result->v_high = p->v_start = p->v_end = h->c_start * s->velocity;
-  p->v_mid = h->c_mid * s->velocity;
-  p->displacement = h->travel * L;
+  struct scallop_period_result *p = &at->period;
+  p->v_start = p->v_end = at->all.lo = at->all.hi = h->c_start;
+  p->v_mid = h->c_mid;
+  p->displacement = h->travel;
   p->multiplier = p->balance = 0;
   p->regime = held_regime(h->starts, h->ends, h->stuck);
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
+  at->size = h->size;
+  at->delicate = false;
+}
+
+static bool has_ramps(const struct scallop_gait *gait) { return gait->phase[0].ramps && gait->phase[1].ramps; }
+
+static void set_searched(const struct scallop_scaled *s, struct steady *at, const struct period *period)
+{
+  period_result(s, period, &at->period);
+  at->size = period->size;
+  at->delicate = !period->forgets
+                 && (period->phase[0].delicate || period->phase[1].delicate
+                     || (!has_ramps(s->gait)
+                         && at->period.multiplier < 0.0625)); /* of ramps it does not depend on the velocity */
 }
 
 /* A displacement is the sum of a part for each mode and straight piece. With more than three pieces in a phase the results of the four
  * rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
 static bool has_many_straight(const struct scallop_shape *shape) { return shape->count > 3 && shape->pieces[0].linear; }
 
-/* A displacement that rounding has spoilt, or a multiplier that depends on where in the last digit of v_start the root lies. */
-static void mend(const struct scallop_crawler *crawler, double travel, double size, bool delicate,
-                 struct scallop_steady_result *result)
+/* As in struct doubt */
+static double left_of(const struct scallop_gait *gait, double alpha, double travel, double size)
 {
-  struct scallop_wide_steady wider;
-  const struct scallop_shape *phase = crawler->gait->phase;
-  bool cancels = period_cancels(travel, size, phase[0].ramps && phase[1].ramps);
+  const struct scallop_shape *phase = gait->phase;
+  bool cancels = period_cancels(travel, size, has_ramps(gait));
   if (has_many_straight(&phase[0]) || has_many_straight(&phase[1]))
     cancels = fabs(travel) < 0x1p-1 * size;
-  double left = cancels ? fabs(travel) / size : 1, driven = period_driven(crawler->gait, crawler->alpha);
-  if (size > 0 && travel != 0 && period_undoes(driven)) {
-    cancels = true;
-    left = fmin(left, fabs(driven));
-  }
-  if ((!cancels && !delicate) || !wide_enough_steady(crawler, result->period.v_start, left, &wider))
-    return;
-  if (cancels) {
-    result->period.displacement = wider.period.displacement.high;
-    result->mean_velocity = wider.mean_velocity.high;
-  }
-  if (delicate)
-    result->period.multiplier = wider.period.multiplier.high;
+  double left = cancels ? fabs(travel) / size : 1, driven = period_driven(gait, alpha);
+  return travel != 0 && period_undoes(driven) ? fmin(left, fabs(driven)) : left;
 }
 
 /* As in period.c. */
@@ -254,96 +266,95 @@ static void look_at_bodies(struct held *h)
 }
 
 /* order as in held.h. True: it is that simple. */
-static bool solve_held(const struct scallop_scaled *s, double order, struct held *h, struct scallop_work *work)
+static bool solve_held(const struct scallop_scaled *s, double order, struct steady *at)
 {
+  struct held h;
   const struct scallop_shape *phase = s->gait->phase;
   const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
-  if (!phase[SCALLOP_EXTENSION].ramps || !phase[SCALLOP_CONTRACTION].ramps)
+  if (!has_ramps(s->gait))
     return false;
   struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
-  held_steady(&scaling, s->fraction[SCALLOP_EXTENSION], order, &e, &c, h);
-  if (period_cancels(h->travel, h->size, false))
-    look_at_bodies(h);
-  *work = (struct scallop_work){ .periods = 1, .events = 4 - (h->stuck[0] > 0) - (h->stuck[1] > 0) };
-  return h->margin > 0;
+  held_steady(&scaling, s->fraction[SCALLOP_EXTENSION], order, &e, &c, &h);
+  if (!(h.margin > 0))
+    return false;
+  if (period_cancels(h.travel, h.size, false))
+    look_at_bodies(&h);
+  set_held(at, &h);
+  at->work = (struct scallop_work){ .periods = 1, .events = 4 - (h.stuck[0] > 0) - (h.stuck[1] > 0) };
+  return true;
 }
 
 /* Any motion, beginning from c, or, where the extension ends at rest, from there. */
-static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c, struct period *period,
-                                  struct bracket *at, struct scallop_work *work)
+static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c, struct steady *at)
 {
-  double solved = NAN;
-  *work = (struct scallop_work){ 0 };
-  period->base[0] = period->base[1] = 0;
+  struct period period;
+  at->work = (struct scallop_work){ 0 };
+  period_begin(&period);
   if (hint == EXTENSION_HOLDS) {
-    period->c_mid = solved = 0;
-    period_phase(s, SCALLOP_CONTRACTION, period, NULL, NULL);
-    c = period->c_end;
+    period.c_mid = 0;
+    period_phase(s, SCALLOP_CONTRACTION, &period, NULL, NULL);
+    c = period.c_end;
   }
-  enum scallop_status status = find_root(s, c, solved, NULL, period, work);
+  enum scallop_status status = find_root(s, c, NULL, &period, &at->work);
   if (status != SCALLOP_OK)
-    return status; /* GCOVR_EXCL_LINE: as above */
-  period_sum_up(s, period);
-  find_from_level(s, period, work);
-  *at = steady_states(s, period->c_start);
-  if (!(at->lo < at->hi) && is_mirrored(s))
-    period->travel = period->size = 0;
-  if (!(at->lo < at->hi))
-    return SCALLOP_OK;
-  period_solve(s, fmin(fmax(0, at->lo), at->hi), NAN, period);
-  period_sum_up(s, period);
-  return SCALLOP_INTERVAL;
+    return status; /* GCOVR_EXCL_LINE: halving ends before that */
+  period_sum_up(s, &period);
+  find_from_level(s, &period, &at->work);
+  at->all = steady_states(s, period.c_start);
+  if (at->all.lo < at->all.hi) {
+    period_begin(&period);
+    period_solve(s, fmin(fmax(0, at->all.lo), at->all.hi), &period);
+    period_sum_up(s, &period);
+    status = SCALLOP_INTERVAL;
+  } else if (is_mirrored(s))
+    period.travel = period.size = 0;
+  set_searched(s, at, &period);
+  return status;
 }
 
-static bool in_range(const struct scallop_crawler *crawler, const struct scallop_scaled *s, double c_start, double c_mid,
-                     double travel)
+static enum scallop_status find(const struct scallop_scaled *s, struct steady *at)
 {
-  double displacement = travel * crawler->L;
-  return scaling_keeps(1, 1 / s->eps) && scaling_keeps(c_start, c_start * s->velocity)
-         && scaling_keeps(c_mid, c_mid * s->velocity) && scaling_keeps(travel, displacement)
-         && scaling_keeps(travel, displacement / crawler->T);
+  struct regular regular;
+  at->work = (struct scallop_work){ 0 };
+  enum regular_outcome outcome = regular_solve(s, &regular, &at->work);
+  if (outcome == REGULAR_FOUND) {
+    set_regular(at, &regular);
+    return SCALLOP_OK;
+  }
+  if (outcome != REGULAR_NOT && solve_held(s, outcome == CONTRACTION_HOLDS ? 1 : -1, at))
+    return SCALLOP_OK;
+  return search(s, outcome, regular.c_start, at);
 }
 
-enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
+enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result,
+                                 struct doubt *doubt)
 {
   struct scallop_scaled s;
-  struct regular regular;
-  struct held held;
-  struct period period;
-  struct bracket at = { 0, 0 };
-  struct scallop_work work = { 0 };
+  struct steady at;
   enum scallop_status status = scallop_scale(crawler, &s);
   if (status != SCALLOP_OK)
     return status;
-  enum regular_outcome outcome = regular_solve(&s, &regular, &work);
-  bool is_regular = outcome == REGULAR_FOUND, holds = outcome == CONTRACTION_HOLDS || outcome == EXTENSION_HOLDS;
-  bool is_held = holds && solve_held(&s, outcome == CONTRACTION_HOLDS ? 1 : -1, &held, &work);
-  if (!is_regular && !is_held)
-    status = search(&s, outcome, regular.c_start, &period, &at, &work);
+  status = find(&s, &at);
   if (status < 0)
     return status; /* GCOVR_EXCL_LINE: as above */
-  double travel = is_regular ? regular.travel : is_held ? held.travel : period.travel;
-  double c_start = is_regular ? regular.c_start : is_held ? held.c_start : period.c_start;
-  double c_mid = is_regular ? regular.c_mid : is_held ? held.c_mid : period.c_mid;
-  if (!in_range(crawler, &s, c_start, c_mid, travel))
+  struct scallop_period_result *p = &at.period;
+  double froude = 1 / s.eps, v_start = p->v_start * s.velocity, v_mid = p->v_mid * s.velocity, travel = p->displacement;
+  double displacement = travel * crawler->L, mean_velocity = displacement / crawler->T;
+  if (!scaling_keeps(1, froude) || !scaling_keeps(p->v_start, v_start) || !scaling_keeps(p->v_mid, v_mid)
+      || !scaling_keeps(travel, displacement) || !scaling_keeps(travel, mean_velocity))
     return SCALLOP_ERANGE;
-  result->froude = 1 / s.eps;
-  result->mean_velocity = travel * crawler->L / crawler->T;
-  result->work = work;
-  if (is_regular) {
-    regular_result(&s, &regular, crawler->L, result);
-    mend(crawler, NAN, NAN, regular.delicate, result);
-  } else if (is_held) {
-    held_result(&s, &held, crawler->L, result);
-    mend(crawler, held.travel, held.size, false, result);
-  } else {
-    period_result(crawler, &s, &period, &result->period);
-    result->v_low = at.lo * s.velocity;
-    result->v_high = at.hi * s.velocity;
-    bool ramps = s.gait->phase[0].ramps && s.gait->phase[1].ramps; /* there it does not depend on the velocity */
-    bool delicate = period.phase[0].delicate || period.phase[1].delicate || (!ramps && result->period.multiplier < 0.0625);
-    mend(crawler, period.travel, period.size, delicate && !period.forgets, result);
-  }
+  doubt->left = at.size > 0 ? left_of(s.gait, crawler->alpha, travel, at.size) : 1;
+  doubt->delicate = at.delicate;
+  p->v_start = v_start;
+  p->v_mid = v_mid;
+  p->v_end *= s.velocity;
+  p->displacement = displacement;
+  result->froude = froude;
+  result->mean_velocity = mean_velocity;
+  result->period = *p;
+  result->v_low = at.all.lo * s.velocity;
+  result->v_high = at.all.hi * s.velocity;
+  result->work = at.work;
   return status;
 }
 

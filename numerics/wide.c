@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "numerics/solve.h"
 #include "numerics/wide_parts.h"
 
 /* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it to, and as it is
@@ -20,8 +21,6 @@ int scallop_width_bits(enum scallop_width width)
     return long_double_bits();
   return WIDE_HAS_FLOAT128 || LDBL_MANT_DIG == 113 ? 113 : 0;
 }
-
-/* ---- domain ---- */
 
 static bool is_exact(const struct scallop_gait *gait)
 {
@@ -66,29 +65,7 @@ static bool choose_width(const struct scallop_gait *gait, double left, enum scal
   return is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
 }
 
-static void phase_in(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
-                     double v0, struct scallop_wide_phase *out)
-{
-  if (width == SCALLOP_LONG_DOUBLE)
-    wide_long_phase(crawler, kind, v0, out);
-  else
-    wide_quad_phase(crawler, kind, v0, out);
-}
-
-static void period_in(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
-                      struct scallop_wide_period *out)
-{
-  if (width == SCALLOP_LONG_DOUBLE)
-    wide_long_period(crawler, v0, out);
-  else
-    wide_quad_period(crawler, v0, out);
-}
-
-static bool steady_in(enum scallop_width width, const struct scallop_crawler *crawler, double guess,
-                      struct scallop_wide_steady *out)
-{
-  return width == SCALLOP_LONG_DOUBLE ? wide_long_steady(crawler, guess, out) : wide_quad_steady(crawler, guess, out);
-}
+static const struct wide_solver *const solvers[] = { [SCALLOP_LONG_DOUBLE] = &wide_long, [SCALLOP_BINARY128] = &wide_quad };
 
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out)
@@ -96,7 +73,7 @@ bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  phase_in(width, crawler, kind, v0, out);
+  solvers[width]->phase(crawler, kind, v0, out);
   return is_kept(out->dx1.high) && is_kept(out->dx2.high) && is_kept(out->dxC.high);
 }
 
@@ -105,7 +82,7 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  period_in(width, crawler, v0, out);
+  solvers[width]->period(crawler, v0, out);
   return is_kept(out->displacement.high);
 }
 
@@ -114,20 +91,20 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  return steady_in(width, crawler, guess, out) && is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
+  return solvers[width]->steady(crawler, guess, out) && is_kept(out->period.displacement.high)
+         && is_kept(out->mean_velocity.high);
 }
-
-/* ---- solves ---- */
 
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
                                        enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result)
 {
   struct scallop_wide_phase answer;
   struct scallop_phase_result plain;
-  enum scallop_status status = check(width, crawler, scallop_phase(crawler, kind, v0, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_phase(crawler, kind, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  phase_in(width, crawler, kind, v0, &answer);
+  solvers[width]->phase(crawler, kind, v0, &answer);
   const struct scallop_wide *const numbers[] = { &answer.v_end, &answer.dx1, &answer.dx2, &answer.dxC };
   bool finite = are_finite(numbers, 4);
   if (finite)
@@ -140,10 +117,11 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
 {
   struct scallop_wide_period answer;
   struct scallop_period_result plain;
-  enum scallop_status status = check(width, crawler, scallop_period(crawler, v0, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_period(crawler, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  period_in(width, crawler, v0, &answer);
+  solvers[width]->period(crawler, v0, &answer);
   if (!period_is_finite(&answer))
     return SCALLOP_ERANGE;
   *result = answer;
@@ -155,18 +133,17 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
 {
   struct scallop_wide_steady answer;
   struct scallop_steady_result plain;
-  enum scallop_status status = check(width, crawler, scallop_steady(crawler, &plain));
+  struct doubt doubt;
+  enum scallop_status status = check(width, crawler, solve_steady(crawler, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
   double guess = plain.period.v_start;
-  bool found = steady_in(width, crawler, guess, &answer);
+  bool found = solvers[width]->steady(crawler, guess, &answer);
   bool finite = period_is_finite(&answer.period) && isfinite(answer.mean_velocity.high);
   if (found && finite)
     *result = answer;
   return !found ? SCALLOP_ECONVERGE : finite ? SCALLOP_OK : SCALLOP_ERANGE;
 }
-
-/* ---- value and error ---- */
 
 static enum scallop_width widest(void)
 {

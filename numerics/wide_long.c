@@ -4,7 +4,7 @@
 
 typedef long double real;
 #define REAL_BITS LDBL_MANT_DIG
-#define WIDE(name) wide_long_##name
+#define WIDE wide_long
 #include "numerics/wide_parts.h"
 
 static real real_sine(real x) { return sinl(x); }

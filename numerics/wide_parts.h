@@ -10,19 +10,17 @@
 #define WIDE_HAS_FLOAT128 0
 #endif
 
-void wide_long_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                     struct scallop_wide_phase *out);
-void wide_long_period(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
-void wide_quad_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                     struct scallop_wide_phase *out);
-void wide_quad_period(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
+struct wide_solver {
+  void (*phase)(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                struct scallop_wide_phase *out);
+  void (*period)(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
+  /* guess: a start velocity to begin with. False: no end of the iteration. */
+  bool (*steady)(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
+};
+extern const struct wide_solver wide_long, wide_quad;
 
-/* guess: a start velocity to begin with. False: no end of the iteration. */
-bool wide_long_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
-bool wide_quad_steady(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
-
-/* The same in the cheapest type that tells a sum of which only a fraction `left` is left, the rest having cancelled; left > 0, or 0 where
- * nothing is. False: there is none, or the gait has no exact law, or as above. */
+/* The same in the cheapest type that resolves a sum after cancellation to the fraction `left`; left > 0, or 0 where nothing is left. False:
+ * there is none, or the gait has no exact law, or as above. */
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out);
 bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);

@@ -10,7 +10,7 @@ __extension__ typedef __float128 real;
 typedef long double real;
 #define REAL_BITS LDBL_MANT_DIG
 #endif
-#define WIDE(name) wide_quad_##name
+#define WIDE wide_quad
 
 /* C's library has no sine for every such type. */
 #define OVER(n) ((real)1 / ((n) * ((n) + 1)))

@@ -2,7 +2,7 @@
  *
  *     real          the type
  *     REAL_BITS     of its significand
- *     WIDE(name)    what the three functions at the end are called
+ *     WIDE          what the solver at the end is called
  *
  *     real_sine, real_cosine     of 0 <= x < 1
  *
@@ -17,167 +17,7 @@
 /* 2^-REAL_BITS: half of the distance from 1 to the next number */
 #define ROUNDING ((real)1 / (1LL << REAL_BITS / 2) / (1LL << (REAL_BITS - REAL_BITS / 2)))
 
-/* ---- the gait: |l'| by its law, and its derivatives with respect to u ---- */
-
-/* The circle's number in three doubles: 159 bits. */
-static real circle_number(void) { return (real)0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53 + -0x1.f1976b7ed8fbcp-109; }
-
-/* Of pi u, 0 <= u <= 1/2, as accurate as u and 1/2 - u are. */
-static real half_turn_sine(real u)
-{
-  return 4 * u > 1 ? real_cosine(circle_number() * ((real)1 / 2 - u)) : real_sine(circle_number() * u);
-}
-
-static real half_turn_cosine(real u)
-{
-  return 4 * u > 1 ? real_sine(circle_number() * ((real)1 / 2 - u)) : real_cosine(circle_number() * u);
-}
-
-static real polynomial(const struct scallop_law *law, real u, int order)
-{
-  real sum = 0;
-  for (int k = law->degree; k >= order; k--) {
-    real factor = law->numerator[k];
-    for (int i = 0; i < order; i++)
-      factor *= k - i;
-    sum = sum * u + factor;
-  }
-  return sum / law->denominator;
-}
-
-/* A Bernstein law with its coefficients */
-struct bernstein {
-  real b[SCALLOP_LAW_MOST_DEGREE + 2];
-  real near, far;
-  int degree;
-};
-
-static struct bernstein bernstein_of(const struct scallop_law *law)
-{
-  int n = law->degree, implied = (int)law->numerator[n + 3];
-  struct bernstein f = { .near = law->numerator[n + 1], .far = law->numerator[n + 2], .degree = n };
-  real others = 0;
-  for (int j = 0; j <= n; j++) {
-    f.b[j] = law->numerator[j];
-    others += j == implied ? 0 : f.b[j];
-  }
-  for (int i = 1; i < law->denominator; i++)
-    f.b[implied] += law->numerator[n + 4 + i];
-  f.b[implied] = (n + 1) * f.b[implied] / (f.far - f.near) - others;
-  return f;
-}
-
-/* The coefficients of the derivative with respect to u */
-static void derive(struct bernstein *f)
-{
-  for (int j = 0; j < f->degree; j++)
-    f->b[j] = f->degree * (f->b[j + 1] - f->b[j]) / (f->far - f->near);
-  f->degree--;
-}
-
-static real bernstein_at(const struct bernstein *f, real u)
-{
-  real x = (u - f->near) / (f->far - f->near), y = (f->far - u) / (f->far - f->near), sum = f->b[0], factor = 1;
-  for (int j = 1; j <= f->degree; j++) {
-    factor = factor * x * (f->degree - j + 1) / j;
-    sum = sum * y + factor * f->b[j];
-  }
-  return sum;
-}
-
-static real bernstein_derivative(const struct scallop_law *law, real u, int order)
-{
-  struct bernstein f = bernstein_of(law);
-  for (int i = 0; i < order; i++)
-    derive(&f);
-  return bernstein_at(&f, u);
-}
-
-/* The integral over u from the smaller to the larger of the two: what lies between them is cut out of the whole, by de Casteljau's rule, and its
- * coefficients have the mean value. */
-static real bernstein_integral(struct bernstein f, real from, real to)
-{
-  real range = f.far - f.near, low = from < to ? from : to, high = from < to ? to : from, sum = 0;
-  real x = (high - f.near) / range, y = (f.far - high) / range;
-  for (int k = 0; k < f.degree; k++) /* b[j] becomes that of near to high */
-    for (int j = f.degree; j > k; j--)
-      f.b[j] = y * f.b[j - 1] + x * f.b[j];
-  x = (low - f.near) / (high - f.near);
-  y = (high - low) / (high - f.near);
-  for (int k = 0; k < f.degree; k++) /* and of low to high */
-    for (int j = 0; j < f.degree - k; j++)
-      f.b[j] = y * f.b[j] + x * f.b[j + 1];
-  for (int j = 0; j <= f.degree; j++)
-    sum += f.b[j];
-  return sum / (f.degree + 1) * (high - low);
-}
-
-static real speed_derivative(const struct scallop_piece *p, real u, int order)
-{
-  if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
-    return bernstein_derivative(p->law, u, order);
-  if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
-    return polynomial(p->law, u, order);
-  real pi = circle_number();
-  return pi / 2 * (order == 0 ? half_turn_sine(u) : order == 1 ? pi * half_turn_cosine(u) : -pi * pi * half_turn_sine(u));
-}
-
-/* l' at offset 0 and l'' of a linear piece, as its law has them */
-static real walk_velocity(const struct scallop_piece *p)
-{
-  const double *n = p->law ? p->law->numerator : NULL;
-  if (!n || p->direction == 0)
-    return p->velocity;
-  if (p->law->kind == SCALLOP_LAW_RAMP)
-    return p->direction * n[0] / (n[2] * ((real)n[3] + n[4] + n[5]));
-  return p->direction * polynomial(p->law, 0, 0);
-}
-
-static real walk_acceleration(const struct scallop_piece *p)
-{
-  const double *n = p->law ? p->law->numerator : NULL;
-  int sign = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
-  if (!n || p->direction == 0)
-    return p->acceleration;
-  if (p->law->kind == SCALLOP_LAW_RAMP)
-    return sign * n[1] / (n[2] * ((real)n[3] + n[4] + n[5]));
-  return sign * polynomial(p->law, 0, 1);
-}
-
-static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
-{
-  *velocity = p->direction * speed_derivative(p, u, 0);
-  *acceleration = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * speed_derivative(p, u, 1);
-}
-
-static real walk_way(const struct scallop_piece *p, real from, real to)
-{
-  real way = 0, apart = from < to ? to - from : from - to;
-  if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
-    return apart > 0 ? bernstein_integral(bernstein_of(p->law), from, to) : 0;
-  if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
-    for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
-      real power = 1, terms = 0;
-      for (int i = 0; i <= k; i++, power *= from)
-        terms = terms * to + power;
-      way += terms * p->law->numerator[k] / (k + 1);
-    }
-    return way / p->law->denominator * apart;
-  }
-  return half_turn_sine((from + to) / 2) * half_turn_sine(apart / 2);
-}
-
-static real walk_rise(const struct scallop_piece *p, real from, real to)
-{
-  if (p->law->kind == SCALLOP_LAW_BERNSTEIN && from != to) {
-    struct bernstein slope = bernstein_of(p->law);
-    derive(&slope);
-    return from < to ? bernstein_integral(slope, from, to) : -bernstein_integral(slope, from, to);
-  }
-  return speed_derivative(p, to, 0) - speed_derivative(p, from, 0);
-}
-
-/* ---- roots ---- */
+#include "numerics/wide_law.h"
 
 typedef real root_function(const void *context, real u, real *slope);
 struct root_end {
@@ -267,8 +107,6 @@ static real root_between(root_function *f, const void *context, struct root_end 
   return p.u;
 }
 
-/* ---- scaling ---- */
-
 struct wide_scaled { /* as in struct scallop_scaled                                                        */
   struct walk_input phase[2];
   real fraction[2], eps, velocity, driven;
@@ -309,8 +147,6 @@ static struct scallop_wide split(real x)
   return (struct scallop_wide){ high, isfinite(high) ? (double)(x - high) : 0 };
 }
 
-/* ---- a phase ---- */
-
 /* As in phase.c: how far something comes, from the way whose parts cancel least. */
 static real best_way(const struct walk_result *r, const real beyond[3], real *size)
 {
@@ -322,7 +158,8 @@ static real best_way(const struct walk_result *r, const real beyond[3], real *si
   return r->way[best] + beyond[best];
 }
 
-void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *out)
+static void wide_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+                       struct scallop_wide_phase *out)
 {
   struct wide_scaled s;
   struct walk_result r;
@@ -346,8 +183,6 @@ void WIDE(phase)(const struct scallop_crawler *c, enum scallop_phase_kind kind, 
   }
   out->regime = r.never_moved[0] || r.never_moved[1] ? SCALLOP_AT_REST : r.sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
-
-/* ---- a period ---- */
 
 struct wide_period {
   struct walk_result phase[2];
@@ -402,7 +237,7 @@ static void period_out(const struct scallop_crawler *c, const struct wide_scaled
   out->regime = never ? SCALLOP_AT_REST : sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
 
-void WIDE(period)(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
+static void wide_period(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
 {
   struct wide_scaled s;
   struct wide_period p;
@@ -410,8 +245,6 @@ void WIDE(period)(const struct scallop_crawler *c, double v0, struct scallop_wid
   run_period(&s, v0 / s.velocity, out->modes, &p);
   period_out(c, &s, &p, out);
 }
-
-/* ---- the steady state ---- */
 
 static bool settled(const struct wide_period *p)
 {
@@ -484,7 +317,7 @@ static void find_from_level(const struct wide_scaled *s, struct scallop_modes mo
   }
 }
 
-bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
+static bool wide_steady(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
 {
   struct wide_scaled s;
   struct wide_period p;
@@ -499,3 +332,5 @@ bool WIDE(steady)(const struct scallop_crawler *c, double guess, struct scallop_
   out->cost_of_transport = split(travel == 0 ? NAN : work / (((real)c->F1 + c->F2) * (magnitude(travel) * c->L)));
   return found;
 }
+
+const struct wide_solver WIDE = { wide_phase, wide_period, wide_steady };

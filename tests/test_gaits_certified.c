@@ -107,8 +107,7 @@ static void pieces_that_go_on(void **state)
   (void)state;
   struct scallop_piece pieces[8];
   struct scallop_law all[8];
-  double numbers[8][7];
-  struct scallop_spline s = { .pieces = pieces, .laws = all, .numbers = numbers };
+  struct scallop_spline s = { .pieces = pieces, .laws = all };
   const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.75, 0.5, 0.5 }, { 1, 1, 0 } },
                             back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   bool turned = false;
