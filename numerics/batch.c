@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/held.h"
-#include "numerics/period.h"
-#include "numerics/regular.h"
+#include "numerics/event/held.h"
+#include "numerics/event/period.h"
+#include "numerics/event/regular.h"
 #include "numerics/threads.h"
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "numerics/solve.h"
-#include "numerics/wide_parts.h"
+#include "numerics/event/solve.h"
+#include "numerics/wide/wide_parts.h"
 
 const char *scallop_regime_text(enum scallop_regime regime)
 {

@@ -1,7 +1,7 @@
 /* The certified solver at the edges: what it refuses, what it says that it cannot decide, and what must be exact. */
 #include "tests/check.h"
 
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 

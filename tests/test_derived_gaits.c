@@ -3,7 +3,7 @@
 #include "tests/check.h"
 
 #include "asymptotics/derived/evaluate.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"
 

@@ -6,9 +6,9 @@
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/gaits.h"
 #include "compare/stress/judge.h"
-#include "model/ball.h"
-#include "numerics/certified.h"
-#include "numerics/wide.h"
+#include "model/exact/ball.h"
+#include "numerics/certified/certified.h"
+#include "numerics/wide/wide.h"
 #include "tests/random_gait.h"
 
 enum { BITS = 300, PRECISION = 400, ORDER = 14 };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "model/gaits.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 

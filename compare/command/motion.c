@@ -155,7 +155,7 @@ static bool is_sound(const void *options)
 }
 
 #define ABOUT_ARITHMETICS \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of the " \
   "doubles\n" \
   "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
   "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
