@@ -33,19 +33,18 @@ ifeq ($(WITH_SUNDIALS),auto)
 endif
 SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
-# What needs FLINT follows from the folder, or from a name that ends in flint; FLINT's programs have threads, where there are any.
+# What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
 all_parts := $(basename $(wildcard $(rooms:=/*.c)))
-flint     := $(filter asymptotics/derived/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec) %flint,$(all_parts)) \
-             $(addprefix model/,ball fractions exact_gaits) $(addprefix numerics/,certified certified_steady march enclose)
-flint     := $(filter-out compare/workprec/stopwatch,$(flint))
-cvode      = numerics/cvode$(if $(filter 0,$(WITH_SUNDIALS)),_absent)
-parts     := $(filter-out compare/command/main numerics/cvode%,$(all_parts))
+in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
+flint     := $(filter-out compare/workprec/stopwatch,$(filter $(in_flint) %flint,$(all_parts)))
+cvode     := numerics/rivals/cvode
+parts     := $(filter-out compare/command/main $(cvode),$(all_parts))
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
 shipped    = $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
-full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped) $(B)/with-sundials-$(WITH_SUNDIALS)
+full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
 
 tests     := $(patsubst tests/test_%.c,$(B)/test_%,$(wildcard tests/test_*.c))
 # Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
@@ -88,7 +87,8 @@ $(B)/shipped_%.o: $(B)/shipped_%.c
 $(call object,$(flint) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
 # Who judges rounds the same way whatever CFLAGS allow the judged.
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
-# so that another choice links anew
+$(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(WITH_SUNDIALS)
+$(call object,$(cvode)): $(B)/with-sundials-$(WITH_SUNDIALS)
 $(B)/with-sundials-$(WITH_SUNDIALS):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
@@ -179,14 +179,13 @@ version   := $(shell sed -n 's/^.define SCALLOP_VERSION "\(.*\)"/\1/p' model/ver
 abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
-core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h) asymptotics/asymptotics.h $(addprefix numerics/,numerics.h wide.h)
-headers    = $(core_headers) $(addprefix numerics/,rival.h odeiv.h smoothed.h moreau.h cvode.h) \
-             $(if $(filter 0,$(WITH_FLINT)),,model/flint.h model/ball.h numerics/certified.h)
-rivals    := $(addprefix numerics/,moreau odeiv rival rival_centre rival_motion smoothed)
+core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h) asymptotics/asymptotics.h numerics/numerics.h numerics/wide/wide.h
+headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode) \
+             $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h numerics/certified/certified.h)
 to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)" LDFLAGS="$(LDFLAGS)" INSTALL="$(INSTALL)" DESTDIR="$(DESTDIR)" \
              PREFIX="$(PREFIX)" bindir="$(bindir)" libdir="$(libdir)" includedir="$(includedir)" datadir="$(datadir)" mandir="$(mandir)" \
              pkgconfigdir="$(pkgconfigdir)" completionsdir="$(completionsdir)" sh scripts/dev
-$(B)/libscallop-core.a: $(call object,$(filter-out $(flint) $(rivals),$(of_libraries))) $(core_headers)
+$(B)/libscallop-core.a: $(call object,$(filter-out $(flint) numerics/rivals/%,$(of_libraries))) $(core_headers)
 	@$(to_script)/library.sh $(B) scallop-core "Exact motion of the crawling scallop and the published series" $(version) $(abi) -lm \
 	  "$(core_headers)" $(filter %.o,$^)
 $(B)/libscallop.a: $(call object,$(filter-out $(if $(filter 0,$(WITH_FLINT)),$(flint)) $(threaded),$(of_libraries)) $(cvode) $(addprefix threads/,$(threaded))) $(headers)

@@ -11,11 +11,11 @@
  *     model/model.h               crawlers, gaits, phases; scallop_status, which every call that can fail returns
  *     model/gaits.h               gaits made to measure: trapezoidal, skewed, polynomial, splines through data
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
- *     numerics/wide.h             the same in wider arithmetic: an estimate of the error of each number
+ *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
  *     asymptotics/asymptotics.h   the formulas of the paper as published
  * In libscallop alone, and not included here:
- *     numerics/certified.h        any number of proven digits (FLINT), with model/ball.h for exact parameters
- *     numerics/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
+ *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
+ *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
  *
  * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either. All of it
  * can be called from several threads at once. */
@@ -33,7 +33,7 @@ extern "C" {
 #include "model/model.h"
 #include "model/version.h"
 #include "numerics/numerics.h"
-#include "numerics/wide.h"
+#include "numerics/wide/wide.h"
 
 #ifdef __cplusplus
 }

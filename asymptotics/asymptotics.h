@@ -1,6 +1,6 @@
 /* asymptotics/: the series of Wagner & Lauga, "Crawling scallop" (arXiv 1303.2669), as published.
  *
- * One function for each formula, printed mistakes included: what a formula is worth is for compare/
+ * One function for each formula, scallop_ and its name, printed mistakes included: what a formula is worth is for compare/
  * to decide. Names say where it stands: equal_ section 4.1, rest_ section 4.3.1 (rest_dT_product: the appendices), text_ sections 4.3.2 and 4.3.3, A_ and B_
  * the appendices; equation numbers are the paper's. Never looks at numerics/.
  */
@@ -87,79 +87,93 @@ extern const struct scallop_formula scallop_equal_forces[];
 extern const struct scallop_formula scallop_corrected[];
 
 /* Section 4.1: from rest, F1 = F2, at the end of a phase */
-double equal_v1_end(const struct scallop_phase_point *p); /* (6) -(m2/M) l'(T), and l'(T) = 0                  */
-double equal_x1_end(const struct scallop_phase_point *p); /* (7) -(m2/M) (l(T) - l(0))                         */
-double equal_xC_end(const struct scallop_phase_point *p); /* (8) (m1/m2 - 1)/2 (x1(T) - x1(0))                 */
+double scallop_equal_v1_end(const struct scallop_phase_point *p); /* (6) -(m2/M) l'(T), and l'(T) = 0                  */
+double scallop_equal_x1_end(const struct scallop_phase_point *p); /* (7) -(m2/M) (l(T) - l(0))                         */
+double scallop_equal_xC_end(const struct scallop_phase_point *p); /* (8) (m1/m2 - 1)/2 (x1(T) - x1(0))                 */
 
 /* Section 4.3.1: from rest */
-double rest_v1_switch(const struct scallop_phase_point *p);     /* (12) 0 = dT (m2 l''(T) - F1 + F2) + (F1-F2) T + O(dT^2) */
-double rest_dT_unexpanded(const struct scallop_phase_point *p); /* (13) -(F1-F2) T / (m2 l''(T) - F1 + F2)    */
-double rest_dT(const struct scallop_phase_point *p);            /* (14) -(F1-F2) T^3 / (m2 l_T) + O(T^5)      */
-double rest_x1_switch(const struct scallop_phase_point *p);     /* (15) -(m2/M) l(T) + (F1-F2)/M T^2/2 + O(T^3) */
-double rest_v1_end(const struct scallop_phase_point *p);        /* (18) (F1-F2)/M T + O(T^3)                  */
-double rest_x1_end(const struct scallop_phase_point *p);        /* (19) -(m2/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
-double rest_x2_end(const struct scallop_phase_point *p);        /* (20)  (m1/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
-double rest_xC_end(const struct scallop_phase_point *p);        /* (21) (m1-m2)/(2M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
+double
+scallop_rest_v1_switch(const struct scallop_phase_point *p); /* (12) 0 = dT (m2 l''(T) - F1 + F2) + (F1-F2) T + O(dT^2) */
+double scallop_rest_dT_unexpanded(const struct scallop_phase_point *p); /* (13) -(F1-F2) T / (m2 l''(T) - F1 + F2)    */
+double scallop_rest_dT(const struct scallop_phase_point *p);            /* (14) -(F1-F2) T^3 / (m2 l_T) + O(T^5)      */
+double scallop_rest_x1_switch(const struct scallop_phase_point *p);     /* (15) -(m2/M) l(T) + (F1-F2)/M T^2/2 + O(T^3) */
+double scallop_rest_v1_end(const struct scallop_phase_point *p);        /* (18) (F1-F2)/M T + O(T^3)                  */
+double scallop_rest_x1_end(const struct scallop_phase_point *p);        /* (19) -(m2/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
+double scallop_rest_x2_end(const struct scallop_phase_point *p);        /* (20)  (m1/M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
+double scallop_rest_xC_end(const struct scallop_phase_point *p); /* (21) (m1-m2)/(2M) l(T) + (F1-F2)/M T^2/2 + O(T^4) */
 
 /* Sections 4.3.2 and 4.3.3: with a start velocity */
-double text_extension_velocity_change(const struct scallop_phase_point *p);
+double scallop_text_extension_velocity_change(const struct scallop_phase_point *p);
 /* (22) (F1-F2)/M T - v0 (2 F1/m2)(1/l0 - 1/lT) T^2 + O(T^3) */
-double text_extension_xC_end(const struct scallop_phase_point *p);
+double scallop_text_extension_xC_end(const struct scallop_phase_point *p);
 /* (23) (m1-m2)/(2M) l(T) + v0 T + (F1-F2)/M T^2/2 - v0 2 F1/(m2 l0) T^3 + O(T^4); (A.25) has + in front of T^3 */
-double text_contraction_velocity_change(const struct scallop_phase_point *p);
+double scallop_text_contraction_velocity_change(const struct scallop_phase_point *p);
 /* (24) -(F1-F2)/M T + v0 (2 F2/m1)(1/l0 - 1/lT) T^2 + O(T^3); (B.12) lacks T^2 */
-double text_contraction_xC_end(const struct scallop_phase_point *p);
+double scallop_text_contraction_xC_end(const struct scallop_phase_point *p);
 /* (25) -(m1-m2)/(2M) L + v0 T - (F1-F2)/M T^2/2 + v0 2 F2/(m1 l0) T^3 + O(T^4), L printed l(T) */
 
 /* Section 4.3.3: steady state; T is the period */
-double text_steady_velocity_l0_lT(const struct scallop_crawler *c);
+double scallop_text_steady_velocity_l0_lT(const struct scallop_crawler *c);
 /* (26) (F1-F2)(2 alpha-1) m* / (2 T (1/l0 - 1/lT) [alpha^2 F1 m1 + (1-alpha)^2 F2 m2]) + O(T), m* = m1 m2/M */
-double text_steady_velocity(const struct scallop_crawler *c);
+double scallop_text_steady_velocity(const struct scallop_crawler *c);
 /* (27) (F1-F2)(2 alpha-1) L_kin m* / (alpha^2 F1 m1 + (1-alpha)^2 F2 m2) / T + O(T) */
-double text_steady_xC(const struct scallop_crawler *c);
+double scallop_text_steady_xC(const struct scallop_crawler *c);
 /* (28) (27) without 1/T, + O(T^4) */
-double text_froude(const struct scallop_crawler *c);
+double scallop_text_froude(const struct scallop_crawler *c);
 /* section 2: M L / (T^2 (F1 + F2)) */
 
 /* Appendix A: an extension with v0 > 0 */
+double scallop_A_v1_first_switch(
+    const struct scallop_phase_point *p); /* (A.4) -m2/M t1 l''(0) - (F1+F2)/M t1 + v0 + O(t1^2), t1 given */
+double scallop_A_t1_unexpanded(const struct scallop_phase_point *p); /* (A.5) v0 M / (m2 l''(0) + F1 + F2)                */
+double scallop_A_t1(const struct scallop_phase_point *p); /* (A.6) v0 M T^2/(m2 l0) [1 - T^2 (F1+F2)/(m2 l0)] + O(T^6) */
 double
-A_v1_first_switch(const struct scallop_phase_point *p); /* (A.4) -m2/M t1 l''(0) - (F1+F2)/M t1 + v0 + O(t1^2), t1 given */
-double A_t1_unexpanded(const struct scallop_phase_point *p); /* (A.5) v0 M / (m2 l''(0) + F1 + F2)                */
-double A_t1(const struct scallop_phase_point *p);            /* (A.6) v0 M T^2/(m2 l0) [1 - T^2 (F1+F2)/(m2 l0)] + O(T^6) */
-double A_x1_first_switch(const struct scallop_phase_point *p); /* (A.7) v0 t1/2, t1 given                           */
-double A_v1_switch(const struct scallop_phase_point *p); /* (A.13), second line, the first one times M; t1 and dT given */
-double A_v1_switch_from_v0(const struct scallop_phase_point *p); /* (A.13), third line, t1 by (A.5); dT given         */
-double A_dT_unexpanded(const struct scallop_phase_point *p);     /* (A.14)                                            */
-double rest_dT_product(const struct scallop_phase_point *p); /* (A.15) and (B.6), the part without v0, + O(T^7): from rest */
-double A_dT_product(const struct scallop_phase_point *p);    /* (A.15) products of factors, + O(T^6)              */
-double A_dT(const struct scallop_phase_point *p);            /* (A.16) terms in T^2, T^3, T^4, + O(T^5)           */
-double A_x1_switch_from_times(const struct scallop_phase_point *p); /* (A.17), second line, + O(T^4), t1 and dT given   */
-double A_x1_switch_collected(const struct scallop_phase_point *p);  /* (A.17), third line, + O(T^4), t1 and dT given    */
-double A_x1_switch(const struct scallop_phase_point *p);            /* (A.18) + O(T^4)                                   */
-double A_v1_end_from_dT(const struct scallop_phase_point *p); /* (A.22) -dT (m2 l_T/T^2 + F1 + F2)/M + O(T^4), dT given */
-double A_v1_end(const struct scallop_phase_point *p);         /* (A.22) v0 + the change of (22), + O(T^3)          */
-double A_x1_end_from_dT(const struct scallop_phase_point *p); /* (A.23), second line, + O(T^6), dT and x_switch given */
-double A_x1_end_from_dT_short(const struct scallop_phase_point *p); /* (A.23), third line, + O(T^4)                  */
-double A_x1_end(const struct scallop_phase_point *p);               /* (A.23) ... + v0 2 F1/(m2 l0) T^3 + O(T^4)         */
-double A_vC_end(const struct scallop_phase_point *p);               /* (A.24) = (A.22)                                   */
-double A_xC_end(const struct scallop_phase_point *p);               /* (A.25) as (23) but + v0 2 F1/(m2 l0) T^3, + O(T^4) */
+scallop_A_x1_first_switch(const struct scallop_phase_point *p); /* (A.7) v0 t1/2, t1 given                           */
+double
+scallop_A_v1_switch(const struct scallop_phase_point *p); /* (A.13), second line, the first one times M; t1 and dT given */
+double
+scallop_A_v1_switch_from_v0(const struct scallop_phase_point *p);    /* (A.13), third line, t1 by (A.5); dT given         */
+double scallop_A_dT_unexpanded(const struct scallop_phase_point *p); /* (A.14)                                            */
+double scallop_rest_dT_product(
+    const struct scallop_phase_point *p); /* (A.15) and (B.6), the part without v0, + O(T^7): from rest */
+double scallop_A_dT_product(const struct scallop_phase_point *p); /* (A.15) products of factors, + O(T^6)              */
+double scallop_A_dT(const struct scallop_phase_point *p);         /* (A.16) terms in T^2, T^3, T^4, + O(T^5)           */
+double
+scallop_A_x1_switch_from_times(const struct scallop_phase_point *p); /* (A.17), second line, + O(T^4), t1 and dT given   */
+double
+scallop_A_x1_switch_collected(const struct scallop_phase_point *p); /* (A.17), third line, + O(T^4), t1 and dT given    */
+double scallop_A_x1_switch(const struct scallop_phase_point *p);    /* (A.18) + O(T^4)                                   */
+double
+scallop_A_v1_end_from_dT(const struct scallop_phase_point *p); /* (A.22) -dT (m2 l_T/T^2 + F1 + F2)/M + O(T^4), dT given */
+double scallop_A_v1_end(const struct scallop_phase_point *p);  /* (A.22) v0 + the change of (22), + O(T^3)          */
+double
+scallop_A_x1_end_from_dT(const struct scallop_phase_point *p); /* (A.23), second line, + O(T^6), dT and x_switch given */
+double
+scallop_A_x1_end_from_dT_short(const struct scallop_phase_point *p); /* (A.23), third line, + O(T^4)                  */
+double scallop_A_x1_end(const struct scallop_phase_point *p);        /* (A.23) ... + v0 2 F1/(m2 l0) T^3 + O(T^4)         */
+double scallop_A_vC_end(const struct scallop_phase_point *p);        /* (A.24) = (A.22)                                   */
+double scallop_A_xC_end(const struct scallop_phase_point *p);        /* (A.25) as (23) but + v0 2 F1/(m2 l0) T^3, + O(T^4) */
 
 /* Appendix B: a contraction with v0 > 0; l0 < 0 < lT */
-double B_t1_unexpanded(const struct scallop_phase_point *p); /* (B.2) v0 M / (-m1 l''(0) + F1 + F2)               */
-double B_t1(const struct scallop_phase_point *p);            /* (B.2) -v0 M T^2/(m1 l0) [1 + T^2 (F1+F2)/(m1 l0)] + O(T^6) */
-double B_x2_first_switch(const struct scallop_phase_point *p);      /* (B.3) v0 t1/2 + O(T^2), t1 given                  */
-double B_dT_unexpanded(const struct scallop_phase_point *p);        /* (B.5)                                             */
-double B_dT_product(const struct scallop_phase_point *p);           /* (B.6), products of factors, + O(T^6)              */
-double B_dT(const struct scallop_phase_point *p);                   /* (B.6), terms in T^2, T^3, T^4, + O(T^5)           */
-double B_x2_switch_from_times(const struct scallop_phase_point *p); /* (B.7), second line, + O(T^4), t1 and dT given    */
-double B_x2_switch_collected(const struct scallop_phase_point *p);  /* (B.7), third line, + O(T^4), t1 and dT given     */
-double B_x2_switch(const struct scallop_phase_point *p);            /* (B.8) + O(T^4)                                    */
-double B_v2_end_from_dT(const struct scallop_phase_point *p);       /* (B.10) dT (m1 l_T/T^2 - F1 - F2)/M, dT given      */
-double B_v2_end(const struct scallop_phase_point *p);               /* (B.10) last term printed without T^2, + O(T^3)    */
-double B_x2_end_from_dT(const struct scallop_phase_point *p); /* (B.11), second line, x2' for x2(T - dT), + O(T^4)     */
-double B_x2_end(const struct scallop_phase_point *p);         /* (B.11) + O(T^4)                                   */
-double B_vC_end(const struct scallop_phase_point *p);         /* (B.12) last term printed without T^2, + O(T^3)    */
-double B_xC_end(const struct scallop_phase_point *p);         /* (B.13) + O(T^4)                                   */
+double scallop_B_t1_unexpanded(const struct scallop_phase_point *p); /* (B.2) v0 M / (-m1 l''(0) + F1 + F2)               */
+double scallop_B_t1(const struct scallop_phase_point *p); /* (B.2) -v0 M T^2/(m1 l0) [1 + T^2 (F1+F2)/(m1 l0)] + O(T^6) */
+double
+scallop_B_x2_first_switch(const struct scallop_phase_point *p);      /* (B.3) v0 t1/2 + O(T^2), t1 given                  */
+double scallop_B_dT_unexpanded(const struct scallop_phase_point *p); /* (B.5)                                             */
+double scallop_B_dT_product(const struct scallop_phase_point *p);    /* (B.6), products of factors, + O(T^6)              */
+double scallop_B_dT(const struct scallop_phase_point *p);            /* (B.6), terms in T^2, T^3, T^4, + O(T^5)           */
+double
+scallop_B_x2_switch_from_times(const struct scallop_phase_point *p); /* (B.7), second line, + O(T^4), t1 and dT given    */
+double
+scallop_B_x2_switch_collected(const struct scallop_phase_point *p);   /* (B.7), third line, + O(T^4), t1 and dT given     */
+double scallop_B_x2_switch(const struct scallop_phase_point *p);      /* (B.8) + O(T^4)                                    */
+double scallop_B_v2_end_from_dT(const struct scallop_phase_point *p); /* (B.10) dT (m1 l_T/T^2 - F1 - F2)/M, dT given      */
+double scallop_B_v2_end(const struct scallop_phase_point *p);         /* (B.10) last term printed without T^2, + O(T^3)    */
+double
+scallop_B_x2_end_from_dT(const struct scallop_phase_point *p); /* (B.11), second line, x2' for x2(T - dT), + O(T^4)     */
+double scallop_B_x2_end(const struct scallop_phase_point *p);  /* (B.11) + O(T^4)                                   */
+double scallop_B_vC_end(const struct scallop_phase_point *p);  /* (B.12) last term printed without T^2, + O(T^3)    */
+double scallop_B_xC_end(const struct scallop_phase_point *p);  /* (B.13) + O(T^4)                                   */
 
 #ifdef __cplusplus
 }

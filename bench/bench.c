@@ -17,7 +17,7 @@
 #include "bench/start.h"
 #include "compare/workprec/stopwatch.h"
 #include "numerics/numerics.h"
-#include "numerics/odeiv.h"
+#include "numerics/rivals/odeiv.h"
 
 enum { MOST_CRAWLERS = 1024, FEW_CRAWLERS = 64, BATCHES = 61 };
 

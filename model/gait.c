@@ -10,12 +10,10 @@
 
 static double time_offset(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : -u; }
 
-/* ---- pieces on which l' is linear ---- */
-
 static double linear_length(const struct scallop_piece *p, double u)
 {
-  double t = time_offset(p, u);
-  return t * (p->velocity + 0.5 * p->acceleration * t);
+  double t = time_offset(p, u), base = p->law ? p->law->base : 0;
+  return (p->direction < 0 ? -base : base) + t * (p->velocity + 0.5 * p->acceleration * t);
 }
 
 static double linear_velocity(const struct scallop_piece *p, double u)
@@ -42,8 +40,7 @@ const struct scallop_gait scallop_gait_quadratic = { "quadratic",
                                                      { { quadratic_extension, 2, 4, -4, 2, 1, true, true },
                                                        { quadratic_contraction, 2, -4, 4, 2, -1, true, true } } };
 
-/* ---- half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep
- *      full relative accuracy ---- */
+/* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep full relative accuracy. */
 
 static double sine_length(const struct scallop_piece *p, double u)
 {
@@ -104,8 +101,6 @@ const struct scallop_gait scallop_gait_sinusoidal = {
   { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1, true, false },
     { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1, true, false } }
 };
-
-/* ---- all gaits ---- */
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
 enum { GAITS = sizeof gaits / sizeof gaits[0] };

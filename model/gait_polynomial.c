@@ -2,7 +2,7 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 
 #include "model/law.h"
 
@@ -15,8 +15,6 @@ static long double binomial(int n, int k)
     value = value * (n - k + i) / i;
   return value;
 }
-
-/* ---- the Bernstein coefficients of l' ---- */
 
 /* Of the sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 where they may be but for half an ulp of each c. Returns NULL, or why that is no gait. */
 static const char *coefficients_of(long double *b, const double *c, int n)
@@ -53,8 +51,6 @@ static const char *coefficients_of(long double *b, const double *c, int n)
     b[j] /= total;
   return NULL;
 }
-
-/* ---- roots between 0 and 1 ---- */
 
 /* A polynomial by its Bernstein coefficients, without its zeros at 0 and 1; noise: what cannot be told from 0. */
 struct polynomial {
@@ -177,8 +173,6 @@ static struct place root_at(const struct polynomial *p, long double low, long do
   return (struct place){ hi, late, turns };
 }
 
-/* ---- where the pieces end ---- */
-
 struct plan {
   long double b[2][MOST + 1]; /* of l', from the start and from the end                                */
   int n;
@@ -187,13 +181,11 @@ struct plan {
   bool turns; /* somewhere                                                                   */
 };
 
-static int in_time(const void *a, const void *b)
+static bool is_later(const struct place *p, const struct place *q)
 {
-  const struct place *p = a, *q = b;
   if (p->late != q->late)
-    return p->late ? 1 : -1;
-  double difference = p->late ? q->offset - p->offset : p->offset - q->offset;
-  return (difference > 0) - (difference < 0);
+    return p->late;
+  return p->late ? p->offset < q->offset : p->offset > q->offset;
 }
 
 static double distance(const struct place *p, const struct place *q)
@@ -210,7 +202,10 @@ static void add_place(struct plan *plan, struct place place)
       plan->places[i].turns |= place.turns;
       return;
     }
-  plan->places[plan->count++] = place;
+  int at = plan->count++;
+  for (; at > 0 && is_later(&plan->places[at - 1], &place); at--)
+    plan->places[at] = plan->places[at - 1];
+  plan->places[at] = place;
 }
 
 /* False: it cannot be told where l' changes its sign. */
@@ -238,11 +233,8 @@ static bool make_plan(struct plan *plan)
   for (int j = 0; j <= of_bend; j++)
     bend[j] = plan->b[0][j + 2] - 2 * plan->b[0][j + 1] + plan->b[0][j];
   add_roots(plan, bend, of_bend, false);
-  qsort(plan->places, (size_t)plan->count, sizeof *plan->places, in_time);
   return true;
 }
-
-/* ---- laws ---- */
 
 /* The largest of the coefficients that are not at the ends: rounding does least to it where it follows from the others. */
 static int largest(const double *b, int degree)
@@ -254,16 +246,12 @@ static int largest(const double *b, int degree)
   return at;
 }
 
-static void set_law(struct scallop_law *law, double *n, int degree, const double *b, int implied, double near, double far,
-                    double way, double base)
+static struct scallop_law law_of(int degree, const double *b, int implied, double near, double far, double way, double base)
 {
+  struct scallop_bernstein_law law = { .near = near, .far = far, .way = way, .implied = implied };
   for (int j = 0; j <= degree; j++)
-    n[j] = j == implied ? way : b[j];
-  n[degree + 1] = near;
-  n[degree + 2] = far;
-  n[degree + 3] = implied;
-  n[degree + 4] = base;
-  *law = (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, degree, n, 1 };
+    law.b[j] = j == implied ? 0 : b[j];
+  return (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, degree, .bernstein = law, .base = base };
 }
 
 /* One law from the start and one from the end, for all pieces */
@@ -274,8 +262,8 @@ static void set_common_laws(struct scallop_polynomial *g, const struct plan *pla
   for (int j = 0; j <= n; j++)
     b[0][j] = b[1][n - j] = (double)plan->b[0][j];
   int implied = largest(b[0], n);
-  set_law(&g->laws[0], g->numbers[0], n, b[0], implied, 0, 1, 1, 0);
-  set_law(&g->laws[1], g->numbers[1], n, b[1], n - implied, 0, 1, 1, 0);
+  g->laws[0] = law_of(n, b[0], implied, 0, 1, 1, 0);
+  g->laws[1] = law_of(n, b[1], n - implied, 0, 1, 1, 0);
 }
 
 /* What l covers in an extension from the place's anchor to the place, in time or back */
@@ -308,11 +296,9 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
   b[plan->n] = direction * speed_at(plan, far);
   for (int j = 0; j <= plan->n; j++)
     sum += b[j];
-  set_law(&g->laws[at], g->numbers[at], plan->n, b, largest(b, plan->n), near->offset, far->offset,
-          (double)(sum * (v - u) / (plan->n + 1)), (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
+  g->laws[at] = law_of(plan->n, b, largest(b, plan->n), near->offset, far->offset, (double)(sum * (v - u) / (plan->n + 1)),
+                       (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
 }
-
-/* ---- the gait ---- */
 
 /* The sign of l' between two places, in an extension */
 static int direction_between(const struct plan *plan, const struct place *begin, const struct place *end, bool late)
@@ -321,25 +307,25 @@ static int direction_between(const struct plan *plan, const struct place *begin,
   return law_bernstein(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
 }
 
-static double *way_of(struct scallop_polynomial *g, int at, int n) { return &g->numbers[at][(int)g->numbers[at][n + 3]]; }
-
 /* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits. False: one is
  * not positive, so short is its piece. */
 static bool share_amplitude(struct scallop_polynomial *g, const struct plan *plan)
 {
   const struct scallop_piece *pieces = g->pieces[SCALLOP_EXTENSION];
-  int longest = 0, n = plan->n, numbers = n + 5;
+  int longest = 0, others = 0;
   bool positive = true;
   for (int i = 0; i + 1 < plan->count; i++) {
-    positive = positive && *way_of(g, i, n) > 0;
-    if (*way_of(g, i, n) > *way_of(g, longest, n))
+    positive = positive && g->laws[i].bernstein.way > 0;
+    if (g->laws[i].bernstein.way > g->laws[longest].bernstein.way)
       longest = i;
   }
   for (int i = 0; i + 1 < plan->count; i++)
     if (i != longest)
-      g->numbers[longest][numbers++] = -pieces[longest].direction * pieces[i].direction * *way_of(g, i, n);
-  *way_of(g, longest, n) = pieces[longest].direction;
-  g->laws[longest].denominator = numbers - (n + 4);
+      g->ways[others++] = -pieces[longest].direction * pieces[i].direction * g->laws[i].bernstein.way;
+  struct scallop_bernstein_law *rest = &g->laws[longest].bernstein;
+  rest->way = pieces[longest].direction;
+  rest->more = g->ways;
+  rest->more_count = others;
   return positive;
 }
 

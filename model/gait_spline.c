@@ -6,14 +6,15 @@
 
 #include "model/law.h"
 
+typedef long double real;
+#include "model/bernstein.h"
+
 double scallop_knot_round(double x) { return rint(x * 0x1p53) * 0x1p-53; }
 
 int scallop_spline_pieces(const int count[2])
 {
   return count[0] + count[1];
 } /* one between two knots, and one for the middle */
-
-/* ---- domain ---- */
 
 static bool is_rounded(double x) { return x >= 0 && x <= 1 && scallop_knot_round(x) == x; }
 
@@ -43,8 +44,6 @@ static bool is_phase(const struct scallop_knot *knots, int count, int kind)
   return true;
 }
 
-/* ---- pieces ---- */
-
 /* The piece of the cubic between two knots that lies between the times from and to, on one side of the middle */
 static void add(struct scallop_spline *s, int at, const struct scallop_knot *a, const struct scallop_knot *b, int kind,
                 double from, double to)
@@ -57,25 +56,21 @@ static void add(struct scallop_spline *s, int at, const struct scallop_knot *a, 
                                    .direction = (b->length > a->length) - (b->length < a->length) };
   piece->law = &s->laws[at];
   const struct scallop_knot *near = late ? b : a, *far = late ? a : b;
-  double *n = s->numbers[at], anchor = late ? 1 - kind : kind;
   int d = piece->direction;
+  double base = near->length - (late ? 1 - kind : kind);
   if (d == 0) {
-    for (int i = 0; i < 6; i++)
-      n[i] = i == 2 || i == 3 ? 1 : 0;
-    n[6] = near->length - anchor;
-    s->laws[at] = (struct scallop_law){ SCALLOP_LAW_RAMP, 1, n, 1 };
+    const struct scallop_ramp_law rest = { 0, 0, 1, { 1, 0, 0 } };
+    s->laws[at] = (struct scallop_law){ SCALLOP_LAW_RAMP, 1, .ramp = rest, .base = base };
     piece->linear = true;
-    piece->curve = &law_curve_rest;
+    piece->curve = &scallop_curve_linear;
     return;
   }
-  n[0] = d * near->slope;
-  n[1] = d * (b->length - a->length);
-  n[2] = d * far->slope;
-  n[3] = late ? 1 - near->time : near->time;
-  n[4] = late ? 1 - far->time : far->time;
-  n[5] = 1;
-  n[6] = d * (near->length - anchor);
-  s->laws[at] = (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, 2, n, 1 };
+  const struct scallop_bernstein_law cubic = { .b = { d * near->slope, 0, d * far->slope },
+                                               .near = late ? 1 - near->time : near->time,
+                                               .far = late ? 1 - far->time : far->time,
+                                               .way = d * (b->length - a->length),
+                                               .implied = 1 };
+  s->laws[at] = (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, 2, .bernstein = cubic, .base = d * base };
   piece->curve = &law_curve_bernstein;
 }
 
@@ -93,8 +88,6 @@ static int add_phase(struct scallop_spline *s, int at, const struct scallop_knot
   return at;
 }
 
-/* ---- a phase as a whole ---- */
-
 /* The largest value of b0 (1 - x)^2 + 2 b1 x (1 - x) + b2 x^2, 0 <= x <= 1 */
 static long double largest(const long double b[3])
 {
@@ -107,9 +100,8 @@ static double peak_of(const struct scallop_shape *shape)
   long double peak = 0;
   for (int i = 0; i < shape->count; i++)
     if (shape->pieces[i].direction != 0) {
-      long double b[SCALLOP_LAW_MOST_DEGREE + 1];
-      law_coefficients(shape->pieces[i].law, b);
-      peak = fmaxl(peak, largest(b));
+      struct bernstein f = bernstein_of(shape->pieces[i].law);
+      peak = fmaxl(peak, largest(f.b));
     }
   return (double)peak;
 }
@@ -122,10 +114,9 @@ static bool is_concave(const struct scallop_shape *shape, int kind)
     const struct scallop_piece *p = &shape->pieces[i];
     if (p->direction != (kind == SCALLOP_EXTENSION ? 1 : -1))
       return false;
-    long double b[SCALLOP_LAW_MOST_DEGREE + 1];
-    law_coefficients(p->law, b);
+    struct bernstein f = bernstein_of(p->law);
     bool forward = p->anchor == SCALLOP_FROM_START;
-    long double range = (long double)p->law->numerator[4] - p->law->numerator[3];
+    const long double *b = f.b, range = f.far - f.near;
     long double first = (forward ? b[1] - b[0] : b[1] - b[2]) / range, then = (forward ? b[2] - b[1] : b[0] - b[1]) / range;
     if (first > last || then > first)
       return false;

@@ -2,30 +2,24 @@
 
 #include <stddef.h>
 
-#include "model/law.h"
-
 static const double least = 0x1p-100; /* fraction of a phase */
 
-/* The next piece of a phase: |l'| = (a + b u)/(divisor (1 - less - lesser)), from offset begin to offset end. way: n[6] of its law. */
+/* The next piece of a phase, from offset begin to offset end. */
 static void add(struct scallop_straight *g, int kind, enum scallop_anchor anchor, double begin, double end,
-                const double numbers[6], double way)
+                struct scallop_ramp_law ramp, double base)
 {
   struct scallop_shape *shape = &g->gait.phase[kind];
   int i = shape->count++, direction = kind == SCALLOP_EXTENSION ? 1 : -1, sense = anchor == SCALLOP_FROM_START ? 1 : -1;
-  double *n = g->numbers[kind][i];
-  for (int k = 0; k < 6; k++)
-    n[k] = numbers[k];
-  n[6] = way;
-  long double divisor = (long double)n[2] * ((long double)n[3] + n[4] + n[5]);
-  g->laws[kind][i] = (struct scallop_law){ SCALLOP_LAW_RAMP, 1, n, 1 };
+  long double divisor = (long double)ramp.divisor * ((long double)ramp.parts[0] + ramp.parts[1] + ramp.parts[2]);
+  g->laws[kind][i] = (struct scallop_law){ SCALLOP_LAW_RAMP, 1, .ramp = ramp, .base = base };
   g->pieces[kind][i] = (struct scallop_piece){ .begin = begin,
                                                .end = end,
                                                .anchor = anchor,
                                                .direction = direction,
                                                .linear = true,
-                                               .velocity = (double)(direction * n[0] / divisor),
-                                               .acceleration = (double)(direction * sense * n[1] / divisor),
-                                               .curve = &law_curve_ramp,
+                                               .velocity = (double)(direction * ramp.start / divisor),
+                                               .acceleration = (double)(direction * sense * ramp.slope / divisor),
+                                               .curve = &scallop_curve_linear,
                                                .law = &g->laws[kind][i] };
 }
 
@@ -49,7 +43,7 @@ static void end_phase(struct scallop_straight *g, int kind, double peak)
 /* Where a piece begins or ends must be a double, from the start or from the end: 1 - x is one if x >= 1/2. */
 static void add_plateau(struct scallop_straight *g, int kind, double up, double down)
 {
-  const double level[6] = { 1, 0, 1, 1, -up / 2, -down / 2 };
+  const struct scallop_ramp_law level = { 1, 0, 1, { 1, -up / 2, -down / 2 } };
   double V = (double)(1 / (1 - (long double)up / 2 - (long double)down / 2));
   bool from_start = up < 0.5, from_end = down < 0.5;
   if (from_start)
@@ -63,21 +57,22 @@ static void add_skewed(struct scallop_straight *g, int kind, double b)
 {
   double rest = 1 - b;
   bool is_exact = 1 - rest == b; /* else what falls is split, so that it begins at a double */
-  add(g, kind, SCALLOP_FROM_START, 0, b, (const double[]){ 0, 2, b, 1, 0, 0 }, 0);
+  add(g, kind, SCALLOP_FROM_START, 0, b, (struct scallop_ramp_law){ 0, 2, b, { 1, 0, 0 } }, 0);
   if (is_exact) {
-    add(g, kind, SCALLOP_FROM_END, rest, 0, (const double[]){ 0, 2, rest, 1, 0, 0 }, 0);
+    add(g, kind, SCALLOP_FROM_END, rest, 0, (struct scallop_ramp_law){ 0, 2, rest, { 1, 0, 0 } }, 0);
   } else {
-    add(g, kind, SCALLOP_FROM_START, b, 0.5, (const double[]){ 2, -2, 1, 1, -b, 0 }, (double)(-b / (1 - (long double)b)));
-    add(g, kind, SCALLOP_FROM_END, 0.5, 0, (const double[]){ 0, 2, 1, 1, -b, 0 }, 0);
+    add(g, kind, SCALLOP_FROM_START, b, 0.5, (struct scallop_ramp_law){ 2, -2, 1, { 1, -b, 0 } },
+        (double)(-b / (1 - (long double)b)));
+    add(g, kind, SCALLOP_FROM_END, 0.5, 0, (struct scallop_ramp_law){ 0, 2, 1, { 1, -b, 0 } }, 0);
   }
   end_phase(g, kind, 2);
 }
 
 static void add_trapezoid(struct scallop_straight *g, int kind, double up, double down)
 {
-  add(g, kind, SCALLOP_FROM_START, 0, up, (const double[]){ 0, 1, up, 1, -up / 2, -down / 2 }, 0);
+  add(g, kind, SCALLOP_FROM_START, 0, up, (struct scallop_ramp_law){ 0, 1, up, { 1, -up / 2, -down / 2 } }, 0);
   add_plateau(g, kind, up, down);
-  add(g, kind, SCALLOP_FROM_END, down, 0, (const double[]){ 0, 1, down, 1, -up / 2, -down / 2 }, 0);
+  add(g, kind, SCALLOP_FROM_END, down, 0, (struct scallop_ramp_law){ 0, 1, down, { 1, -up / 2, -down / 2 } }, 0);
   end_phase(g, kind, (double)(1 / (1 - (long double)up / 2 - (long double)down / 2)));
 }
 

@@ -13,13 +13,10 @@
 extern "C" {
 #endif
 
-/* ---- of straight pieces ---------------------------------------------------------------------- */
-
 struct scallop_straight {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][4];
   struct scallop_law laws[2][4];
-  double numbers[2][4][7];
 };
 
 /* Each phase takes a fraction up[kind] of its duration to bring |l'| from 0 to V along a straight line, stays there, and takes
@@ -33,15 +30,13 @@ enum scallop_status scallop_make_trapezoidal(struct scallop_straight *straight, 
  * falls. beta = 1/2 is the quadratic gait. Domain: 2^-100 <= beta <= 1 - 2^-53. */
 enum scallop_status scallop_make_skewed(struct scallop_straight *straight, const char *name, const double beta[2]);
 
-/* ---- polynomial ------------------------------------------------------------------------------ */
-
 enum { SCALLOP_POLYNOMIAL_DEGREE = SCALLOP_LAW_MOST_DEGREE + 1, SCALLOP_POLYNOMIAL_PIECES = 2 * SCALLOP_POLYNOMIAL_DEGREE };
 
 struct scallop_polynomial {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][SCALLOP_POLYNOMIAL_PIECES];
   struct scallop_law laws[SCALLOP_POLYNOMIAL_PIECES];
-  double numbers[SCALLOP_POLYNOMIAL_PIECES][SCALLOP_LAW_MOST_DEGREE + 5 + SCALLOP_POLYNOMIAL_PIECES];
+  double ways[SCALLOP_POLYNOMIAL_PIECES];
 };
 
 /* l = sum over k = 1, ..., degree of c[k] s^k / sum of c[k], s the part of the extension that has passed, and the same back in the
@@ -53,8 +48,6 @@ struct scallop_polynomial {
 enum scallop_status scallop_make_polynomial(struct scallop_polynomial *polynomial, const char *name, const double *c,
                                             int degree, const char **why);
 
-/* ---- splines --------------------------------------------------------------------------------- */
-
 /* A point of one phase: the part of the phase that has passed, from 0 to 1; l in units of the amplitude, which begins and ends with 0 and 1
  * in the extension and with 1 and 0 in the contraction; dl/dtime. */
 struct scallop_knot {
@@ -65,7 +58,6 @@ struct scallop_spline { /* laws and pieces for scallop_spline_pieces() of them, 
   struct scallop_gait gait;
   struct scallop_piece *pieces;
   struct scallop_law *laws;
-  double (*numbers)[7];
 };
 
 /* time or length as a knot has it: the nearest multiple of 2^-53, so that differences are exact. For 0 <= x <= 1. */

@@ -3,55 +3,11 @@
 #include <math.h>
 #include <stddef.h>
 
-/* ---- straight lines ---- */
+/* Long double rounds off, where it is wider, what the many terms of a Bernstein polynomial add up to. */
+typedef long double real;
+#include "model/bernstein.h"
 
-static double time_offset(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : -u; }
-
-static double ramp_length(const struct scallop_piece *p, double u)
-{
-  double t = time_offset(p, u);
-  return p->direction * p->law->numerator[6] + t * (p->velocity + 0.5 * p->acceleration * t);
-}
-
-static double ramp_velocity(const struct scallop_piece *p, double u)
-{
-  return p->velocity + p->acceleration * time_offset(p, u);
-}
-
-static double ramp_acceleration(const struct scallop_piece *p, double u)
-{
-  (void)u;
-  return p->acceleration;
-}
-
-static double ramp_when(const struct scallop_piece *p, double a) { return a == p->acceleration ? p->begin : NAN; }
-
-const struct scallop_curve law_curve_ramp = { ramp_length, ramp_velocity, ramp_acceleration, ramp_when, NULL };
-
-static double rest_length(const struct scallop_piece *p, double u)
-{
-  (void)u;
-  return p->law->numerator[6];
-}
-
-const struct scallop_curve law_curve_rest = { rest_length, ramp_velocity, ramp_acceleration, ramp_when, NULL };
-
-/* ---- Bernstein's polynomials: in long double, which where it is wider rounds off what their many terms add up to ---- */
-
-enum { MOST = SCALLOP_LAW_MOST_DEGREE };
-
-void law_coefficients(const struct scallop_law *law, long double *b)
-{
-  int n = law->degree, implied = (int)law->numerator[n + 3];
-  long double others = 0, range = (long double)law->numerator[n + 2] - law->numerator[n + 1];
-  for (int j = 0; j <= n; j++) {
-    b[j] = law->numerator[j];
-    others += j == implied ? 0 : b[j];
-  }
-  for (int i = 1; i < law->denominator; i++)
-    b[implied] += law->numerator[n + 4 + i];
-  b[implied] = (n + 1) * b[implied] / range - others;
-}
+static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
 long double law_bernstein(const long double *b, int n, long double x, long double y)
 {
@@ -64,72 +20,64 @@ long double law_bernstein(const long double *b, int n, long double x, long doubl
 }
 
 struct place { /* in the range of a law: x from near, y from far                                                  */
-  long double b[MOST + 2], x, y, range;
-  int degree;
+  struct bernstein of;
+  long double x, y;
 };
 
 static struct place place_at(const struct scallop_law *law, double u)
 {
-  struct place at = { .degree = law->degree };
-  long double near = law->numerator[law->degree + 1], far = law->numerator[law->degree + 2];
-  at.range = far - near;
-  at.x = (u - near) / at.range;
-  at.y = (far - u) / at.range;
-  law_coefficients(law, at.b);
+  struct place at = { .of = bernstein_of(law) };
+  at.x = (u - at.of.near) / (at.of.far - at.of.near);
+  at.y = (at.of.far - u) / (at.of.far - at.of.near);
   return at;
 }
 
-static long double speed(const struct place *at) { return law_bernstein(at->b, at->degree, at->x, at->y); }
+static long double speed(const struct place *at) { return law_bernstein(at->of.b, at->of.degree, at->x, at->y); }
 
-/* d|l'|/du */
+/* b[j + 1] - b[j], of degree - 1: times degree/(far - near) the slope d|l'|/du */
+static void differences(struct bernstein *f)
+{
+  f->degree--;
+  for (int j = 0; j <= f->degree; j++)
+    f->b[j] = f->b[j + 1] - f->b[j];
+}
+
 static long double slope(const struct place *at)
 {
-  long double d[MOST] = { 0 };
-  for (int j = 0; j < at->degree; j++)
-    d[j] = at->b[j + 1] - at->b[j];
-  return at->degree / at->range * law_bernstein(d, at->degree - 1, at->x, at->y);
+  struct bernstein d = at->of;
+  differences(&d);
+  return at->of.degree / (at->of.far - at->of.near) * law_bernstein(d.b, d.degree, at->x, at->y);
 }
 
 /* What |l'| covers from near on */
 static long double way(const struct place *at)
 {
-  long double sums[MOST + 2];
-  int n = at->degree;
+  long double sums[SCALLOP_LAW_MOST_DEGREE + 2];
+  int n = at->of.degree;
   sums[0] = 0;
   for (int j = 0; j <= n; j++)
-    sums[j + 1] = sums[j] + at->b[j];
-  return at->range / (n + 1) * law_bernstein(sums, n + 1, at->x, at->y);
+    sums[j + 1] = sums[j] + at->of.b[j];
+  return (at->of.far - at->of.near) / (n + 1) * law_bernstein(sums, n + 1, at->x, at->y);
 }
 
-/* The slope from near on cut down to the part between from and to, by de Casteljau's rule: its mean there is formed without a difference of two
- * speeds, which may be much larger than what they differ by. */
+/* The mean of the slope between from and to is formed without a difference of two speeds, which may be much larger than what they differ by. */
 double law_rise(const struct scallop_law *law, double from, double to)
 {
-  struct place at = place_at(law, fmax(from, to));
-  int n = at.degree - 1;
-  long double low = fmin(from, to), high = fmax(from, to), sum = 0, near = law->numerator[law->degree + 1];
-  long double x = (low - near) / (high - near), y = (high - low) / (high - near);
+  struct bernstein f = bernstein_of(law);
+  long double range = f.far - f.near, sum = 0;
   if (from == to)
     return 0;
-  for (int j = 0; j <= n; j++)
-    at.b[j] = at.b[j + 1] - at.b[j];
-  for (int k = 0; k < n; k++) /* the part up to high */
-    for (int j = n; j > k; j--)
-      at.b[j] = at.y * at.b[j - 1] + at.x * at.b[j];
-  for (int k = 0; k < n; k++) /* and of that the part from low on */
-    for (int j = 0; j < n - k; j++)
-      at.b[j] = y * at.b[j] + x * at.b[j + 1];
-  for (int j = 0; j <= n; j++)
-    sum += at.b[j];
-  return (double)(sum / at.range * (to - (long double)from)); /* (n + 1) slopes, the mean of n + 1 */
+  differences(&f);
+  bernstein_cut(&f, fmin(from, to), fmax(from, to));
+  for (int j = 0; j <= f.degree; j++)
+    sum += f.b[j];
+  return (double)(sum / range * (to - (long double)from)); /* (n + 1) slopes, the mean of n + 1 */
 }
-
-static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
 static double bernstein_length(const struct scallop_piece *p, double u)
 {
   struct place at = place_at(p->law, u);
-  return (double)(p->direction * (p->law->numerator[p->law->degree + 4] + sense(p) * way(&at)));
+  return (double)(p->direction * (p->law->base + sense(p) * way(&at)));
 }
 
 static double bernstein_velocity(const struct scallop_piece *p, double u)
@@ -200,30 +148,37 @@ static double bernstein_when(const struct scallop_piece *p, double a)
 const struct scallop_curve law_curve_bernstein = { bernstein_length, bernstein_velocity, bernstein_acceleration,
                                                    bernstein_when, bernstein_rates };
 
-/* ---- comparison ---- */
-
-static int numbers_of(const struct scallop_law *law)
+static bool same(const double *a, const double *b, int count)
 {
-  return law->kind == SCALLOP_LAW_POLYNOMIAL  ? law->degree + 1
-         : law->kind == SCALLOP_LAW_RAMP      ? 6
-         : law->kind == SCALLOP_LAW_BERNSTEIN ? law->degree + 4
-                                              : 0;
+  for (int i = 0; i < count; i++)
+    if (a[i] != b[i])
+      return false;
+  return true;
+}
+
+static bool same_ramp(const struct scallop_ramp_law *a, const struct scallop_ramp_law *b)
+{
+  return a->start == b->start && a->slope == b->slope && a->divisor == b->divisor && same(a->parts, b->parts, 3);
+}
+
+static bool same_bernstein(const struct scallop_bernstein_law *a, const struct scallop_bernstein_law *b, int degree)
+{
+  return a->near == b->near && a->far == b->far && a->way == b->way && a->implied == b->implied
+         && same(a->b, b->b, degree + 1) && a->more_count == b->more_count && same(a->more, b->more, a->more_count);
 }
 
 bool law_same(const struct scallop_law *a, const struct scallop_law *b)
 {
   if (a == b)
     return true;
-  if (a->kind != b->kind || a->degree != b->degree
-      || ((a->kind == SCALLOP_LAW_POLYNOMIAL || a->kind == SCALLOP_LAW_BERNSTEIN) && a->denominator != b->denominator))
+  if (a->kind != b->kind || a->degree != b->degree)
     return false;
-  for (int i = 0; i < numbers_of(a); i++)
-    if (a->numerator[i] != b->numerator[i])
-      return false;
-  if (a->kind != SCALLOP_LAW_BERNSTEIN)
-    return true;
-  for (int i = 1; i < a->denominator; i++)
-    if (a->numerator[a->degree + 4 + i] != b->numerator[b->degree + 4 + i])
-      return false;
+  switch (a->kind) {
+  case SCALLOP_LAW_POLYNOMIAL:
+    return a->polynomial.denominator == b->polynomial.denominator && same(a->polynomial.c, b->polynomial.c, a->degree + 1);
+  case SCALLOP_LAW_RAMP: return same_ramp(&a->ramp, &b->ramp);
+  case SCALLOP_LAW_BERNSTEIN: return same_bernstein(&a->bernstein, &b->bernstein, a->degree);
+  case SCALLOP_LAW_SINE: break;
+  }
   return true;
 }

@@ -1,18 +1,14 @@
-/* Laws (struct scallop_law) in long double, and the curves that are made of them. Not public. */
+/* Laws (struct scallop_law), and the curve that is made of a Bernstein law, in long double. Not public. */
 #ifndef SCALLOP_LAW_H
 #define SCALLOP_LAW_H
 
 #include "model/model.h"
 
-/* A straight piece with a ramp for a law; a piece in which l rests, n[6] of whose ramp is not times the direction, 0; and a piece
- * with a Bernstein law. */
-extern const struct scallop_curve law_curve_ramp, law_curve_rest, law_curve_bernstein;
+extern const struct scallop_curve law_curve_bernstein;
 
 /* Whether |l'| is the same function of the offset. */
 bool law_same(const struct scallop_law *a, const struct scallop_law *b);
 
-/* The b[j] of a Bernstein law: degree + 1 of them. */
-void law_coefficients(const struct scallop_law *law, long double *b);
 /* sum of b[j] binomial(n, j) x^j y^(n - j), x + y = 1: to a few ulp of the sum of magnitudes, also next to x = 0 and y = 0. */
 long double law_bernstein(const long double *b, int n, long double x, long double y);
 

@@ -2,8 +2,9 @@
  *
  * Two bodies, masses m1 and m2, Coulomb friction forces F1 and F2 (isotropic, static = sliding),
  * with the separation l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this
- * room holds parameters, l(t) and its derivatives, validation and scaling. It depends on libm only,
- * allocates nothing, prints nothing and holds no state.
+ * room holds parameters, l(t) and its derivatives, validation and scaling. It prints nothing and holds no state.
+ * What this header and gaits.h declare depends on libm only and allocates nothing; ball.h and fractions.h have the same in balls
+ * and in fractions, through FLINT, which allocates.
  */
 #ifndef SCALLOP_MODEL_H
 #define SCALLOP_MODEL_H
@@ -30,8 +31,6 @@ enum scallop_status {
 };
 const char *scallop_status_text(enum scallop_status status);
 
-/* ---- gait ---------------------------------------------------------------------------------- */
-
 enum scallop_phase_kind { SCALLOP_EXTENSION = 0, SCALLOP_CONTRACTION = 1 };
 
 /* Where a piece measures its own time from. Times near the end of a phase are kept as distances to
@@ -51,24 +50,38 @@ struct scallop_curve {
   void (*rates)(const struct scallop_piece *, double u, double *velocity, double *acceleration);
 };
 
-/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has. With n for numerator,
- * whose doubles stand for exactly what they are:
- * polynomial: sum over k <= degree of n[k] u^k / denominator;
- * sine: (pi/2) sin(pi u);
- * ramp (degree 1): (n[0] + n[1] u) / (n[2] (n[3] + n[4] + n[5])); n[6]: l at offset 0, as the piece would have it there, minus l at the anchor;
- * Bernstein: sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near), and
- *   near = n[degree + 1], far = n[degree + 2], m = n[degree + 3]. b[j] = n[j] but for j = m, where n[m] is the way from near
- *   to far instead: it is (far - near) times the mean of all b[j]. The way is the sum of `denominator` numbers: n[m] and, if there are more
- *   than that, n[degree + 5], n[degree + 6], ...; so those of all pieces can add up to 1 exactly though each is right to its last digit.
- *   n[degree + 4]: l at near minus l at the anchor.
- * n[6] of a ramp and n[degree + 4] of a Bernstein law are times the piece's direction, rounded, and for struct scallop_curve only. */
+/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has: doubles stand for exactly
+ * what they are. Polynomial: sum over k <= degree of c[k] u^k / denominator. */
+enum { SCALLOP_LAW_MOST_DEGREE = 15 };
+struct scallop_polynomial_law {
+  double c[SCALLOP_LAW_MOST_DEGREE + 1], denominator;
+};
+/* Degree 1: (start + slope u) / (divisor (parts[0] + parts[1] + parts[2])). */
+struct scallop_ramp_law {
+  double start, slope, divisor, parts[3];
+};
+/* sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near). The coefficient b[implied] is
+ * given by the way instead, which is what |l'| covers from near to far, (far - near) times the mean of all b[j]. It is way + more[0] +
+ * more[1] + ..., so that the ways of all pieces can add up to 1 exactly though each is right to its last digit. */
+struct scallop_bernstein_law {
+  double b[SCALLOP_LAW_MOST_DEGREE + 1];
+  double near, far, way;
+  int implied, more_count;
+  const double *more;
+};
+/* A sine is (pi/2) sin(pi u). */
 enum scallop_law_kind { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_SINE, SCALLOP_LAW_RAMP, SCALLOP_LAW_BERNSTEIN };
-enum { SCALLOP_LAW_MOST_DEGREE = 15 }; /* of a Bernstein law */
 struct scallop_law {
   enum scallop_law_kind kind;
   int degree;
-  const double *numerator;
-  double denominator;
+  union {
+    struct scallop_polynomial_law polynomial;
+    struct scallop_ramp_law ramp;
+    struct scallop_bernstein_law bernstein;
+  };
+  /* For struct scallop_curve, rounded: l where u is 0, or near, as the piece would have it there, minus l at the anchor; times the piece's
+   * direction, where that is not 0. */
+  double base;
 };
 
 /* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
@@ -109,8 +122,7 @@ struct scallop_gait {
 /* quadratic: l'' = +-4/tau^2, then -+4/tau^2, changing at half of the phase. sinusoidal: half a
  * cosine, l = (1 - cos(pi t / tau)) / 2 and back. */
 extern const struct scallop_gait scallop_gait_quadratic, scallop_gait_sinusoidal;
-/* For pieces with linear = true that begin or end at their anchor; one in the middle of a phase brings a
- * curve of its own, whose length counts from the anchor. */
+/* For pieces with linear = true. One that neither begins nor ends at its anchor needs a law, for its base. */
 extern const struct scallop_curve scallop_curve_linear;
 /* Such a piece, at rest (l' = 0) at its anchor: it begins and ends at these offsets, l' has this sign, l'' this value. */
 #define SCALLOP_RAMP(from, to, anchored, sign, slope) \
@@ -132,8 +144,6 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait);
  * start of an extension and 1 at the start of a contraction. Any of the three may be NULL. */
 void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,
                      double *velocity, double *acceleration);
-
-/* ---- crawler ------------------------------------------------------------------------------- */
 
 /* SI or any consistent units. Every m, F, L, T > 0 and finite; 0 < alpha < 1: the fraction of the
  * period T that the extension takes. */

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/held.h"
-#include "numerics/period.h"
-#include "numerics/regular.h"
+#include "numerics/event/held.h"
+#include "numerics/event/period.h"
+#include "numerics/event/regular.h"
 #include "numerics/threads.h"
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the
@@ -62,10 +62,17 @@ static double holds(const struct scallop_crawlers *c, long i, double slope_e, do
   return pull_c < 0 ? 1 : pull_e < 0 ? -1 : 0;
 }
 
-/* No result over- or underflows. */
-SCALLOP_INLINE int keeps(const struct scaling *s, double c_start, double c_mid, double travel, double displacement,
-                         double mean)
+/* True: no result over- or underflows. */
+SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scaling *s, double c_start,
+                          double c_mid, double travel, double multiplier)
 {
+  double displacement = travel * row->L[i], mean = displacement / row->T[i];
+  out->froude[i] = 1 / s->eps;
+  out->v_start[i] = c_start * s->velocity;
+  out->v_mid[i] = c_mid * s->velocity;
+  out->displacement[i] = displacement;
+  out->mean_velocity[i] = mean;
+  out->multiplier[i] = multiplier;
   return scaling_keeps(1, 1 / s->eps) & scaling_keeps(c_start, c_start * s->velocity)
          & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
 }
@@ -83,14 +90,7 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
     valid &= regular_steady(&s, alpha, period_driven(gait, alpha), &extension, &contraction, &r);
     valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
-    double displacement = r.travel * row->L[i], mean = displacement / row->T[i];
-    out->froude[i] = 1 / s.eps;
-    out->v_start[i] = r.c_start * s.velocity;
-    out->v_mid[i] = r.c_mid * s.velocity;
-    out->displacement[i] = displacement;
-    out->mean_velocity[i] = mean;
-    out->multiplier[i] = r.multiplier;
-    valid &= keeps(&s, r.c_start, r.c_mid, r.travel, displacement, mean);
+    valid &= answer(out, i, row, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
     out->valid[i] = valid ? 1 : 0;
   }
 }
@@ -105,20 +105,13 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
     double alpha = row->alpha[i];
     int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
     held_steady(&s, alpha, row->order[i], &e, &c, &h);
-    double displacement = h.travel * row->L[i], mean = displacement / row->T[i];
-    out->froude[i] = 1 / s.eps;
-    out->v_start[i] = h.c_start * s.velocity;
-    out->v_mid[i] = h.c_mid * s.velocity;
-    out->displacement[i] = displacement;
-    out->mean_velocity[i] = mean;
-    out->multiplier[i] = 0;
     for (int phase = 0; phase < 2; phase++) {
       out->starts[phase][i] = h.starts[phase];
       out->ends[phase][i] = h.ends[phase];
       out->stuck[phase][i] = h.stuck[phase];
       out->grip[phase][i] = h.grip[phase];
     }
-    valid &= keeps(&s, h.c_start, h.c_mid, h.travel, displacement, mean);
+    valid &= answer(out, i, row, &s, h.c_start, h.c_mid, h.travel, 0);
     valid &= !period_cancels(h.travel, h.size, 0);
     out->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }

@@ -18,8 +18,6 @@
 extern "C" {
 #endif
 
-/* ---- what a motion looked like --------------------------------------------------------------- */
-
 enum { SCALLOP_MODES_KEPT = 24, SCALLOP_MODES_TEXT = 3 * SCALLOP_MODES_KEPT + 8 };
 
 /* A mode is the pair of directions of body 1 and body 2: each -1, 0 (stuck) or +1. */
@@ -60,8 +58,6 @@ struct scallop_work {
   long root_iterations;  /* of the start velocity and of switching times, closed forms not counted */
 };
 
-/* ---- one phase ------------------------------------------------------------------------------- */
-
 struct scallop_phase_result {
   double t1;            /* first change of mode after the start; nan if there is none            */
   double dT;            /* from the last change of mode to the end of the phase; nan if none     */
@@ -89,8 +85,6 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
  * Intervals of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                             scallop_visitor *visit, void *context);
-
-/* ---- one period, and the steady state -------------------------------------------------------- */
 
 struct scallop_period_result {
   double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
@@ -159,8 +153,6 @@ struct scallop_phases {
  * with fused multiplications and additions too. Threads, return value and memory as scallop_steady_batch. */
 long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
                          const struct scallop_phases *phases, int threads);
-
-/* ---- trajectories ---------------------------------------------------------------------------- */
 
 struct scallop_sample {
   double t;          /* from the start of the first period                                    */

@@ -1,7 +1,7 @@
 #include <math.h>
 
-#include "numerics/period.h"
-#include "numerics/start.h"
+#include "numerics/event/period.h"
+#include "numerics/event/start.h"
 
 /* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
 struct sum {

@@ -84,7 +84,7 @@ for name in scallop-core scallop; do
   agrees static "a program with lib$name, static"
 done
 if command -v c++ >/dev/null 2>&1; then
-  printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(text_steady_xC(&c) > 0); }\n' >main.cc
+  printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_text_steady_xC(&c) > 0); }\n' >main.cc
   # shellcheck disable=SC2046
   quietly c++ -Wall -Wextra -Werror -o plus main.cc $(flags --cflags --libs scallop-core)
   LD_LIBRARY_PATH=$place/usr/lib ./plus || note "exit code $?"

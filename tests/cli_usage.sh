@@ -1,6 +1,7 @@
 #!/bin/sh
 # What the command line refuses, with which exit code and message, and what it leaves behind.
 # Usage: sh tests/cli_usage.sh build/scallop. One line for each check; non-zero if any failed.
+root=$(cd "$(dirname "$0")/.." && pwd)
 . "$(dirname "$0")/common.sh"
 keep_counts_apart
 input=/dev/null
@@ -459,6 +460,23 @@ says 'dangling' err
 [ -L dangling ] || note "the link was replaced"
 [ ! -e nowhere.tsv ] || note "a file appeared behind the link"
 finish "-o through a link to nothing"
+# One table of quantities: what --help prints of them stands in the documents and in the Python module word for word
+quantities() { "$tool" "$1" --help | sed -n '/^Quantities/,/^$/s/^  \([A-Za-z0-9_]*\)  *\(.*\) \[\(.*\)\]$/\1\t\2\t\3/p'; }
+tab=$(printf '\t')
+quantities run >all
+[ "$(wc -l <all)" -eq 14 ] || note "run --help lists $(wc -l <all) quantities"
+while IFS=$tab read -r name is unit; do
+  grep -q -F -e "| \`$name\` | $is | $unit |" "$root/docs/scenes.md" || note "docs/scenes.md has no row for: $name $is [$unit]"
+done <all
+for command in steady phase; do
+  quantities $command >some
+  [ "$(wc -l <some)" -eq 6 ] || note "$command --help lists $(wc -l <some) quantities"
+  while IFS=$tab read -r name is unit; do
+    grep -q -e "^        $name  *$is \[$unit\]\$" "$root/scripts/python/scallop.py" || note "scallop.py says nothing like: $name $is [$unit]"
+    grep -q -F -x -e "$name$tab$is$tab$unit" all || note "$command --help and run --help differ in $name"
+  done <some
+done
+finish "quantities are described in the same words everywhere"
 printf 'T\n0.1\n0.2\n' >points_of_series.tsv
 run 0 series --points points_of_series.tsv
 cp out series.tsv

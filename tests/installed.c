@@ -27,7 +27,7 @@ static int one_crawler(void)
   scallop_modes_text(&steady.period.modes[SCALLOP_EXTENSION], modes);
   printf("exact\t%.17g\n", steady.period.displacement);
   printf("error\t%.2g\n", error.displacement);
-  printf("series\t%.17g\n", text_steady_xC(&crawler));
+  printf("series\t%.17g\n", scallop_text_steady_xC(&crawler));
   printf("extension\t%s, %s\n", scallop_regime_text(steady.period.regime), modes);
   return 0;
 }

@@ -130,8 +130,8 @@ static inline double hump_when(const struct scallop_piece *p, double a)
 }
 
 static const struct scallop_curve hump = { hump_length, hump_velocity, hump_acceleration, hump_when, NULL };
-static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 240, -960, 960 }, 1 };
-static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 120, -480, 480 }, 1 };
+static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 240, -960, 960 }, 1 } };
+static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 120, -480, 480 }, 1 } };
 
 #define HUMP_TURN 0.10566243270259355889 /* (3 - sqrt 3)/12, and half of the phase minus that: l''' = 0 */
 #define HUMP_FALLS 0.39433756729740644113

@@ -44,9 +44,9 @@ static inline double plateau_when(const struct scallop_piece *p, double a) { ret
 
 static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when, NULL };
 
-static const struct scallop_law plateau_law = { SCALLOP_LAW_POLYNOMIAL, 0, (const double[]){ 16 }, 13 };
-static const struct scallop_law rise_law = { SCALLOP_LAW_POLYNOMIAL, 1, (const double[]){ 0, 64 }, 13 };
-static const struct scallop_law fall_law = { SCALLOP_LAW_POLYNOMIAL, 1, (const double[]){ 0, 128 }, 13 };
+static const struct scallop_law plateau_law = { SCALLOP_LAW_POLYNOMIAL, 0, .polynomial = { { 16 }, 13 } };
+static const struct scallop_law rise_law = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 64 }, 13 } };
+static const struct scallop_law fall_law = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 128 }, 13 } };
 
 #define TRAPEZOID(sign) \
   { .begin = 0, \
@@ -112,7 +112,7 @@ static inline double jerk_when(const struct scallop_piece *p, double a)
 
 static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when, NULL };
 
-static const struct scallop_law jerk_law = { SCALLOP_LAW_POLYNOMIAL, 4, (const double[]){ 0, 0, 30, -60, 30 }, 1 };
+static const struct scallop_law jerk_law = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 30, -60, 30 }, 1 } };
 
 #define JERK_TURN 0.21132486540518711775
 #define JERK(from, to, anchored, sign) \

@@ -16,7 +16,6 @@ struct random_gait {
   struct scallop_spline spline;
   struct scallop_piece pieces[MOST_SPLINE_PIECES];
   struct scallop_law laws[MOST_SPLINE_PIECES];
-  double numbers[MOST_SPLINE_PIECES][7];
 };
 
 /* Often where 1 - x is no double */
@@ -104,7 +103,7 @@ static inline const struct scallop_gait *random_spline(struct random *r, bool tu
   int count[2];
   for (int kind = 0; kind < 2; kind++)
     count[kind] = random_knots(r, turning, kind, knots[kind]);
-  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws, .numbers = g->numbers };
+  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws };
   const struct scallop_knot *const phases[2] = { knots[0], knots[1] };
   assert_int_equal(scallop_make_spline(&g->spline, "spline", phases, count), SCALLOP_OK);
   return &g->spline.gait;

@@ -13,7 +13,6 @@ struct rises {
   struct scallop_knot knots[2][RISES_MOST];
   struct scallop_piece pieces[RISES_PIECES];
   struct scallop_law laws[RISES_PIECES];
-  double numbers[RISES_PIECES][7];
   struct scallop_spline spline;
 };
 
@@ -53,7 +52,7 @@ static inline const struct scallop_gait *rises_draw(struct rises *g, struct rand
 {
   const int count[2] = { rises_phase(r, g->knots[0], width, true), rises_phase(r, g->knots[1], width, false) };
   const struct scallop_knot *const knots[2] = { g->knots[0], g->knots[1] };
-  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws, .numbers = g->numbers };
+  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws };
   assert_int_equal(scallop_make_spline(&g->spline, "rises", knots, count), SCALLOP_OK);
   return &g->spline.gait;
 }

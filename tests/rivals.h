@@ -4,7 +4,7 @@
 
 #include <float.h>
 
-#include "numerics/rival.h"
+#include "numerics/rivals/rival.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 

@@ -5,8 +5,8 @@
 #define SCOPED_H
 
 #include "asymptotics/derived/derived.h"
-#include "model/ball.h"
-#include "numerics/certified.h"
+#include "model/exact/ball.h"
+#include "numerics/certified/certified.h"
 
 #define SCOPED(kind, ...) SCOPED_OF(__VA_ARGS__, 6, 5, 4, 3, 2, 1)(kind, __VA_ARGS__)
 #define SCOPED_OF(a, b, c, d, e, f, count, ...) SCOPED_##count

@@ -1,12 +1,12 @@
 /* The certified solver at the edges: what it refuses, what it says that it cannot decide, and what must be exact. */
 #include "tests/check.h"
 
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 
 /* l' = 6 u (1 - u) in one piece: a parabola, which a straight line can touch at a rational point. */
-static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
+static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
 static const struct scallop_piece parabola_contraction[] = { { .end = 1, .direction = -1, .law = &parabola_law } };
 static const struct scallop_gait parabola_gait = { "parabola",
@@ -66,7 +66,7 @@ TEST(at_rest_after_a_jump)
 /* l grows by 3/2, while the amplitude is 1: nothing is decided of any motion, and it is said why. */
 TEST(a_law_against_its_amplitude)
 {
-  const struct scallop_law law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 9, -9 }, 1 };
+  const struct scallop_law law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 9, -9 }, 1 } };
   struct scallop_piece pieces[2] = { parabola_extension[0], parabola_contraction[0] };
   struct scallop_gait gait = parabola_gait;
   struct scallop_crawler c = { 1, 1, 2, 1, 1, 2, 0.5, &gait };

@@ -3,7 +3,7 @@
 #include "tests/check.h"
 
 #include "asymptotics/derived/evaluate.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"
 
@@ -12,7 +12,7 @@ SCOPED_KIND(scallop_symbols, struct scallop_symbols)
 enum { DIGITS = 40 };
 
 /* l' = 6 s (1 - s) in one piece, which has its anchor at one end only */
-static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, (const double[]){ 0, 6, -6 }, 1 };
+static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
 static const struct scallop_piece parabola_contraction[] = {
   { .begin = 1, .anchor = SCALLOP_FROM_END, .direction = -1, .law = &parabola_law }

@@ -2,8 +2,8 @@
 #include "tests/check.h"
 
 #include "asymptotics/derived/branch.h"
-#include "numerics/certified.h"
-#include "numerics/wide.h"
+#include "numerics/certified/certified.h"
+#include "numerics/wide/wide.h"
 #include "tests/certified_balls.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"

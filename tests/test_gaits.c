@@ -270,9 +270,8 @@ static void bad_splines(void **state)
               { 2, { 1, 0.5, 0 } },       { 2, { 0.75, 1, 0 } },     { 2, { 1, 1, -1 } } };
   struct scallop_piece pieces[5];
   struct scallop_law laws[5];
-  double numbers[5][7];
   const int count[2] = { 3, 2 };
-  struct scallop_spline s = { .pieces = pieces, .laws = laws, .numbers = numbers };
+  struct scallop_spline s = { .pieces = pieces, .laws = laws };
   struct scallop_knot knots[3];
   const struct scallop_knot *const phases[2] = { knots, back };
   assert_int_equal(scallop_spline_pieces(count), 5);
@@ -297,8 +296,7 @@ static void concave_splines(void **state)
   const struct scallop_knot *const out[3] = { once, rest, detour };
   struct scallop_piece pieces[MOST_SPLINE_PIECES];
   struct scallop_law laws[MOST_SPLINE_PIECES];
-  double numbers[MOST_SPLINE_PIECES][7];
-  struct scallop_spline s = { .pieces = pieces, .laws = laws, .numbers = numbers };
+  struct scallop_spline s = { .pieces = pieces, .laws = laws };
   for (int i = 0; i < 3; i++) {
     const struct scallop_knot *const phases[2] = { out[i], back };
     assert_int_equal(scallop_make_spline(&s, "", phases, (const int[2]){ i == 0 ? 3 : 4, 3 }), SCALLOP_OK);
@@ -434,8 +432,7 @@ static void rest_at_the_end(void **state)
   (void)state;
   struct scallop_piece pieces[7];
   struct scallop_law laws[7];
-  double numbers[7][7];
-  struct scallop_spline s = { .pieces = pieces, .laws = laws, .numbers = numbers };
+  struct scallop_spline s = { .pieces = pieces, .laws = laws };
   const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 } }, back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   assert_int_equal(
       scallop_make_spline(&s, "rest", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
@@ -679,32 +676,57 @@ static void samples_of_the_quadratic_gait(void **state)
   assert_true(compared > 50);
 }
 
-/* Kind, degree, denominator and every number count, and not where the numbers are kept; of Bernstein's form also the numbers behind the
- * coefficients. */
+/* Every number of a law counts but its base and what lies behind its degree. numbers: of `other`, a copy of law. */
+static void check_each_number(const struct scallop_law *law, struct scallop_law *other, double *const numbers[], int count)
+{
+  assert_true(law_same(law, other));
+  for (int i = 0; i < count; i++) {
+    *numbers[i] += 0.5;
+    assert_false(law_same(law, other));
+    *numbers[i] -= 0.5;
+  }
+  other->base += 1;
+  assert_true(law_same(law, other));
+  other->degree--;
+  assert_false(law_same(law, other));
+}
+
 static void laws_are_compared(void **state)
 {
   (void)state;
-  enum { DEGREE = 2, NUMBERS = DEGREE + 4 + 3 };
-  double numbers[NUMBERS] = { 1, 2, 3, 4, 5, 6, 7, 8, 9 }, copy[NUMBERS];
-  const enum scallop_law_kind kinds[] = { SCALLOP_LAW_POLYNOMIAL, SCALLOP_LAW_BERNSTEIN };
-  const int counted[] = { DEGREE + 1, NUMBERS };
-  for (int k = 0; k < 2; k++) {
-    const struct scallop_law a = { kinds[k], DEGREE, numbers, 3 };
-    struct scallop_law b = a;
-    b.numerator = copy;
-    for (int i = 0; i < NUMBERS; i++) {
-      memcpy(copy, numbers, sizeof copy);
-      assert_true(law_same(&a, &b));
-      copy[i] += 0.5;
-      bool read = i < counted[k] && !(kinds[k] == SCALLOP_LAW_BERNSTEIN && i == DEGREE + 4);
-      assert_int_equal(law_same(&a, &b), !read);
-    }
-    memcpy(copy, numbers, sizeof copy);
-    b.denominator = 2;
-    assert_false(law_same(&a, &b));
-    b = (struct scallop_law){ kinds[1 - k], DEGREE, copy, 3 };
-    assert_false(law_same(&a, &b));
-  }
+  const double more[2] = { 8, 9 };
+  double copy[2] = { 8, 9 };
+  const struct scallop_law laws[4] = {
+    { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 1, 2, 3, 4 }, 5 } },
+    { SCALLOP_LAW_RAMP, 1, .ramp = { 1, 2, 3, { 4, 5, 6 } } },
+    { SCALLOP_LAW_BERNSTEIN, 2, .bernstein = { { 1, 2, 3, 4 }, 5, 6, 7, .implied = 1, .more_count = 2, .more = more } },
+    { .kind = SCALLOP_LAW_SINE },
+  };
+  struct scallop_law p = laws[0], r = laws[1], b = laws[2];
+  for (int i = 0; i < 4; i++)
+    for (int k = 0; k < 4; k++)
+      assert_int_equal(law_same(&laws[i], &laws[k]), i == k);
+  p.polynomial.c[3] = 0;
+  check_each_number(&laws[0], &p,
+                    (double *[]){ &p.polynomial.c[0], &p.polynomial.c[1], &p.polynomial.c[2], &p.polynomial.denominator },
+                    4);
+  check_each_number(
+      &laws[1], &r,
+      (double *[]){ &r.ramp.start, &r.ramp.slope, &r.ramp.divisor, &r.ramp.parts[0], &r.ramp.parts[1], &r.ramp.parts[2] },
+      6);
+  b.bernstein.b[3] = 0;
+  b.bernstein.more = copy;
+  check_each_number(&laws[2], &b,
+                    (double *[]){ &b.bernstein.b[0], &b.bernstein.b[1], &b.bernstein.b[2], &b.bernstein.near,
+                                  &b.bernstein.far, &b.bernstein.way, &copy[0], &copy[1] },
+                    8);
+  assert_true(law_same(&laws[3], &(struct scallop_law){ .kind = SCALLOP_LAW_SINE }));
+  b = laws[2];
+  b.bernstein.implied = 2;
+  assert_false(law_same(&laws[2], &b));
+  b = laws[2];
+  b.bernstein.more_count = 1;
+  assert_false(law_same(&laws[2], &b));
 }
 
 /* l'' of a straight piece is what it is from the beginning of the piece, and nothing else anywhere. */

@@ -6,9 +6,9 @@
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/gaits.h"
 #include "compare/stress/judge.h"
-#include "model/ball.h"
-#include "numerics/certified.h"
-#include "numerics/wide.h"
+#include "model/exact/ball.h"
+#include "numerics/certified/certified.h"
+#include "numerics/wide/wide.h"
 #include "tests/random_gait.h"
 
 enum { BITS = 300, PRECISION = 400, ORDER = 14 };
@@ -107,8 +107,7 @@ static void pieces_that_go_on(void **state)
   (void)state;
   struct scallop_piece pieces[8];
   struct scallop_law all[8];
-  double numbers[8][7];
-  struct scallop_spline s = { .pieces = pieces, .laws = all, .numbers = numbers };
+  struct scallop_spline s = { .pieces = pieces, .laws = all };
   const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.75, 0.5, 0.5 }, { 1, 1, 0 } },
                             back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   bool turned = false;

@@ -9,11 +9,11 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "numerics/cvode.h"
-#include "numerics/odeiv.h"
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/odeiv.h"
 #include "tests/rivals.h"
 
-enum { CRAWLERS = 200, EACH = 40, CVODE = 3, METHODS = 4 }; /* the others are steppers of numerics/odeiv.h */
+enum { CRAWLERS = 200, EACH = 40, CVODE = 3, METHODS = 4 }; /* the others are steppers of numerics/rivals/odeiv.h */
 static const double bound_of[METHODS] = { 32, 32, 512, 512 };
 
 /* All that this program was built with */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "model/gaits.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 
@@ -106,7 +106,6 @@ static struct drawn *draw_gait(void)
   size_t pieces = (size_t)scallop_spline_pieces(count);
   d->spline.pieces = calloc(pieces, sizeof *d->spline.pieces);
   d->spline.laws = calloc(pieces, sizeof *d->spline.laws);
-  d->spline.numbers = calloc(pieces, sizeof *d->spline.numbers);
   assert_int_equal(scallop_make_spline(&d->spline, "drawn", knots, count), SCALLOP_OK);
   return d;
 }
@@ -115,7 +114,6 @@ static void rub_out(struct drawn *d)
 {
   free(d->spline.pieces);
   free(d->spline.laws);
-  free(d->spline.numbers);
   free(d);
 }
 

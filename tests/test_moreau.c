@@ -6,7 +6,7 @@
 
 #include <limits.h>
 
-#include "numerics/moreau.h"
+#include "numerics/rivals/moreau.h"
 #include "tests/rivals.h"
 
 static struct scallop_rival_period stepped(const struct scallop_crawler *c, double v0, long steps)

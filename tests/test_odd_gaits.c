@@ -2,9 +2,9 @@
  * and what becomes of more modes than are kept. */
 #include "tests/check.h"
 
-#include "numerics/certified.h"
-#include "numerics/cvode.h"
-#include "numerics/odeiv.h"
+#include "numerics/certified/certified.h"
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/odeiv.h"
 #include "tests/certified_balls.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"

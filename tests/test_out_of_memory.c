@@ -5,9 +5,9 @@
 
 #include <stdlib.h>
 
-#include "numerics/cvode.h"
-#include "numerics/odeiv.h"
-#include "numerics/smoothed.h"
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/smoothed.h"
 
 #ifdef __GLIBC__
 static volatile long fails_in = -1; /* allocations until one fails; below 0: none does */

@@ -54,7 +54,7 @@ struct wanted {
 
 #define PHASE(f, equation, setting, quantity, remainder, v1, s1, v2, s2) \
   { \
-#f, f, NULL, equation, setting, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
+#f, scallop_##f, NULL, equation, setting, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
   }
 #define REST(f, equation, quantity, remainder, v1, s1, v2, s2) \
   PHASE(f, equation, SCALLOP_AT_REST_START, quantity, remainder, v1, s1, v2, s2)
@@ -66,7 +66,7 @@ struct wanted {
   PHASE(f, equation, SCALLOP_MOVING_CONTRACTION, quantity, remainder, v1, s1, v2, s2)
 #define STEADY(f, equation, quantity, remainder, v1, s1, v2, s2) \
   { \
-#f, NULL, f, equation, SCALLOP_STEADY, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
+#f, NULL, scallop_##f, equation, SCALLOP_STEADY, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
   }
 
 /* function, equation, what it gives, exponent of the printed remainder, then value and size twice.
@@ -154,15 +154,15 @@ static const struct {
   double (*phase)(const struct scallop_phase_point *);
   double value[POINTS], size[POINTS];
 } rest_of_contraction[] = {
-  { rest_v1_switch, { -2.7561604083169398, 2.0449825302824483 }, { 6.7, 9.5 } },
-  { rest_dT_unexpanded, { -0.082706772977913301, 0.45303286241709114 }, { 0.52, 1.9 } },
-  { rest_dT, { -0.074537611327285746, 0.68633010769180352 }, { 0.3, 1.9 } },
-  { rest_x1_switch, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
-  { rest_v1_end, { -0.38138288860571275, 1.1898108985509439 }, { 1.6, 3.2 } },
-  { rest_x1_end, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
-  { rest_x2_end, { 1.3587278868964397, 2.796718678994885 }, { 2.1, 4.1 } },
-  { rest_xC_end, { 0.35860581658393967, 1.431118093057385 }, { 1.6, 3.5 } },
-  { rest_dT_product, { -0.08189988377559966, 0.3328923402430954 }, { 0.42, 4.3 } },
+  { scallop_rest_v1_switch, { -2.7561604083169398, 2.0449825302824483 }, { 6.7, 9.5 } },
+  { scallop_rest_dT_unexpanded, { -0.082706772977913301, 0.45303286241709114 }, { 0.52, 1.9 } },
+  { scallop_rest_dT, { -0.074537611327285746, 0.68633010769180352 }, { 0.3, 1.9 } },
+  { scallop_rest_x1_switch, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { scallop_rest_v1_end, { -0.38138288860571275, 1.1898108985509439 }, { 1.6, 3.2 } },
+  { scallop_rest_x1_end, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { scallop_rest_x2_end, { 1.3587278868964397, 2.796718678994885 }, { 2.1, 4.1 } },
+  { scallop_rest_xC_end, { 0.35860581658393967, 1.431118093057385 }, { 1.6, 3.5 } },
+  { scallop_rest_dT_product, { -0.08189988377559966, 0.3328923402430954 }, { 0.42, 4.3 } },
 };
 
 enum { FROM_REST = sizeof rest_of_contraction / sizeof *rest_of_contraction };
@@ -222,7 +222,7 @@ TEST(froude_number_and_kinematic_length)
   for (int i = 0; i < POINTS; i++) {
     double got = scallop_kinematic_length(&lopsided, SCALLOP_EXTENSION, crawler[i].L);
     differences += differs("L_kin", i, got, length[i], length[i]);
-    differences += differs("text_froude", i, text_froude(&crawler[i]), froude[i][0], froude[i][1]);
+    differences += differs("text_froude", i, scallop_text_froude(&crawler[i]), froude[i][0], froude[i][1]);
   }
   assert_int_equal(differences, 0);
 }
@@ -239,7 +239,7 @@ TEST(kinematic_length_of_the_two_gaits)
 TEST(equations_26_and_27_agree)
 {
   for (int i = 0; i < POINTS; i++)
-    CHECK_NEAR(text_steady_velocity_l0_lT(&crawler[i]), text_steady_velocity(&crawler[i]), ROUNDING * 4);
+    CHECK_NEAR(scallop_text_steady_velocity_l0_lT(&crawler[i]), scallop_text_steady_velocity(&crawler[i]), ROUNDING * 4);
 }
 
 TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
@@ -247,7 +247,7 @@ TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *p = &extension[i];
     double last = p->v0 * 2 * p->F1 / (p->m2 * p->l0) * p->T * p->T * p->T;
-    CHECK_NEAR(A_xC_end(p) - text_extension_xC_end(p), 2 * last, ROUNDING * 4);
+    CHECK_NEAR(scallop_A_xC_end(p) - scallop_text_extension_xC_end(p), 2 * last, ROUNDING * 4);
   }
 }
 
@@ -256,7 +256,7 @@ TEST(equation_24_and_B12_differ_by_the_factor_T2)
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *p = &contraction[i];
     double friction = -(p->F1 - p->F2) / (p->m1 + p->m2) * p->T;
-    double last24 = text_contraction_velocity_change(p) - friction, lastB12 = B_vC_end(p) - p->v0 - friction;
+    double last24 = scallop_text_contraction_velocity_change(p) - friction, lastB12 = scallop_B_vC_end(p) - p->v0 - friction;
     assert_true(fabs(last24) > 0.1);
     CHECK_NEAR(last24, lastB12 * (p->T * p->T), ROUNDING * 16);
   }
@@ -269,17 +269,17 @@ TEST(appendix_B_is_appendix_A_exchanged)
     const char *name;
     double (*a)(const struct scallop_phase_point *), (*b)(const struct scallop_phase_point *);
   } pair[] = {
-    { "A.5 and B.2", A_t1_unexpanded, B_t1_unexpanded },
-    { "A.6 and B.2", A_t1, B_t1 },
-    { "A.7 and B.3", A_x1_first_switch, B_x2_first_switch },
-    { "A.14 and B.5", A_dT_unexpanded, B_dT_unexpanded },
-    { "A.15 and B.6", A_dT_product, B_dT_product },
-    { "A.16 and B.6", A_dT, B_dT },
-    { "A.17 and B.7", A_x1_switch_from_times, B_x2_switch_from_times },
-    { "A.18 and B.8", A_x1_switch, B_x2_switch },
-    { "A.22 and B.10", A_v1_end_from_dT, B_v2_end_from_dT },
-    { "22 and 24", text_extension_velocity_change, text_contraction_velocity_change },
-    { "23 and 25", text_extension_xC_end, text_contraction_xC_end },
+    { "A.5 and B.2", scallop_A_t1_unexpanded, scallop_B_t1_unexpanded },
+    { "A.6 and B.2", scallop_A_t1, scallop_B_t1 },
+    { "A.7 and B.3", scallop_A_x1_first_switch, scallop_B_x2_first_switch },
+    { "A.14 and B.5", scallop_A_dT_unexpanded, scallop_B_dT_unexpanded },
+    { "A.15 and B.6", scallop_A_dT_product, scallop_B_dT_product },
+    { "A.16 and B.6", scallop_A_dT, scallop_B_dT },
+    { "A.17 and B.7", scallop_A_x1_switch_from_times, scallop_B_x2_switch_from_times },
+    { "A.18 and B.8", scallop_A_x1_switch, scallop_B_x2_switch },
+    { "A.22 and B.10", scallop_A_v1_end_from_dT, scallop_B_v2_end_from_dT },
+    { "22 and 24", scallop_text_extension_velocity_change, scallop_text_contraction_velocity_change },
+    { "23 and 25", scallop_text_extension_xC_end, scallop_text_contraction_xC_end },
   };
   int differences = 0;
   for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
@@ -295,9 +295,9 @@ TEST(lines_of_A17_and_B7)
 {
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_phase_point *a = &extension[i], *b = &contraction[i];
-    CHECK_NEAR(A_x1_switch_collected(a), A_x1_switch_from_times(a), ROUNDING * 9.4);
+    CHECK_NEAR(scallop_A_x1_switch_collected(a), scallop_A_x1_switch_from_times(a), ROUNDING * 9.4);
     double half = 0.5 * b->m1 / (b->m1 + b->m2) * b->l0 * b->t1 * b->t1 / (b->T * b->T);
-    CHECK_NEAR(B_x2_switch_collected(b) - half, B_x2_switch_from_times(b), ROUNDING * 9.4);
+    CHECK_NEAR(scallop_B_x2_switch_collected(b) - half, scallop_B_x2_switch_from_times(b), ROUNDING * 9.4);
     assert_true(fabs(half) > 0.01);
   }
 }

@@ -4,10 +4,10 @@
 
 #include <float.h>
 
-#include "numerics/cvode.h"
+#include "numerics/rivals/cvode.h"
 #include "numerics/numerics.h"
-#include "numerics/odeiv.h"
-#include "numerics/smoothed.h"
+#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/smoothed.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 

@@ -52,7 +52,7 @@ TEST(steps_of_a_motor)
   for (int i = 0; i < 7; i++)
     g.knots[0][i] = (struct scallop_knot){ .time = scallop_knot_round(times[i] / times[6]),
                                            .length = scallop_knot_round(lengths[i] / 3) };
-  g.spline = (struct scallop_spline){ .pieces = g.pieces, .laws = g.laws, .numbers = g.numbers };
+  g.spline = (struct scallop_spline){ .pieces = g.pieces, .laws = g.laws };
   assert_int_equal(scallop_make_spline(&g.spline, "motor", knots, (const int[]){ 7, 2 }), SCALLOP_OK);
   struct stress_case s = { .kind = STRESS_PHASE,
                            .crawler = { 0.14, 2, 2.9, 1.48, 1, 1.7, 3.00000001 / 5, &g.spline.gait },

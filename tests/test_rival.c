@@ -4,7 +4,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "numerics/odeiv.h"
+#include "numerics/rivals/odeiv.h"
 #include "tests/rivals.h"
 
 enum { CRAWLERS = 40, STEPPERS = 3 };

@@ -3,8 +3,8 @@
 
 #include <float.h>
 
-#include "numerics/itp.h"
-#include "numerics/root.h"
+#include "numerics/event/itp.h"
+#include "numerics/event/root.h"
 
 struct power { /* f = sign (u - root)^n + lift */
   double root, sign, lift;

@@ -5,8 +5,8 @@
 #include <float.h>
 #include <string.h>
 
-#include "numerics/concave.h"
-#include "numerics/ramps.h"
+#include "numerics/event/concave.h"
+#include "numerics/event/ramps.h"
 #include "tests/random_crawler.h"
 
 enum { CRAWLERS = 4000, PHASES = 100000 };

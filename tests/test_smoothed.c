@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "numerics/smoothed.h"
+#include "numerics/rivals/smoothed.h"
 #include "tests/rivals.h"
 
 enum { CRAWLERS = 40, DECADES = 5, STEPPERS = 3 };

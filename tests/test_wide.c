@@ -1,7 +1,7 @@
 /* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
 #include <float.h>
 
-#include "numerics/wide.h"
+#include "numerics/wide/wide.h"
 #include "tests/check.h"
 #include "tests/random_crawler.h"
 #include "tests/scoped.h"

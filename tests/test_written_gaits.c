@@ -3,8 +3,8 @@
 
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
-#include "model/fractions.h"
-#include "numerics/certified.h"
+#include "model/exact/fractions.h"
+#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
 #include "tests/random_crawler.h"
 #include "tests/scratch_folder.h"

@@ -10,7 +10,7 @@
 #define SCALLOP_BRANCH_H
 
 #include "asymptotics/derived/series.h"
-#include "model/ball.h"
+#include "model/exact/ball.h"
 
 enum { MOST_CROSSINGS = 16 };
 
@@ -81,7 +81,7 @@ struct lift {                         /* the same as series in x                
 };
 void lift_init(struct lift *l);
 void lift_clear(struct lift *l);
-/* eps, c and c_slope as series whose constant terms are the base point. pi_squared: see model/ball.h, or NULL.
+/* eps, c and c_slope as series whose constant terms are the base point. pi_squared: see model/exact/ball.h, or NULL.
  * False: a crossing is not transversal. */
 bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_constants *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring);

@@ -10,7 +10,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
-#include "model/ball.h"
+#include "model/exact/ball.h"
 
 enum { SCALLOP_MOST_TERMS = 1000, SCALLOP_BRANCH_TEXT = 120 };
 
@@ -29,7 +29,7 @@ void scallop_phase_expansion_clear(struct scallop_phase_expansion *e);
 
 /* All coefficients below T^order, 1 <= order <= SCALLOP_MOST_TERMS; balls have `precision` bits, less what is lost. T and alpha
  * of the crawler are not used. pi_squared: NULL, or a rational number that takes the place of pi^2 in a sinusoidal
- * gait, which makes its coefficients exact: for proving identities (see model/ball.h).
+ * gait, which makes its coefficients exact: for proving identities (see model/exact/ball.h).
  * SCALLOP_EDOMAIN: an argument outside its domain, l' that is 0 or changes its sign within a phase, or l'' = 0 where a
  * phase begins or ends, so that the switching times go as fractional powers of T. *why (may be NULL) says which. */
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,

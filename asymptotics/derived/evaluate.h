@@ -5,7 +5,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
-#include "model/ball.h"
+#include "model/exact/ball.h"
 
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
 enum scallop_symbol {
@@ -37,7 +37,7 @@ void scallop_symbols_init(struct scallop_symbols *s);
 void scallop_symbols_clear(struct scallop_symbols *s);
 
 /* All but t1, dT and x_switch, which the formulas that take them as given need and the caller sets. T is the variable x;
- * set it to a constant to evaluate at a point. v0 may be NULL (steady). pi_squared: as in model/ball.h, or NULL. */
+ * set it to a constant to evaluate at a point. v0 may be NULL (steady). pi_squared: as in model/exact/ball.h, or NULL. */
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *crawler,
                          enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring);
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "model/ball.h"
+#include "model/exact/ball.h"
 
 static void set_log10(arb_t value, const arb_t x, slong precision) { arb_log_base_ui(value, x, 10, precision); }
 static void set_negative(arb_t value, const arb_t x, slong precision)

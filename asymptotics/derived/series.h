@@ -7,7 +7,7 @@
 #ifndef SCALLOP_SERIES_H
 #define SCALLOP_SERIES_H
 
-#include "model/flint.h"
+#include "model/exact/flint.h"
 
 #include <stdbool.h>
 

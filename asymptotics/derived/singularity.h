@@ -4,8 +4,8 @@
 #define SCALLOP_SINGULARITY_H
 
 #include "asymptotics/asymptotics.h"
-#include "model/ball.h"
-#include "model/flint_complex.h"
+#include "model/exact/ball.h"
+#include "model/exact/flint_complex.h"
 
 /* What a series is of: AFTER_FIRST_PHASE is v_mid of a steady state, v_end of a phase; LAST_CROSSING dT of a phase, or t1. */
 enum continued_value { AT_START, AFTER_FIRST_PHASE, TRAVEL, LAST_CROSSING, CONTINUED_VALUES };

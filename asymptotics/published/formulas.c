@@ -6,11 +6,11 @@
 
 #define PHASE(f, where, setting, quantity, order, corrected, text) \
   { \
-#f, where, setting, quantity, order, f, NULL, text, corrected, SCALLOP_TURNS_IN_BOTH \
+#f, where, setting, quantity, order, scallop_##f, NULL, text, corrected, SCALLOP_TURNS_IN_BOTH \
   }
 #define STEADY(f, where, quantity, order, text) \
   { \
-#f, where, SCALLOP_STEADY, quantity, order, NULL, f, text, NULL, SCALLOP_TURNS_IN_BOTH \
+#f, where, SCALLOP_STEADY, quantity, order, NULL, scallop_##f, text, NULL, SCALLOP_TURNS_IN_BOTH \
   }
 #define NEW(name, wrong, setting, quantity, order, text) \
   { \
@@ -128,7 +128,8 @@ const struct scallop_formula scallop_published[] = {
 
 #define EQUAL(f, where, quantity, corrected, text) \
   { \
-#f, where, SCALLOP_AT_REST_EQUAL_FORCES, quantity, SCALLOP_EQUALITY, f, NULL, text, corrected, SCALLOP_TURNS_IN_BOTH \
+#f, where, SCALLOP_AT_REST_EQUAL_FORCES, quantity, SCALLOP_EQUALITY, scallop_##f, NULL, text, corrected, \
+        SCALLOP_TURNS_IN_BOTH \
   }
 const struct scallop_formula scallop_equal_forces[] = {
   EQUAL(equal_v1_end, "(6)", SCALLOP_VELOCITY_AT_END, NULL, "0"), /* l'(T) = 0 */

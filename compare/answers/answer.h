@@ -7,7 +7,7 @@
 
 #include "compare/answers/point.h"
 #include "compare/answers/quantities.h"
-#include "numerics/wide.h"
+#include "numerics/wide/wide.h"
 
 /* What is solved: the steady state of a crawler, or one phase from velocity v0. */
 struct motion {
@@ -33,7 +33,7 @@ bool answer_turnings(struct answer *answer, const struct motion *motion);
 /* Of a steady state in double, Q_FRICTION_WORK and Q_COST_OF_TRANSPORT as well: likewise. */
 enum scallop_status answer_friction(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
-/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide.h); nan where there is none. */
+/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide/wide.h); nan where there is none. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
 
 /* In balls, of the point exactly as it is written: each number as a decimal text of so many digits, the last one right to a unit; NULL

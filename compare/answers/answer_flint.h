@@ -4,7 +4,7 @@
 
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 
 struct ball_answer {
   enum scallop_status status;              /* not SCALLOP_OK: nothing of what follows holds       */

@@ -131,8 +131,7 @@ static bool make_memory(struct scallop_spline *s, const int count[2])
   size_t pieces = (size_t)scallop_spline_pieces(count);
   s->pieces = malloc(pieces * sizeof *s->pieces);
   s->laws = malloc(pieces * sizeof *s->laws);
-  s->numbers = malloc(pieces * sizeof *s->numbers);
-  return s->pieces && s->laws && s->numbers;
+  return s->pieces && s->laws;
 }
 
 static const char *lay_spline(struct gait_file *g, struct tsv *tsv, const char *text)
@@ -181,7 +180,6 @@ void gait_file_free(struct gait_file *gait)
 {
   free(gait->spline.pieces);
   free(gait->spline.laws);
-  free(gait->spline.numbers);
   for (long i = 0; gait->rows && i <= gait->last; i++)
     for (int k = 0; k < 2; k++)
       free(gait->rows[i].written[k]);

@@ -7,7 +7,7 @@
 #include "compare/answers/gaits.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
-#include "model/fractions.h"
+#include "model/exact/fractions.h"
 
 enum { OWN = 3 };
 

@@ -4,8 +4,8 @@
 #define SCALLOP_POINT_FLINT_H
 
 #include "compare/answers/point.h"
-#include "model/ball.h"
-#include "model/flint.h"
+#include "model/exact/ball.h"
+#include "model/exact/flint.h"
 
 /* The gait with the decimals of its text, or of its table, as fractions: 0.2 is 1/5. It lives as long as the gait. The gait itself where it
  * has no numbers (quadratic, sinusoidal), and where its doubles stand for it: polynomials whose l' is not exactly 0 at the ends, or changes

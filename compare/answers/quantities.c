@@ -26,7 +26,7 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
                         "energy that friction takes in a period: F1 and F2 times how far the bodies slide", OF_STEADY,
                         true },
   [Q_COST_OF_TRANSPORT] = { "cost_of_transport", "1",
-                            "friction_work / ((F1 + F2) |displacement|); nan: the displacement is 0", OF_STEADY, true },
+                            "friction_work / ((F1 + F2) abs(displacement)); nan: the displacement is 0", OF_STEADY, true },
 };
 
 enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }

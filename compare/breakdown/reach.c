@@ -4,7 +4,7 @@
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
 #include "compare/text/halfway.h"
-#include "numerics/itp.h"
+#include "numerics/event/itp.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE): between two of these an error is taken to have one maximum at most. */
 enum { PER_OCTAVE = 16, OCTAVES = 128, PLACES = 2 * OCTAVES * PER_OCTAVE + 1, MIDDLE = OCTAVES * PER_OCTAVE };

@@ -23,7 +23,7 @@
 
 #include "compare/order/order.h"
 #include "compare/text/message.h"
-#include "model/ball.h"
+#include "model/exact/ball.h"
 #include "model/model.h"
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };

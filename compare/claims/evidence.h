@@ -3,7 +3,7 @@
 #define SCALLOP_CLAIMS_EVIDENCE_H
 
 #include "compare/claims/claims.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 
 /* The duration at which the Froude number is 1 */
 double natural_time(const struct scallop_crawler *c);

@@ -328,7 +328,7 @@ static void fill(struct part *part)
     add_formula(part, f, false, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     add_formula(part, f, false, AS_IT_STANDS);
-    if (f->phase == A_x1_first_switch)
+    if (f->phase == scallop_A_x1_first_switch)
       add_formula(part, &size_of_first_switch, false, AS_IT_STANDS);
   }
   add_ends(part);

@@ -75,20 +75,19 @@ static void describe(const struct arguments *initial, const struct option *o, ch
            place ? place + 2 : "");
 }
 
-/* The columns of a motion, as their table has them */
-static void list_quantities(FILE *to, enum quantity_of of)
+static void list_quantities(FILE *to, const struct quantity_row *row, const struct quantity_row *end)
 {
   fputs("\nQuantities (with their units):\n", to);
-  for (int q = (int)quantity_first(of); q < (int)quantity_end(of); q++)
-    fprintf(to, "  %-18s  %s [%s]\n", quantity_rows[q].name, quantity_rows[q].sentence, quantity_rows[q].unit);
+  for (; row < end; row++)
+    fprintf(to, "  %-18s  %s [%s]\n", row->name, row->sentence, row->unit);
 }
 
 void help_command(FILE *to, const struct command *command)
 {
   fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n", command->example, command->name,
           command->operand ? " " : "", command->operand ? command->operand : "", command->summary, command->about);
-  if (command->quantities)
-    list_quantities(to, *command->quantities);
+  if (command->quantities.end > 0)
+    list_quantities(to, quantity_rows + command->quantities.first, quantity_rows + command->quantities.end);
   fputs("\nOptions (defaults in brackets):\n", to);
   struct arguments initial;
   options_initial(&initial, command);

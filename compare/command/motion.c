@@ -47,7 +47,8 @@ static const char *solve(struct cells *c, const struct motion_options *o, const 
   bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, p, o->of, digits, &more)
               : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
                            : answer_in_double(&c->answer, &motion);
-  snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
+  if (!done)
+    snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
   return done ? NULL : why;
 }
 
@@ -154,7 +155,7 @@ static bool is_sound(const void *options)
 }
 
 #define ABOUT_ARITHMETICS \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide.h). It is of the " \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of the " \
   "doubles\n" \
   "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
   "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
@@ -175,7 +176,7 @@ const struct command command_steady = {
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
       "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
       "answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_steady.of,
+  .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
 
@@ -191,6 +192,6 @@ const struct command command_phase = {
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
            "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
-  .quantities = &of_phase.of,
+  .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

@@ -120,15 +120,17 @@ struct arguments;
 /* One command: `scallop NAME`. */
 struct command {
   const char *name;
-  const char *summary;                    /* one line                                                                  */
-  const char *example;                    /* what `--help` shows first                                                 */
-  const char *operand;                    /* "FILE", or NULL if there is none; "FILE..." where it takes more than one  */
-  const struct option *options;           /* the last without a name                                                   */
-  const struct option_rule *rules;        /* the last without names; NULL: there are none                               */
-  size_t size;                            /* of its struct                                                             */
-  const void *initial;                    /* what that holds before anything is read, but for the request; NULL: zeros */
-  const char *about;                      /* what the columns mean                                                     */
-  const enum quantity_of *quantities;     /* of what motion the quantities are that --help lists; NULL: it lists none  */
+  const char *summary;             /* one line                                                                  */
+  const char *example;             /* what `--help` shows first                                                 */
+  const char *operand;             /* "FILE", or NULL if there is none; "FILE..." where it takes more than one  */
+  const struct option *options;    /* the last without a name                                                   */
+  const struct option_rule *rules; /* the last without names; NULL: there are none                               */
+  size_t size;                     /* of its struct                                                             */
+  const void *initial;             /* what that holds before anything is read, but for the request; NULL: zeros */
+  const char *about;               /* what the columns mean                                                     */
+  struct {
+    int first, end;
+  } quantities;                           /* that --help lists, by enum quantity_id                                    */
   const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                                           */
   /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);

@@ -239,5 +239,6 @@ const struct command command_run = {
       "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
       "exactly, at most, or not requested; for: the quantity or table that first needs it.",
+  .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };

@@ -73,7 +73,7 @@ static bool write_sample(void *context, const struct scallop_sample *s)
   const double numbers[] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
   for (int i = 0; i < 7; i++)
     table_number(table, numbers[i]);
-  return !ferror(table->file);
+  return !table_failed(table);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)

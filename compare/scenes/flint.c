@@ -9,7 +9,7 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
-#include "numerics/certified.h"
+#include "numerics/certified/certified.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those derived last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };

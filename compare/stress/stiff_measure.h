@@ -1,11 +1,11 @@
-/* Friction smoothed over delta (numerics/smoothed.h): one period from the exact steady start by each of the stiff steppers, as
+/* Friction smoothed over delta (numerics/rivals/smoothed.h): one period from the exact steady start by each of the stiff steppers, as
  * delta -> 0: certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
 #ifndef SCALLOP_STRESS_STIFF_MEASURE_H
 #define SCALLOP_STRESS_STIFF_MEASURE_H
 
 #include "compare/answers/answer.h"
 #include "compare/order/order.h"
-#include "numerics/smoothed.h"
+#include "numerics/rivals/smoothed.h"
 
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of it: the body
  * creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */

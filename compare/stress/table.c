@@ -11,7 +11,7 @@
 #include "compare/answers/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/text/progress.h"
-#include "model/flint.h"
+#include "model/exact/flint.h"
 #include "numerics/threads.h"
 
 /* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding on the largest of

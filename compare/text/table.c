@@ -29,8 +29,25 @@ static void note_error(struct table *t, bool failed)
     t->error = errno;
 }
 
-static void put_text(struct table *t, const char *text) { note_error(t, fputs(text, t->file) == EOF); }
-static void put_char(struct table *t, char c) { note_error(t, putc_unlocked(c, t->file) == EOF); }
+static void hand_on(struct table *t)
+{
+  note_error(t, fwrite(t->part, 1, t->used, t->file) < t->used);
+  t->used = 0;
+}
+
+static void put(struct table *t, const char *text, size_t size)
+{
+  for (size_t now; size > 0; text += now, size -= now) {
+    if (t->used == TABLE_PART)
+      hand_on(t);
+    now = size < TABLE_PART - t->used ? size : TABLE_PART - t->used;
+    memcpy(t->part + t->used, text, now);
+    t->used += now;
+  }
+}
+
+static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
+static void put_char(struct table *t, char c) { put(t, &c, 1); }
 
 void table_note(struct table *t, const char *format, ...)
 {
@@ -38,10 +55,12 @@ void table_note(struct table *t, const char *format, ...)
   if (is_json(t))
     return;
   put_text(t, "# ");
+  hand_on(t);
   va_start(arguments, format);
   note_error(t, vfprintf(t->file, format, arguments) < 0);
   va_end(arguments);
   put_char(t, '\n');
+  hand_on(t);
 }
 
 size_t number_text(char text[NUMBER_TEXT], double x, long digits)
@@ -72,6 +91,7 @@ static void end_cell(struct table *t)
   if (++t->at < t->count)
     return;
   put_text(t, is_json(t) ? "}\n" : "\n");
+  hand_on(t);
   t->at = 0;
 }
 

@@ -9,7 +9,7 @@
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 
-enum { TABLE_COLUMNS = 96, NUMBER_TEXT = DIGITS_TEXT };
+enum { TABLE_COLUMNS = 96, TABLE_PART = 4096, NUMBER_TEXT = DIGITS_TEXT };
 
 /* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);
@@ -34,6 +34,8 @@ struct table {
   const char *columns[TABLE_COLUMNS];
   int count, at; /* columns; the next one in this row */
   int error;     /* of the first write that failed */
+  size_t used;   /* of part: what is not yet handed to file, part of a row */
+  char part[TABLE_PART];
 };
 
 /* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with

@@ -10,8 +10,6 @@ bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
   bool standard = strcmp(file, "-") == 0;
   *tsv = (struct tsv){ .name = standard ? "standard input" : file, .style = style };
   tsv->file = standard ? stdin : fopen(file, "r");
-  if (tsv->file && !standard)
-    setvbuf(tsv->file, NULL, _IOFBF, 1 << 16);
   tsv->error = tsv->file ? 0 : errno;
   return tsv->file != NULL;
 }

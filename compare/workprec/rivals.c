@@ -1,12 +1,12 @@
-/* The rivals of numerics/rival.h: GSL's solvers with events, CVODE, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
+/* The rivals of numerics/rivals/rival.h: GSL's solvers with events, CVODE, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
  * Each is two methods: simulation from rest until the periods repeat, and the root of its period map. */
 #include <stdio.h>
 
 #include "compare/workprec/setting.h"
-#include "numerics/cvode.h"
-#include "numerics/moreau.h"
-#include "numerics/odeiv.h"
-#include "numerics/smoothed.h"
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/moreau.h"
+#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/smoothed.h"
 
 static enum scallop_status solve_rival(struct setting *s, struct setting_answer *answer)
 {

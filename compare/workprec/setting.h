@@ -9,7 +9,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/table.h"
 #include "compare/workprec/stopwatch.h"
-#include "numerics/rival.h"
+#include "numerics/rivals/rival.h"
 
 /* The quantities that are compared: Q_V_START and Q_DISPLACEMENT. */
 enum { VELOCITY, DISPLACEMENT, COMPARED };

@@ -1,7 +1,8 @@
 """Which room uses which, from the code, against the list of what is allowed: rooms.py BUILD [--size]
 
 A room is model, asymptotics, numerics, a folder in one of them, or a folder of compare/. A room uses another one if a file includes one of its headers, or if an
-object file takes a function or data from one of its objects, so that a table of function pointers counts too. The list is rooms.txt
+object file takes a function or data from one of its objects, so that a table of function pointers counts too. A header named like its
+folder, numerics/numerics.h, is what the rooms within that folder all speak of: they may include it. The list is rooms.txt
 beside this script. Refused are: an arrow that is not in the list, a circle among rooms, a circle among the units of one room of
 compare/ (a unit is a .c with its .h), and more than the limits below. Exit code 1 if something is refused. --size prints sizes."""
 import collections
@@ -30,6 +31,12 @@ def lines_of(path):
 def room(path):
     """model/law.c: model; compare/text/table.h: text; None outside of the rooms"""
     return os.path.basename(os.path.dirname(path)) if os.path.dirname(path) in FOLDERS else None
+
+
+def is_face_of(header, path):
+    """numerics/numerics.h for the rooms within numerics/: what they all speak of"""
+    folder = os.path.dirname(header)
+    return os.path.basename(header) == os.path.basename(folder) + ".h" and path.startswith(folder + "/")
 
 
 def functions(path):
@@ -66,7 +73,7 @@ def arrows(build, allowed):
             for name in re.findall(r'^\s*#\s*include "(.*)"', line):
                 beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
                 header = beside if os.path.exists(beside) else name
-                if room(header):
+                if room(header) and not is_face_of(header, path):
                     yield path, header, f"{path}:{number} includes {header}"
     defined, taken = symbols(build)
     for path, names in taken.items():

@@ -279,10 +279,16 @@ def _crawlers(columns):
 def steady(m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", threads=1):
     """The periodic steady states of crawlers: a Steady.
 
-    froude = M L / (T^2 (F1 + F2)); v_start and v_mid, the velocity at the start of the extension and of the
-    contraction; displacement of the centre (x1 + x2)/2 over a period, and mean_velocity = displacement / T;
-    multiplier, the derivative of the period map; v_low and v_high, between which all v_start are steady, the same
-    number but for gaits whose l' jumps.
+    Its quantities, with their units:
+
+        froude         M L / (T^2 (F1 + F2)) [1]
+        v_start        velocity of both bodies at the start of the extension [L/T]
+        v_mid          velocity of both bodies at the start of the contraction [L/T]
+        displacement   displacement of the geometric centre over a period [L]
+        mean_velocity  displacement / T [L/T]
+        multiplier     derivative of the period map: the factor by which a deviation decays in a period [1]
+
+    and v_low and v_high, between which all v_start are steady: the same number but for gaits whose l' jumps.
 
     m1, m2, F1, F2, L, T > 0 and finite, 0 < alpha < 1. gait: 'quadratic', 'sinusoidal', a Gait, or an array of these.
     threads: on how many the library may run, which does not change a bit of the result; libscallop-core runs on one.
@@ -299,9 +305,16 @@ def steady(m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", thre
 def phase(kind, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", threads=1):
     """One phase, 'extension' or 'contraction', of crawlers that start with velocity v0: a Phase.
 
-    t1, the first change of mode after the start; dT, from the last change of mode to the end of the phase; v_end, the
-    velocity of both bodies at the end; dx1, dx2, dxC, displacements of body 1, body 2 and the centre. T is the
-    period: the phase lasts alpha T or (1 - alpha) T. v0 is finite; the other parameters are as for steady().
+    Its quantities, with their units:
+
+        t1             first change of mode after the start of the phase; nan: the mode does not change [T]
+        dT             from the last change of mode to the end of the phase; nan: the mode does not change [T]
+        v_end          velocity of both bodies at the end of the phase [L/T]
+        dx1            displacement of body 1 [L]
+        dx2            displacement of body 2 [L]
+        dxC            displacement of the geometric centre (x1 + x2)/2 [L]
+
+    T is the period: the phase lasts alpha T or (1 - alpha) T. v0 is finite; the other parameters are as for steady().
     """
     threads, kind = _count("threads", threads), _kind(kind)
     columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)

@@ -21,7 +21,10 @@ def _structure(name, *fields):
 _double, _int, _pointer, _text = ctypes.c_double, ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p
 
 # model/model.h
-Law = _structure("scallop_law", (_int, "kind degree"), (_pointer, "numerator"), (_double, "denominator"))
+DEGREE = 16  # SCALLOP_POLYNOMIAL_DEGREE
+BernsteinLaw = _structure("scallop_bernstein_law", (_double * DEGREE, "b"), (_double, "near far way"), (_int, "implied more_count"),
+                          (_pointer, "more"))
+Law = _structure("scallop_law", (_int, "kind degree"), (BernsteinLaw, "bernstein"), (_double, "base"))  # of its union the largest
 Piece = _structure("scallop_piece", (_double, "begin end"), (_int, "anchor direction"), (ctypes.c_bool, "jump linear"),
                    (_double, "velocity acceleration"), (_pointer, "curve law exact"))
 Shape = _structure("scallop_shape", (_pointer, "pieces"), (_int, "count"), (_double, "l0 lT peak net"),
@@ -30,12 +33,10 @@ Gait = _structure("scallop_gait", (_pointer, "name"), (Shape * 2, "phase"))
 Crawler = _structure("scallop_crawler", (_double, "m1 m2 F1 F2 L T alpha"), (_pointer, "gait"))
 Complaint = _structure("scallop_complaint", (_text, "name"), (_double, "given"), (_text, "allowed"))
 # model/gaits.h
-DEGREE = 16  # SCALLOP_POLYNOMIAL_DEGREE
-Straight = _structure("scallop_straight", (Gait, "gait"), (Piece * 4 * 2, "pieces"), (Law * 4 * 2, "laws"),
-                      (_double * 7 * 4 * 2, "numbers"))
+Straight = _structure("scallop_straight", (Gait, "gait"), (Piece * 4 * 2, "pieces"), (Law * 4 * 2, "laws"))
 _PIECES = 2 * DEGREE
 Polynomial = _structure("scallop_polynomial", (Gait, "gait"), (Piece * _PIECES * 2, "pieces"), (Law * _PIECES, "laws"),
-                        (_double * (DEGREE + 4 + _PIECES) * _PIECES, "numbers"))
+                        (_double * _PIECES, "ways"))
 # numerics/numerics.h
 MODES_KEPT = 24
 Modes = _structure("scallop_modes", (_int, "count"), (ctypes.c_byte * 2 * MODES_KEPT, "kept"))

@@ -1,0 +1,477 @@
+#include "model/exact/ball.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/exact/fractions.h"
+
+static fmpq *fields(struct scallop_rational_crawler *c, int i)
+{
+  fmpq *all[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  return all[i];
+}
+enum { FIELDS = 7 };
+
+void scallop_rational_init(struct scallop_rational_crawler *c)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_init(fields(c, i));
+  c->gait = NULL;
+}
+
+void scallop_rational_clear(struct scallop_rational_crawler *c)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_clear(fields(c, i));
+}
+
+void scallop_rational_copy(struct scallop_rational_crawler *to, const struct scallop_rational_crawler *from)
+{
+  for (int i = 0; i < FIELDS; i++)
+    fmpq_set(fields(to, i), fields((struct scallop_rational_crawler *)from, i));
+  to->gait = from->gait;
+}
+
+void scallop_rational_set_double(fmpq_t x, double value)
+{
+  arf_t exact;
+  arf_init(exact);
+  arf_set_d(exact, value);
+  arf_get_fmpq(x, exact);
+  arf_clear(exact);
+}
+
+void scallop_rational_of(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
+{
+  const double values[FIELDS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  for (int i = 0; i < FIELDS; i++)
+    scallop_rational_set_double(fields(exact, i), values[i]);
+  exact->gait = c->gait;
+}
+
+bool scallop_rational_is_valid(const struct scallop_rational_crawler *c)
+{
+  const fmpq *positive[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->alpha };
+  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+    if (fmpq_sgn(positive[i]) <= 0)
+      return false;
+  return fmpq_cmp_si(c->alpha, 1) < 0 && c->gait;
+}
+
+void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+{
+  fmpq_set(fraction, c->alpha);
+  if (kind == SCALLOP_CONTRACTION) {
+    fmpq_neg(fraction, fraction);
+    fmpq_add_si(fraction, fraction, 1);
+  }
+}
+
+void scallop_rational_duration(fmpq_t duration, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+{
+  scallop_rational_fraction(duration, c, kind);
+  fmpq_mul(duration, duration, c->T);
+}
+
+/* x = digits base^exponent */
+static void scale_by_power(fmpq_t x, const fmpz_t digits, ulong base, slong exponent)
+{
+  fmpz_t power;
+  fmpz_init(power);
+  fmpz_ui_pow_ui(power, base, (ulong)labs(exponent));
+  fmpq_set_fmpz(x, digits);
+  if (exponent >= 0)
+    fmpq_mul_fmpz(x, x, power);
+  else
+    fmpq_div_fmpz(x, x, power);
+  fmpz_clear(power);
+}
+
+/* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after the point. */
+static const char *read_digits(const char *text, int base, char *digits, slong *places)
+{
+  bool point = false, some = false;
+  *places = 0;
+  for (; isxdigit((unsigned char)*text) || *text == '.'; text++) {
+    if (*text == '.') {
+      if (point)
+        return NULL;
+      point = true;
+    } else if (base == 16 || isdigit((unsigned char)*text)) {
+      *digits++ = *text;
+      *places += point;
+      some = true;
+    } else
+      break;
+  }
+  *digits = '\0';
+  return some ? text : NULL;
+}
+
+bool scallop_rational_parse(fmpq_t x, const char *text)
+{
+  enum { LARGEST_EXPONENT = 100000 };
+  bool negative = *text == '-', read = false;
+  text += negative || *text == '+';
+  bool hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+  text += hexadecimal ? 2 : 0;
+  int base = hexadecimal ? 16 : 10;
+  slong places, exponent = 0;
+  char *digits = malloc(strlen(text) + 1), *end = NULL;
+  fmpz_t mantissa;
+  fmpz_init(mantissa);
+  const char *after = digits ? read_digits(text, base, digits, &places) : NULL;
+  if (after && tolower((unsigned char)*after) == (hexadecimal ? 'p' : 'e')
+      && (isdigit((unsigned char)after[1]) || strchr("+-", after[1]))) {
+    errno = 0;
+    exponent = strtol(after + 1, &end, 10);
+    after = errno == 0 && end != after + 1 ? end : NULL;
+  }
+  if (after && *after == '\0' && exponent >= -LARGEST_EXPONENT && exponent <= LARGEST_EXPONENT
+      && fmpz_set_str(mantissa, digits, base) == 0) {
+    scale_by_power(x, mantissa, hexadecimal ? 2 : 10, exponent - (hexadecimal ? 4 : 1) * places);
+    if (negative)
+      fmpq_neg(x, x);
+    read = true;
+  }
+  fmpz_clear(mantissa);
+  free(digits);
+  return read;
+}
+
+static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
+
+static bool is_exact(const struct scallop_piece *p) { return p->law || p->linear; }
+
+bool scallop_gait_is_exact(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (!is_exact(&gait->phase[kind].pieces[i]))
+        return false;
+  return true;
+}
+
+bool scallop_gait_is_rational(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (!is_exact(&gait->phase[kind].pieces[i]) || is_sine(&gait->phase[kind].pieces[i]))
+        return false;
+  return true;
+}
+
+static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
+
+/* |l'| of a piece that is not a sine: its own fractions, or some that are made for now. */
+struct view {
+  const struct scallop_fractions *of;
+  struct scallop_fractions made;
+};
+
+static void view_open(struct view *view, const struct scallop_piece *p)
+{
+  view->of = p->exact;
+  if (p->exact)
+    return;
+  fractions_init(&view->made);
+  fractions_of_doubles(&view->made, p);
+  view->of = &view->made;
+}
+
+static void view_close(struct view *view)
+{
+  if (view->of == &view->made)
+    fractions_clear(&view->made);
+}
+
+/* The same as a polynomial in sign time + start: exact, of an exact start */
+static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
+{
+  struct view view;
+  fmpq_t offset;
+  fmpq_poly_t shifted;
+  fmpq_init(offset);
+  fmpq_poly_init(shifted);
+  view_open(&view, p);
+  fmpq_sub(offset, start, view.of->origin);
+  fmpq_poly_set_coeff_si(shifted, 1, sign);
+  fmpq_poly_set_coeff_fmpq(shifted, 0, offset);
+  fmpq_poly_compose(law, view.of->speed, shifted);
+  view_close(&view);
+  fmpq_clear(offset);
+  fmpq_poly_clear(shifted);
+}
+
+/* x = u - origin */
+static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
+{
+  arb_t o;
+  arb_init(o);
+  arb_set_fmpq(o, origin, precision);
+  arb_sub(x, u, o, precision);
+  arb_clear(o);
+}
+
+/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
+static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
+{
+  arb_ptr t = _arb_vec_init(2), x = t, sum = t + 1;
+  fmpz_t c;
+  fmpz_init(c);
+  shift(x, u, f->origin, precision);
+  for (slong k = fmpq_poly_degree(f->speed); k >= FLINT_MAX(order, 0); k--) {
+    fmpz_set(c, fmpq_poly_numref(f->speed) + k);
+    for (int i = 0; i < order; i++)
+      fmpz_mul_si(c, c, k - i);
+    arb_mul(sum, sum, x, precision);
+    if (order >= 0)
+      arb_add_fmpz(sum, sum, c, precision);
+    else {
+      arb_set_fmpz(value, c);
+      arb_div_si(value, value, k + 1, precision);
+      arb_add(sum, sum, value, precision);
+    }
+  }
+  if (order < 0)
+    arb_mul(sum, sum, x, precision);
+  arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
+  fmpz_clear(c);
+  _arb_vec_clear(t, 2);
+}
+
+/* The same of a piece that is not a sine */
+static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
+{
+  struct view view;
+  view_open(&view, p);
+  evaluate(value, view.of, order, u, precision);
+  view_close(&view);
+}
+
+static void set_place(arb_t u, const struct scallop_piece *p, void (*place)(fmpq_t, const struct scallop_piece *),
+                      slong precision)
+{
+  fmpq_t exact;
+  fmpq_init(exact);
+  place(exact, p);
+  arb_set_fmpq(u, exact, precision);
+  fmpq_clear(exact);
+}
+
+void scallop_ball_begin(arb_t u, const struct scallop_piece *p, slong precision)
+{
+  set_place(u, p, scallop_rational_begin, precision);
+}
+
+void scallop_ball_end(arb_t u, const struct scallop_piece *p, slong precision)
+{
+  set_place(u, p, scallop_rational_end, precision);
+}
+
+void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
+{
+  if (is_sine(p)) { /* (pi/2) sin(pi u) */
+    arb_t half_pi;
+    arb_init(half_pi);
+    arb_const_pi(half_pi, precision);
+    arb_mul_2exp_si(half_pi, half_pi, -1);
+    arb_sin_pi(speed, u, precision);
+    arb_mul(speed, speed, half_pi, precision);
+    arb_clear(half_pi);
+    return;
+  }
+  evaluate_piece(speed, p, 0, u, precision);
+}
+
+void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
+{
+  if (is_sine(p)) { /* (pi^2/2) cos(pi u) */
+    arb_t pi;
+    arb_init(pi);
+    arb_const_pi(pi, precision);
+    arb_mul(pi, pi, pi, precision);
+    arb_mul_2exp_si(pi, pi, -1);
+    arb_cos_pi(rate, u, precision);
+    arb_mul(rate, rate, pi, precision);
+    arb_clear(pi);
+  } else
+    evaluate_piece(rate, p, 1, u, precision);
+  arb_mul_si(rate, rate, sense(p), precision);
+}
+
+void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, const arb_t v, slong precision)
+{
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  if (is_sine(p)) { /* (cos(pi u) - cos(pi v))/2 = sin(pi (u + v)/2) sin(pi (v - u)/2) */
+    arb_add(a, u, v, precision);
+    arb_sub(b, v, u, precision);
+    arb_mul_2exp_si(a, a, -1);
+    arb_mul_2exp_si(b, b, -1);
+    arb_sin_pi(a, a, precision);
+    arb_sin_pi(b, b, precision);
+    arb_mul(way, a, b, precision);
+  } else {
+    struct view view;
+    view_open(&view, p);
+    evaluate(a, view.of, -1, u, precision);
+    evaluate(b, view.of, -1, v, precision);
+    view_close(&view);
+    arb_sub(way, b, a, precision);
+  }
+  arb_mul_si(way, way, sense(p), precision);
+  arb_clear(a);
+  arb_clear(b);
+}
+
+void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p, const arb_t u, slong length,
+                               slong precision)
+{
+  arb_t s;
+  arb_poly_t time;
+  arb_init(s);
+  arb_poly_init(time);
+  arb_set_si(s, sense(p));
+  arb_poly_set_coeff_arb(time, 1, s);
+  arb_poly_set_coeff_arb(time, 0, u);
+  if (is_sine(p)) {
+    arb_poly_sin_pi_series(series, time, length, precision);
+    arb_const_pi(s, precision);
+    arb_mul_2exp_si(s, s, -1);
+    arb_poly_scalar_mul(series, series, s, precision);
+  } else {
+    struct view view;
+    view_open(&view, p);
+    shift(s, u, view.of->origin, precision);
+    arb_poly_set_coeff_arb(time, 0, s);
+    arb_poly_set_fmpq_poly(series, view.of->speed, precision);
+    arb_poly_compose(series, series, time, precision);
+    arb_poly_truncate(series, length);
+    view_close(&view);
+  }
+  arb_clear(s);
+  arb_poly_clear(time);
+}
+
+/* A polynomial of a series, by Horner's rule */
+static void evaluate_along(arb_poly_t value, const fmpq_poly_t law, const arb_poly_t x, slong length, slong precision)
+{
+  fmpq_t c;
+  arb_t ball, constant;
+  arb_poly_t sum;
+  fmpq_init(c);
+  arb_init(ball);
+  arb_init(constant);
+  arb_poly_init(sum);
+  for (slong k = fmpq_poly_degree(law); k >= 0; k--) {
+    arb_poly_mullow(sum, sum, x, length, precision);
+    fmpq_poly_get_coeff_fmpq(c, law, k);
+    arb_poly_get_coeff_arb(ball, sum, 0);
+    arb_set_fmpq(constant, c, precision);
+    arb_add(ball, ball, constant, precision);
+    arb_poly_set_coeff_arb(sum, 0, ball);
+  }
+  arb_poly_swap(value, sum);
+  fmpq_clear(c);
+  arb_clear(ball);
+  arb_clear(constant);
+  arb_poly_clear(sum);
+}
+
+void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct scallop_piece *p, const arb_t u,
+                              const arb_poly_t time, slong length, slong precision)
+{
+  arb_t pi;
+  arb_poly_t offset;
+  arb_init(pi);
+  arb_poly_init(offset);
+  arb_poly_set(offset, time);
+  if (sense(p) < 0)
+    arb_poly_neg(offset, offset);
+  arb_poly_set_coeff_arb(offset, 0, u);
+  if (is_sine(p)) {
+    arb_poly_sin_cos_pi_series(speed, rate, offset, length, precision);
+    arb_const_pi(pi, precision);
+    arb_mul_2exp_si(pi, pi, -1);
+    arb_poly_scalar_mul(speed, speed, pi, precision);
+    arb_mul(pi, pi, pi, precision);
+    arb_mul_2exp_si(pi, pi, 1);
+    arb_poly_scalar_mul(rate, rate, pi, precision);
+  } else {
+    struct view view;
+    fmpq_poly_t slope;
+    fmpq_poly_init(slope);
+    view_open(&view, p);
+    shift(pi, u, view.of->origin, precision);
+    arb_poly_set_coeff_arb(offset, 0, pi);
+    evaluate_along(speed, view.of->speed, offset, length, precision);
+    fmpq_poly_derivative(slope, view.of->speed);
+    evaluate_along(rate, slope, offset, length, precision);
+    view_close(&view);
+    fmpq_poly_clear(slope);
+  }
+  if (sense(p) < 0)
+    arb_poly_neg(rate, rate);
+  arb_clear(pi);
+  arb_poly_clear(offset);
+}
+
+bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
+{
+  *turned = p->anchor != next->anchor;
+  if (is_sine(p) || is_sine(next))
+    return is_sine(p) && is_sine(next);
+  fmpq_t start;
+  fmpq_poly_t here, there;
+  fmpq_init(start);
+  fmpq_poly_init(here);
+  fmpq_poly_init(there);
+  polynomial_of_time(here, p, 1, start);
+  fmpq_set_si(start, *turned, 1);
+  polynomial_of_time(there, next, *turned ? -1 : 1, start);
+  bool same = p->direction == next->direction && fmpq_poly_equal(here, there);
+  fmpq_poly_clear(here);
+  fmpq_poly_clear(there);
+  fmpq_clear(start);
+  return same;
+}
+
+/* (1/2) sum over k of (-1)^k pi^(2k+2) u^(2k+1) / (2k+1)! */
+static void sine_at_its_zero(fmpq_poly_t series, slong length, const fmpq_t pi_squared)
+{
+  fmpq_t c;
+  fmpq_init(c);
+  fmpq_poly_zero(series);
+  fmpq_div_2exp(c, pi_squared, 1);
+  for (slong k = 1; k < length; k += 2) {
+    fmpq_poly_set_coeff_fmpq(series, k, c);
+    fmpq_mul(c, c, pi_squared);
+    fmpq_mul_si(c, c, -1);
+    fmpz_mul_ui(fmpq_denref(c), fmpq_denref(c), (ulong)((k + 1) * (k + 2)));
+    fmpq_canonicalise(c);
+  }
+  fmpq_clear(c);
+}
+
+bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piece *p, const fmpq_t u, slong length,
+                                   const fmpq_t pi_squared)
+{
+  if (is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
+    return false;
+  if (is_sine(p)) {
+    fmpq_poly_t time;
+    fmpq_poly_init(time);
+    fmpq_poly_set_coeff_si(time, 1, sense(p));
+    sine_at_its_zero(series, length, pi_squared);
+    fmpq_poly_compose(series, series, time);
+    fmpq_poly_clear(time);
+  } else
+    polynomial_of_time(series, p, sense(p), u);
+  fmpq_poly_truncate(series, length);
+  return true;
+}

@@ -1,0 +1,318 @@
+/* The gaits of gaits.h in fractions: the pieces that the doubles make, each with what the fractions make of it. */
+#include <stdlib.h>
+
+#include "model/exact/fractions.h"
+
+static struct scallop_piece *piece_of(struct scallop_exact_gait *e, int kind, int i)
+{
+  return e->pieces + (kind == 0 ? 0 : e->gait.phase[0].count) + i;
+}
+
+static struct scallop_fractions *fractions_of(struct scallop_exact_gait *e, int kind, int i)
+{
+  return e->fractions + (piece_of(e, kind, i) - e->pieces);
+}
+
+static bool is_from_start(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START; }
+
+/* 1 - x */
+static void rest_of(fmpq_t rest, const fmpq_t x)
+{
+  fmpq_sub_si(rest, x, 1);
+  fmpq_neg(rest, rest);
+}
+
+static bool are_same(const struct scallop_fractions *a, const struct scallop_fractions *b)
+{
+  return fmpq_equal(a->origin, b->origin) && fmpq_equal(a->least, b->least) && fmpq_equal(a->most, b->most)
+         && fmpq_poly_equal(a->speed, b->speed);
+}
+
+/* Pieces that are mirror images of each other within a phase, or from one phase to the other, share their fractions: by that they are known to be
+ * (scallop_gait_mirrors, scallop_gait_is_reversible). */
+static void share(struct scallop_exact_gait *e)
+{
+  const struct scallop_shape *phase = e->gait.phase;
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < phase[kind].count; i++) {
+      struct scallop_fractions *f = fractions_of(e, kind, i);
+      int back = phase[kind].count - 1 - i;
+      const struct scallop_fractions *shared = f;
+      if (back < i && are_same(f, fractions_of(e, kind, back)))
+        shared = piece_of(e, kind, back)->exact;
+      if (kind == 1 && i < phase[0].count && are_same(f, fractions_of(e, 0, i)))
+        shared = piece_of(e, 0, i)->exact;
+      piece_of(e, kind, i)->exact = shared;
+    }
+}
+
+/* Pieces that last no time, where fractions add up to what doubles only nearly do */
+static void leave_out_empty(struct scallop_exact_gait *e)
+{
+  struct scallop_piece *from[2] = { piece_of(e, 0, 0), piece_of(e, 1, 0) };
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_shape *shape = &e->gait.phase[kind];
+    int kept = 0;
+    for (int i = 0; i < shape->count; i++)
+      if (!fmpq_equal(from[kind][i].exact->least, from[kind][i].exact->most))
+        from[kind][kept++] = from[kind][i];
+    shape->count = kept;
+  }
+}
+
+/* The parts of a phase in which |l'| rises, stays, and falls; the fall may be split at half of the phase, and what stays as well. */
+enum part { RISES, STAYS, FALLS, FALLS_FROM_START };
+
+static enum part part_of(const struct scallop_piece *p)
+{
+  if (p->acceleration == 0)
+    return STAYS;
+  return p->velocity != 0 ? FALLS_FROM_START : is_from_start(p) ? RISES : FALLS;
+}
+
+/* What a piece with the other anchor leaves of the phase: half, where a part is split there */
+static void set_most(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
+                     const fmpq_t down)
+{
+  enum part here = part_of(&shape->pieces[i]);
+  bool from_start = is_from_start(&shape->pieces[i]);
+  enum part other = part_of(&shape->pieces[i + (from_start ? 1 : -1)]);
+  if (here == RISES)
+    fmpq_set(f->most, up);
+  else if ((here == STAYS && other == STAYS) || here == FALLS_FROM_START || other == FALLS_FROM_START)
+    fmpq_set_si(f->most, 1, 2);
+  else if (here == FALLS)
+    fmpq_set(f->most, down);
+  else
+    rest_of(f->most, from_start ? down : up);
+}
+
+/* height: of |l'| where it stays */
+static void set_straight(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
+                         const fmpq_t down, const fmpq_t height)
+{
+  enum part here = part_of(&shape->pieces[i]);
+  fmpq_t steep;
+  fmpq_init(steep);
+  fmpq_zero(f->origin);
+  fmpq_poly_zero(f->speed);
+  set_most(f, shape, i, up, down);
+  fmpq_zero(f->least);
+  if (here == STAYS || here == FALLS_FROM_START)
+    fmpq_set(f->least, is_from_start(&shape->pieces[i]) ? up : down);
+  fmpq_div(steep, height, here == RISES ? up : down);
+  if (here == STAYS)
+    fmpq_poly_set_coeff_fmpq(f->speed, 0, height);
+  else if (here == FALLS_FROM_START) {
+    fmpq_poly_set_coeff_fmpq(f->speed, 0, steep);
+    fmpq_neg(steep, steep);
+  }
+  if (here != STAYS)
+    fmpq_poly_set_coeff_fmpq(f->speed, 1, steep);
+  fmpq_clear(steep);
+}
+
+static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmpq_t up, const fmpq_t down)
+{
+  const struct scallop_shape *shape = &e->gait.phase[kind];
+  bool stays = false;
+  fmpq_t fall, height;
+  fmpq_init(fall);
+  fmpq_init(height);
+  for (int i = 0; i < shape->count; i++)
+    stays = stays || part_of(&shape->pieces[i]) == STAYS;
+  fmpq_add(height, up, down);
+  if (stays && fmpq_cmp_si(height, 1) <= 0)
+    fmpq_set(fall, down);
+  else
+    rest_of(fall, up);
+  fmpq_add(height, up, fall);
+  fmpq_div_2exp(height, height, 1);
+  rest_of(height, height);
+  fmpq_inv(height, height);
+  for (int i = 0; i < shape->count; i++)
+    set_straight(fractions_of(e, kind, i), shape, i, up, fall, height);
+  fmpq_clear(fall);
+  fmpq_clear(height);
+}
+
+void scallop_exact_trapezoidal(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *up,
+                               const fmpq *down)
+{
+  scallop_exact_of(e, gait);
+  for (int kind = 0; kind < 2; kind++)
+    set_straight_phase(e, kind, up + kind, down + kind);
+  share(e);
+  leave_out_empty(e);
+}
+
+void scallop_exact_skewed(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *beta)
+{
+  scallop_exact_trapezoidal(e, gait, beta, beta); /* what falls is the rest */
+}
+
+static bool never_turns(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (gait->phase[kind].pieces[i].direction != (kind == 0 ? 1 : -1))
+        return false;
+  return true;
+}
+
+/* l' from the start, and as seen from the end; false: it is not 0 at both ends. */
+static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int degree)
+{
+  fmpq_t sum, at_end;
+  fmpq_init(sum);
+  fmpq_init(at_end);
+  fmpq_poly_zero(forward);
+  for (int k = 0; k < degree; k++) {
+    fmpq_add(sum, sum, c + k);
+    fmpq_mul_si(at_end, c + k, k + 1);
+    fmpq_poly_set_coeff_fmpq(forward, k, at_end);
+  }
+  bool right = !fmpq_is_zero(sum);
+  if (right)
+    fmpq_poly_scalar_div_fmpq(forward, forward, sum);
+  fmpq_poly_set_coeff_si(back, 0, 1);
+  fmpq_poly_set_coeff_si(back, 1, -1);
+  fmpq_poly_compose(back, forward, back);
+  fmpq_poly_get_coeff_fmpq(sum, forward, 0);
+  fmpq_poly_get_coeff_fmpq(at_end, back, 0);
+  right = right && fmpq_is_zero(sum) && fmpq_is_zero(at_end);
+  fmpq_clear(sum);
+  fmpq_clear(at_end);
+  return right;
+}
+
+bool scallop_exact_polynomial(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *c, int degree)
+{
+  fmpq_poly_t forward, back;
+  fmpq_poly_init(forward);
+  fmpq_poly_init(back);
+  scallop_exact_of(e, gait);
+  bool right = never_turns(gait) && set_speeds(forward, back, c, degree);
+  for (int i = 0; right && i < e->count; i++) {
+    fmpq_zero(e->fractions[i].origin);
+    fmpq_poly_set(e->fractions[i].speed, is_from_start(&e->pieces[i]) ? forward : back);
+  }
+  if (right)
+    share(e);
+  fmpq_poly_clear(forward);
+  fmpq_poly_clear(back);
+  return right;
+}
+
+struct points { /* of a phase */
+  const fmpq *time, *length;
+  fmpq *slope;
+  int count;
+};
+
+/* (y[i + 1] - y[i])/(x[i + 1] - x[i]) */
+static void chord(fmpq_t slope, fmpq_t width, const struct points *p, int i)
+{
+  fmpq_sub(slope, p->length + i + 1, p->length + i);
+  fmpq_sub(width, p->time + i + 1, p->time + i);
+  fmpq_div(slope, slope, width);
+}
+
+/* Of a point between two chords a and b, over times g and h, of one sign: the least of |a|, |b| and |a h + b g|/(2 (g + h)), twice */
+static void set_slope(struct points *p, int i)
+{
+  enum { FRACTIONS = 5 };
+  fmpq *x = _fmpq_vec_init(FRACTIONS), *a = x, *b = x + 1, *g = x + 2, *h = x + 3, *mean = x + 4;
+  chord(a, g, p, i - 1);
+  chord(b, h, p, i);
+  int sign = fmpq_sgn(a);
+  if (sign * fmpq_sgn(b) > 0) {
+    fmpq_mul(mean, a, h);
+    fmpq_addmul(mean, b, g);
+    fmpq_add(h, g, h);
+    fmpq_div(mean, mean, h);
+    fmpq_div_2exp(mean, mean, 1);
+    for (int k = 0; k < 2; k++)
+      if (sign * fmpq_cmp(x + k, mean) < 0)
+        fmpq_set(mean, x + k);
+    fmpq_mul_2exp(p->slope + i, mean, 1);
+  }
+  _fmpq_vec_clear(x, FRACTIONS);
+}
+
+/* Of the piece between points j and j + 1: near is the one where its law begins, as seen from the anchor. */
+static void set_cubic(struct scallop_fractions *f, const struct scallop_piece *piece, const struct points *p, int j)
+{
+  bool forward = is_from_start(piece);
+  const fmpq *first = p->slope + j + (forward ? 0 : 1), *last = p->slope + j + (forward ? 1 : 0);
+  fmpq_t middle, width, c;
+  fmpq_init(middle);
+  fmpq_init(width);
+  fmpq_init(c);
+  fmpq_poly_zero(f->speed);
+  chord(middle, width, p, j);
+  fmpq_mul_si(middle, middle, 3);
+  fmpq_sub(middle, middle, first);
+  fmpq_sub(middle, middle, last);
+  fmpq_poly_set_coeff_fmpq(f->speed, 0, first);
+  fmpq_sub(c, middle, first);
+  fmpq_mul_si(c, c, 2);
+  fmpq_div(c, c, width);
+  fmpq_poly_set_coeff_fmpq(f->speed, 1, c);
+  fmpq_add(c, first, last);
+  fmpq_sub(c, c, middle);
+  fmpq_sub(c, c, middle);
+  fmpq_div(c, c, width);
+  fmpq_div(c, c, width);
+  fmpq_poly_set_coeff_fmpq(f->speed, 2, c);
+  fmpq_poly_scalar_mul_si(f->speed, f->speed, piece->direction);
+  fmpq_set(f->least, p->time + j);
+  fmpq_set(f->most, p->time + j + 1);
+  if (!forward) {
+    rest_of(f->least, p->time + j + 1);
+    rest_of(f->most, p->time + j);
+  }
+  fmpq_set(f->origin, f->least);
+  fmpq_clear(middle);
+  fmpq_clear(width);
+  fmpq_clear(c);
+}
+
+/* There is one piece between two points, and two where that is split at half of the phase. */
+static bool set_cubics(struct scallop_exact_gait *e, int kind, const struct points *p)
+{
+  const struct scallop_shape *shape = &e->gait.phase[kind];
+  bool split = shape->count == p->count;
+  for (int i = 0, j = 0; i < shape->count; i++, j++) {
+    const struct scallop_piece *piece = &shape->pieces[i];
+    int order = fmpq_cmp(p->length + j + 1, p->length + j);
+    if (piece->direction != (order > 0) - (order < 0))
+      return false;
+    set_cubic(fractions_of(e, kind, i), piece, p, j);
+    if (split && is_from_start(piece) && !is_from_start(piece + 1)) {
+      fmpq_set_si(fractions_of(e, kind, i)->most, 1, 2);
+      set_cubic(fractions_of(e, kind, ++i), piece + 1, p, j);
+      fmpq_set_si(fractions_of(e, kind, i)->most, 1, 2);
+    }
+  }
+  return true;
+}
+
+bool scallop_exact_spline(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *const times[2],
+                          const fmpq *const lengths[2], const int count[2])
+{
+  bool right = true;
+  scallop_exact_of(e, gait);
+  for (int kind = 0; right && kind < 2; kind++) {
+    struct points p = { times[kind], lengths[kind], _fmpq_vec_init(count[kind]), count[kind] };
+    for (int i = 1; i + 1 < p.count; i++)
+      set_slope(&p, i);
+    right = set_cubics(e, kind, &p);
+    _fmpq_vec_clear(p.slope, p.count);
+  }
+  if (right)
+    share(e);
+  else
+    scallop_exact_of(e, gait);
+  return right;
+}

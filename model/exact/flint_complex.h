@@ -1,0 +1,18 @@
+/* FLINT's complex balls, see flint.h. */
+#ifndef SCALLOP_FLINT_COMPLEX_H
+#define SCALLOP_FLINT_COMPLEX_H
+
+#include "model/exact/flint.h"
+#if __FLINT_RELEASE >= 30000
+#include <flint/acb_mat.h>
+#include <flint/acb_poly.h>
+#include <flint/arb_fmpz_poly.h>
+#include <flint/arb_mat.h>
+#else
+#include <acb_mat.h>
+#include <acb_poly.h>
+#include <arb_fmpz_poly.h>
+#include <arb_mat.h>
+#endif
+
+#endif

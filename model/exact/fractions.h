@@ -1,0 +1,59 @@
+/* Gaits in fractions: what a gait's own numbers make of it as they were written, where the doubles nearest to them make another one; or what
+ * the doubles make of it, once for all who ask. Needs FLINT; allocates through it.
+ */
+#ifndef SCALLOP_FRACTIONS_H
+#define SCALLOP_FRACTIONS_H
+
+#include "model/exact/flint.h"
+#include "model/gaits.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct scallop_fractions { /* of a piece: |l'| in powers of u - origin, for offsets u from least to most */
+  fmpq_t origin, least, most;
+  fmpq_poly_t speed;
+};
+
+void fractions_init(struct scallop_fractions *fractions);
+void fractions_clear(struct scallop_fractions *fractions);
+/* Of a piece that is linear or has a law that is no sine: the very numbers that its doubles are */
+void fractions_of_doubles(struct scallop_fractions *fractions, const struct scallop_piece *piece);
+
+/* A gait whose pieces are those of another one, with fractions. It must stay where it is while the gait is used. */
+struct scallop_exact_gait {
+  struct scallop_gait gait;
+  struct scallop_piece *pieces;
+  struct scallop_fractions *fractions; /* one for each piece */
+  int count;
+};
+void scallop_exact_init(struct scallop_exact_gait *exact);
+void scallop_exact_clear(struct scallop_exact_gait *exact);
+
+/* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines) have no fractions. */
+void scallop_exact_of(struct scallop_exact_gait *exact, const struct scallop_gait *gait);
+
+/* The gaits of gaits.h with these numbers instead of the doubles nearest to them, which `gait` was made with. False: there is no such gait, and
+ * *exact is what the doubles say.
+ * trapezoidal, skewed: numbers of the extension, and then of the contraction. As there, UP + DOWN within a rounding of 1 is 1. */
+void scallop_exact_trapezoidal(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *up,
+                               const fmpq *down);
+void scallop_exact_skewed(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *beta);
+/* c: of s, s^2, ..., `degree` of them. False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are
+ * no fractions. */
+bool scallop_exact_polynomial(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *c, int degree);
+/* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and elsewhere Steffen's
+ * (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
+bool scallop_exact_spline(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *const times[2],
+                          const fmpq *const lengths[2], const int count[2]);
+
+/* Where a piece begins and ends, as offsets */
+void scallop_rational_begin(fmpq_t u, const struct scallop_piece *piece);
+void scallop_rational_end(fmpq_t u, const struct scallop_piece *piece);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

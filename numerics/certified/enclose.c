@@ -1,0 +1,243 @@
+#include "numerics/certified/enclose.h"
+
+#include "model/exact/fractions.h"
+
+void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision)
+{
+  arb_t u;
+  arb_init(u);
+  arb_set(u, s);
+  if (piece->anchor == SCALLOP_FROM_END) {
+    arb_sub_ui(u, u, 1, precision);
+    arb_neg(u, u);
+  }
+  if (order == 0)
+    scallop_ball_speed(value, piece, u, precision);
+  else if (order == 1)
+    scallop_ball_rate(value, piece, u, precision);
+  else {
+    arb_poly_t series;
+    arb_poly_init(series);
+    scallop_ball_speed_series(series, piece, u, 3, precision);
+    arb_poly_get_coeff_arb(value, series, 2);
+    arb_mul_2exp_si(value, value, 1);
+    arb_poly_clear(series);
+  }
+  arb_mul_si(value, value, piece->direction, precision);
+  arb_clear(u);
+}
+
+void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong precision)
+{
+  fmpq_t u;
+  fmpq_init(u);
+  scallop_rational_end(u, piece);
+  if (piece->anchor == SCALLOP_FROM_END) {
+    fmpq_sub_si(u, u, 1);
+    fmpq_neg(u, u);
+  }
+  arb_set_fmpq(s, u, precision);
+  fmpq_clear(u);
+}
+
+void scallop_track_init(struct scallop_track *f)
+{
+  arb_init(f->constant);
+  arb_init(f->slope);
+  arb_init(f->factor);
+}
+
+void scallop_track_clear(struct scallop_track *f)
+{
+  arb_clear(f->constant);
+  arb_clear(f->slope);
+  arb_clear(f->factor);
+}
+
+/* A derivative of f, or f itself, over the ball s. */
+static void enclose(arb_t value, const struct scallop_track *f, const arb_t s, int derivative, slong precision)
+{
+  scallop_enclose_gait(value, f->piece, s, f->order + derivative, precision);
+  arb_mul(value, value, f->factor, precision);
+  if (derivative == 1)
+    arb_add(value, value, f->slope, precision);
+  if (derivative == 0) {
+    arb_addmul(value, f->slope, s, precision);
+    arb_add(value, value, f->constant, precision);
+  }
+}
+
+/* Most signs show at once: few bits are tried first. */
+enum { FEW = 128 };
+
+static int sign_over(const struct scallop_track *f, const arb_t s, int derivative, slong precision)
+{
+  arb_t value;
+  arb_init(value);
+  enclose(value, f, s, derivative, FLINT_MIN(FEW, precision));
+  if (precision > FEW && arb_contains_zero(value))
+    enclose(value, f, s, derivative, precision);
+  int sign = arb_sgn_nonzero(value);
+  arb_clear(value);
+  return sign;
+}
+
+/* f over the ball s by the mean value theorem: where the slope is small, so is the excess. */
+static int sign_by_mean_value(const struct scallop_track *f, const arb_t s, slong precision)
+{
+  arb_ptr t = _arb_vec_init(3);
+  arb_get_mid_arb(t, s);
+  enclose(t + 1, f, t, 0, precision);
+  enclose(t + 2, f, s, 1, precision);
+  arb_sub(t, s, t, precision);
+  arb_addmul(t + 1, t + 2, t, precision);
+  int sign = arb_sgn_nonzero(t + 1);
+  _arb_vec_clear(t, 3);
+  return sign;
+}
+
+/* One half of the ball, the earlier one or the later one. */
+static void halve(arb_t x, bool earlier, slong precision)
+{
+  arf_t low, middle, high;
+  arf_init(low);
+  arf_init(middle);
+  arf_init(high);
+  arf_set(middle, arb_midref(x));
+  arb_get_interval_arf(low, high, x, precision);
+  arb_set_interval_arf(x, earlier ? low : middle, earlier ? middle : high, precision);
+  arf_clear(low);
+  arf_clear(middle);
+  arf_clear(high);
+}
+
+/* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides, the sign in
+ * the middle tells the half: for slopes too uncertain for a good step. A step doubles the bits at most, so it needs no more. */
+static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
+{
+  arb_ptr t = _arb_vec_init(3), middle = t, value = t + 1, slope = t + 2;
+  mag_t enough;
+  mag_init(enough);
+  bool right = true, going = true;
+  slong bits = FLINT_MIN(FEW, precision);
+  while (right && (going || bits < precision)) {
+    slong known = FLINT_MIN(FLINT_MAX(arb_rel_accuracy_bits(zero), 0), precision);
+    bits = going ? FLINT_MIN(FLINT_MAX(bits, 2 * known + FEW), precision) : precision;
+    mag_mul_ui(enough, arb_radref(zero), 3);
+    mag_mul_2exp_si(enough, enough, -2);
+    arb_get_mid_arb(middle, zero);
+    enclose(value, f, middle, 0, bits);
+    enclose(slope, f, zero, 1, bits);
+    int side = arb_sgn_nonzero(value) * arb_sgn_nonzero(slope);
+    arb_div(value, value, slope, bits);
+    arb_sub(middle, middle, value, precision);
+    if (side != 0)
+      halve(zero, side > 0, precision);
+    if (arb_is_finite(middle))
+      right = arb_intersection(zero, zero, middle, precision);
+    going = mag_cmp(arb_radref(zero), enough) < 0;
+  }
+  mag_clear(enough);
+  _arb_vec_clear(t, 3);
+  return right && arb_is_finite(zero);
+}
+
+enum judgement { NOTHING, ZERO, UNKNOWN, UNKNOWN_AT_END };
+
+/* Whether l' or l'' (order 0, 1) is 0 where the piece ends: exactly, though that may be no number that a ball holds exactly. */
+static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
+{
+  fmpq_t u;
+  fmpq_poly_t series;
+  fmpq_init(u);
+  fmpq_poly_init(series);
+  scallop_rational_end(u, piece);
+  bool rational = scallop_rational_speed_series(series, piece, u, order + 1, NULL);
+  fmpq_poly_get_coeff_fmpq(u, series, order);
+  bool zero = rational && fmpq_is_zero(u);
+  fmpq_poly_clear(series);
+  fmpq_clear(u);
+  return zero;
+}
+
+/* A margin that is 0 exactly where a piece ends is looked at again by the next piece, and what happens at the end of the phase
+ * does not matter to it: equal forces while l'' goes to 0. So such an end can be left out of the stretch. */
+static bool ends_in_zero(const struct scallop_track *f, const arb_t end, slong precision)
+{
+  arb_t value;
+  arb_init(value);
+  scallop_enclose_end(value, f->piece, precision);
+  if (arb_equal(value, end) && gait_ends_in_zero(f->piece, f->order)) {
+    arb_mul(value, f->slope, end, precision);
+    arb_add(value, value, f->constant, precision);
+  } else
+    enclose(value, f, end, 0, precision);
+  bool zero = arb_is_zero(value) && (f->order == 1 || arb_is_one(end));
+  arb_clear(value);
+  return zero;
+}
+
+/* What is certain about (begin, end] as a whole; over is the ball of it. */
+static enum judgement judge(const struct scallop_track *f, const struct scallop_stretch *w, const arb_t over,
+                            slong precision)
+{
+  int slope = sign_over(f, over, 1, precision);
+  if (slope == w->sign)
+    return NOTHING;
+  if (w->departure == SCALLOP_FROM_ZERO_FLAT)
+    return sign_over(f, over, 2, precision) == w->sign ? NOTHING : UNKNOWN;
+  if (w->departure == SCALLOP_FROM_ZERO)
+    return UNKNOWN;
+  if (slope == 0)
+    return sign_by_mean_value(f, over, precision) == w->sign ? NOTHING : UNKNOWN;
+  int at_end = sign_over(f, w->end, 0, precision);
+  return at_end == w->sign ? NOTHING : at_end ? ZERO : UNKNOWN_AT_END;
+}
+
+/* f = factor l' exactly, which is not 0 inside a piece. */
+static bool is_gait_itself(const struct scallop_track *f)
+{
+  return f->order == 0 && arb_is_zero(f->constant) && arb_is_zero(f->slope);
+}
+
+/* From the begin on in steps that are halved until something is certain, and doubled again. Powers of 2: the step is 2^-halvings. */
+enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f, const struct scallop_stretch *stretch,
+                                      slong precision)
+{
+  if (is_gait_itself(f))
+    return SCALLOP_NONE;
+  arb_ptr t = _arb_vec_init(4);
+  arb_ptr begin = t, end = t + 1, over = t + 2, step = t + 3;
+  arb_set(begin, stretch->begin);
+  struct scallop_stretch now = { begin, end, stretch->sign, stretch->departure };
+  enum scallop_found found = SCALLOP_GRAZES;
+  for (slong halvings = 0; halvings <= precision;) {
+    arb_one(step);
+    arb_mul_2exp_si(step, step, -halvings);
+    arb_get_mid_arb(end, begin);
+    arb_add(end, end, step, 2 * precision);
+    bool last = !arb_lt(end, stretch->end);
+    if (last)
+      arb_set(end, stretch->end);
+    if (!arb_lt(begin, end))
+      break; /* GCOVR_EXCL_LINE: needs a begin less precise than the step, which halvings <= precision rules out */
+    arb_union(over, begin, end, precision);
+    enum judgement judged = judge(f, &now, over, precision);
+    if (judged == ZERO) {
+      arb_set(zero, over);
+      found = refine(zero, f, precision) ? SCALLOP_CROSSES : SCALLOP_GRAZES;
+      break;
+    }
+    if (last && (judged == NOTHING || judged == UNKNOWN_AT_END)) {
+      found = judged == NOTHING || ends_in_zero(f, end, precision) ? SCALLOP_NONE : SCALLOP_AT_END;
+      break;
+    }
+    halvings += judged == NOTHING ? -(halvings > 0) : 1;
+    if (judged == NOTHING) {
+      arb_set(begin, end);
+      now.departure = SCALLOP_APART;
+    }
+  }
+  _arb_vec_clear(t, 4);
+  return found;
+}

@@ -1,0 +1,52 @@
+/* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to numerics/certified/certified.c.
+ * Unit of time: the phase; of length: L. */
+#ifndef SCALLOP_MARCH_H
+#define SCALLOP_MARCH_H
+
+#include "model/exact/ball.h"
+#include "model/exact/fractions.h"
+#include "numerics/numerics.h"
+
+/* What the motion of a phase depends on, exactly. */
+struct scallop_forces {
+  enum scallop_phase_kind kind;
+  struct scallop_exact_gait exact; /* the gait, its laws worked out in fractions once */
+  fmpq_t share[2];                 /* x_i'' has share_i l'' in it: -m2/M, m1/M */
+  fmpq_t friction[2];              /* F_i tau^2 / (M L)                        */
+};
+void scallop_forces_init(struct scallop_forces *forces);
+void scallop_forces_clear(struct scallop_forces *forces);
+void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *crawler,
+                       enum scallop_phase_kind kind);
+
+struct scallop_march {
+  const struct scallop_forces *forces;
+  const struct scallop_piece *piece;
+  bool even;   /* l'' is constant over the piece and rational: */
+  fmpq_t bend; /* this                                         */
+  slong precision;
+
+  arb_t now;            /* how far it has come                                                   */
+  arb_t since, rate;    /* when velocities and positions were last brought up to date, and l' then */
+  arb_t v[2], x[2];     /* the bodies then                                                       */
+  arb_t path[2];        /* how far they have slid, one way and the other                         */
+  arb_t l_since, l_now; /* length gained from the start until since, from since until now        */
+  arb_t share[2];       /* as in forces                                                          */
+  int s[2];             /* the mode                                                              */
+  int departure[2];     /* of each body's velocity, at now: enum scallop_departure               */
+
+  arb_t first, last;       /* times of the first and the last change of mode, if it switches        */
+  arb_t at_first, at_last; /* where the rear body is then                                           */
+  arb_t multiplier, v_end;
+  bool switches, sticks, moves[2];
+  struct scallop_modes modes;
+  const char *why; /* what could not be decided                                             */
+};
+void scallop_march_init(struct scallop_march *march);
+void scallop_march_clear(struct scallop_march *march);
+
+/* From both bodies at velocity v0, over all of that ball, to the end of the phase: x1, x2, v_end and what
+ * follows it hold then. False: not decided at this precision, and why says what. */
+bool scallop_march_phase(struct scallop_march *march, const struct scallop_forces *forces, const arb_t v0, slong precision);
+
+#endif

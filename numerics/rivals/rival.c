@@ -1,0 +1,211 @@
+#include "numerics/rivals/rival.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdalign.h>
+#include <stddef.h>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+#include "numerics/rivals/rival_phases.h"
+
+enum {
+  COMPARISONS = 16, /* with strides of one length; then they double */
+  REVERSALS = 8,    /* of the direction in which the velocity creeps: one can be an accident of the steps */
+  ITERATIONS = 200,
+  BRENT_STATE = 128
+};
+
+void scallop_rival_destroy(struct scallop_rival *rival)
+{
+  if (rival)
+    rival->destroy(rival);
+}
+
+struct search {
+  struct scallop_rival *rival;
+  const struct scallop_crawler *crawler;
+  const struct scallop_patience *patience;
+  struct scallop_rival_steady at;
+};
+
+static bool good_tolerance(double tolerance) { return tolerance >= 0 && isfinite(tolerance); }
+
+static enum scallop_status next_period(struct search *s, double v0, struct scallop_rival_period *period)
+{
+  if (!rival_patience_lasts(s->patience))
+    return SCALLOP_ESTOPPED;
+  enum scallop_status status = s->rival->period(s->rival, s->crawler, v0, s->patience, period);
+  if (status != SCALLOP_OK)
+    return status;
+  s->at.periods++;
+  s->at.steps += period->steps;
+  s->at.evaluations += period->evaluations;
+  s->at.events += period->events;
+  return SCALLOP_OK;
+}
+
+/* Changes of the start velocity, each over a stride of so many periods. */
+struct watch {
+  double mark;   /* where the last stride ended */
+  double before; /* the last change, nan if there is none */
+  long stride, since;
+  int comparisons, reversals;
+};
+
+/* The most that is left to go after two changes that a geometric series may continue, each known to the noise. */
+static double left(double change, double before, double noise)
+{
+  double m = (fabs(change) + noise) / fabs(before);
+  return m < 1 ? fabs(change) * (m / (1 - m)) : INFINITY;
+}
+
+/* The end of a stride, with the velocity at v. */
+static void next_stride(struct watch *w, double v)
+{
+  double change = v - w->mark;
+  w->reversals += (change > 0 && w->before < 0) || (change < 0 && w->before > 0);
+  w->since = 0;
+  w->mark = v;
+  if (++w->comparisons == COMPARISONS) {
+    w->comparisons = 0;
+    w->stride *= 2;
+  }
+  w->before = change;
+}
+
+/* Has the velocity settled to within `close`, or as far as the noise lets it, after one more period from `from` to v? */
+static bool settled(struct watch *w, double from, double v, double close, double noise)
+{
+  if (v == from)
+    return true;
+  if (++w->since < w->stride)
+    return false;
+  double change = v - w->mark;
+  bool near = fabs(v - from) <= close && left(change, w->before, noise) <= close;
+  next_stride(w, v);
+  return near || change == 0 || w->reversals == REVERSALS;
+}
+
+enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const struct scallop_crawler *crawler, double v0,
+                                           double tolerance, const struct scallop_patience *patience,
+                                           struct scallop_rival_steady *steady)
+{
+  struct search s = { rival, crawler, patience, { .v_start = v0, .displacement = NAN } };
+  struct watch w = { .mark = v0, .before = NAN, .stride = 1 };
+  struct scallop_rival_period period;
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v0) || !good_tolerance(tolerance))
+    return SCALLOP_EDOMAIN;
+  for (bool done = false; !done;) {
+    double from = s.at.v_start;
+    status = next_period(&s, from, &period);
+    if (status != SCALLOP_OK)
+      break;
+    double size = scaled.velocity + fabs(period.v_end);
+    s.at.v_start = period.v_end;
+    s.at.displacement = period.displacement;
+    done = settled(&w, from, period.v_end, tolerance * size, 8 * DBL_EPSILON * size);
+  }
+  if (status != SCALLOP_OK && status != SCALLOP_ESTOPPED)
+    return status;
+  *steady = s.at;
+  return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
+}
+
+/* The map at a start velocity, as it was found. */
+struct tried {
+  double v0, change, displacement;
+};
+
+struct root_search {
+  struct search search;
+  enum scallop_status status;
+  int count;
+  struct tried tried[ITERATIONS + 2]; /* the ends of the bracket come first */
+};
+
+static double change(double v0, void *context)
+{
+  struct root_search *r = context;
+  struct scallop_rival_period period;
+  r->status = next_period(&r->search, v0, &period);
+  if (r->status != SCALLOP_OK)
+    return NAN; /* at which GSL's solver ends */
+  r->tried[r->count++] = (struct tried){ v0, period.v_end - v0, period.displacement };
+  return period.v_end - v0;
+}
+
+/* Beyond these both bodies move the same way whatever l' does, and friction slows them down. */
+static void bracket(const struct scallop_scaled *s, double *lo, double *hi)
+{
+  double e = s->gait->phase[SCALLOP_EXTENSION].peak / s->fraction[SCALLOP_EXTENSION];
+  double c = s->gait->phase[SCALLOP_CONTRACTION].peak / s->fraction[SCALLOP_CONTRACTION];
+  const double margin = 1.01; /* a rival must see it too */
+  *lo = -margin * s->velocity * fmax(s->mu1 * e, s->mu2 * c);
+  *hi = margin * s->velocity * fmax(s->mu2 * e, s->mu1 * c);
+}
+
+/* Friction slows a crawler down that is faster than anything can drive it. If the map does not show it, its errors are larger than
+ * what friction does in a period, and a root of it would mean nothing. */
+static bool straddles(const struct root_search *r)
+{
+  return r->count == 2 && r->tried[0].change > 0 && r->tried[1].change < 0;
+}
+
+static enum scallop_status iterate(struct root_search *r, gsl_root_fsolver *solver, double tolerance, double unit)
+{
+  for (int i = 0; i < ITERATIONS; i++) {
+    double v = gsl_root_fsolver_root(solver), width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
+    if (width <= fmax(tolerance, DBL_EPSILON) * (unit + fabs(v)))
+      return SCALLOP_OK;
+    if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
+      return r->status != SCALLOP_OK ? r->status : SCALLOP_ECONVERGE;
+    r->search.at.root_iterations++;
+  }
+  return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: Brent's method ends before ITERATIONS */
+}
+
+/* GSL's solver ends at a velocity that it tried, or at none. */
+static void take(struct root_search *r, double v)
+{
+  for (int i = 0; i < r->count; i++)
+    if (r->tried[i].v0 == v) {
+      r->search.at.v_start = v;
+      r->search.at.displacement = r->tried[i].displacement;
+    }
+}
+
+enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler, double tolerance,
+                                       const struct scallop_patience *patience, struct scallop_rival_steady *steady)
+{
+  alignas(max_align_t) unsigned char state[BRENT_STATE]; /* so that nothing is allocated */
+  struct root_search r = { .search = { rival, crawler, patience, { .v_start = NAN, .displacement = NAN } } };
+  gsl_function f = { change, &r };
+  gsl_root_fsolver solver = { .type = gsl_root_fsolver_brent, .state = state };
+  struct scallop_scaled scaled;
+  double lo, hi;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!good_tolerance(tolerance))
+    return SCALLOP_EDOMAIN;
+  bracket(&scaled, &lo, &hi);
+  if (!isfinite(lo) || !isfinite(hi))
+    return SCALLOP_ERANGE;
+  bool set = gsl_root_fsolver_brent->size <= sizeof state && gsl_root_fsolver_set(&solver, &f, lo, hi) == GSL_SUCCESS;
+  if (set && straddles(&r)) {
+    status = iterate(&r, &solver, tolerance, scaled.velocity);
+    take(&r, gsl_root_fsolver_root(&solver));
+  } else {
+    status = r.status != SCALLOP_OK ? r.status : SCALLOP_ECONVERGE;
+  }
+  if (status != SCALLOP_OK && status != SCALLOP_ESTOPPED)
+    return status;
+  *steady = r.search.at;
+  return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
+}

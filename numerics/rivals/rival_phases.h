@@ -1,0 +1,39 @@
+/* What all rivals share: a period is an extension and a contraction, in each of which c, the velocity of the centre of mass, and x, the way of
+ * the centre of mass or of body 1, come from one end to the other. A rival brings one phase. Units: L, and the duration of the phase. Private to the
+ * rivals. */
+#ifndef SCALLOP_RIVAL_PHASES_H
+#define SCALLOP_RIVAL_PHASES_H
+
+#include "numerics/rivals/rival.h"
+
+enum { RIVAL_MAX_STEPS = 1000000 }; /* in a period; past it a rival gives up */
+
+struct rival_phases {
+  /* Takes c and x from the start of a phase of this shape to its end; SCALLOP_OK, or why it could not. */
+  enum scallop_status (*phase)(struct rival_phases *phases, const struct scallop_shape *shape);
+  const struct scallop_patience *patience;
+  double mu[2], f[2];  /* of body 1 and body 2; sums are 1                          */
+  double f_difference; /* f[0] - f[1]                                              */
+  double fraction;     /* of the period that this phase takes                      */
+  double eps;          /* tau^2 (F1 + F2)/(M L), tau the duration of the phase      */
+  double c, x;
+  long steps, evaluations, events;
+};
+
+/* One period from v0; the caller has set phase and patience, and all else is set here. Statuses and *period as struct
+ * scallop_rival promises. */
+enum scallop_status rival_period(struct rival_phases *phases, const struct scallop_crawler *crawler, double v0,
+                                 struct scallop_rival_period *period);
+
+static inline bool rival_patience_lasts(const struct scallop_patience *patience)
+{
+  return !patience || patience->lasts(patience->context);
+}
+
+/* Time since the phase began, for an offset from the piece's anchor; and the other way round. */
+static inline double rival_flip(const struct scallop_piece *piece, double t)
+{
+  return piece->anchor == SCALLOP_FROM_START ? t : 1 - t;
+}
+
+#endif

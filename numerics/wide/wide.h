@@ -1,0 +1,81 @@
+/* The exact solver once more in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of
+ * x86) or 113 (binary128, in software: some hundred times slower). It tells what rounding did to a result in double, without
+ * the certified solver and FLINT; it proves nothing. The steady state is found from the walk alone, by none of the double
+ * solver's short cuts.
+ *
+ * For gaits whose pieces have an exact law (struct scallop_law) or are linear, and whose l' does not jump; others are
+ * SCALLOP_EDOMAIN. Parameters are taken for exactly the doubles they are. Allocates nothing.
+ */
+#ifndef SCALLOP_WIDE_H
+#define SCALLOP_WIDE_H
+
+#include "numerics/numerics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum scallop_width { SCALLOP_LONG_DOUBLE, SCALLOP_BINARY128 };
+/* Bits of a number: 64 and 113 on x86. 53 where long double is no wider than double; 0: not available, or set to
+ * round to fewer bits than the type has. */
+int scallop_width_bits(enum scallop_width width);
+
+struct scallop_wide { /* high + low: high is the double nearest to it                                          */
+  double high, low;
+};
+
+/* As in struct scallop_phase_result and struct scallop_period_result. */
+struct scallop_wide_phase {
+  struct scallop_wide t1, dT, v_end, dx1, dx2, dxC;
+  double dx1_size, dx2_size, dxC_size; /* the magnitudes of the parts that they were summed from */
+  enum scallop_regime regime;
+  struct scallop_modes modes;
+};
+struct scallop_wide_period {
+  struct scallop_wide v_start, v_mid, v_end, displacement, multiplier;
+  double displacement_size; /* likewise */
+  enum scallop_regime regime;
+  struct scallop_modes modes[2];
+};
+struct scallop_wide_steady {
+  struct scallop_wide froude, mean_velocity;
+  struct scallop_wide friction_work;     /* as scallop_friction_work                         */
+  struct scallop_wide cost_of_transport; /* that over (F1 + F2) |displacement|; nan where it is 0 */
+  struct scallop_wide_period period;
+};
+
+/* Statuses as those of scallop_phase, scallop_period and scallop_steady; SCALLOP_EDOMAIN also for a width that is not available, and a
+ * gait as above; SCALLOP_ERANGE where high is beyond a double's range. */
+enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
+                                       enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result);
+enum scallop_status scallop_wide_period(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
+                                        struct scallop_wide_period *result);
+enum scallop_status scallop_wide_steady(enum scallop_width width, const struct scallop_crawler *crawler,
+                                        struct scallop_wide_steady *result);
+
+/* Estimates of |computed - true| for each number of a result in double: bounds, but for a chance that nothing proves: the distance
+ * to the result in the widest arithmetic there is, and for what that is off by itself 2^-62 of the number and, of a displacement, 2^-111 of
+ * the parts that it is the sum of. With 113 bits they hold unless rounding is magnified more than 2^50 times; tests/test_wide.c measures them against certified values. nan where the
+ * number is. */
+struct scallop_phase_error {
+  double t1, dT, v_end, dx1, dx2, dxC;
+};
+struct scallop_period_error {
+  double v_mid, v_end, displacement, multiplier;
+};
+struct scallop_steady_error {
+  double froude, v_start, v_mid, displacement, mean_velocity, multiplier;
+};
+/* Of a result that the double solver gave for these very arguments. Statuses as above. */
+enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                        const struct scallop_phase_result *result, struct scallop_phase_error *error);
+enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, double v0,
+                                         const struct scallop_period_result *result, struct scallop_period_error *error);
+enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler, const struct scallop_steady_result *result,
+                                         struct scallop_steady_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

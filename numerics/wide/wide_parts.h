@@ -1,0 +1,29 @@
+/* The wider solver in each of its types (wide_solve.h), without any look at the arguments. Not public. */
+#ifndef SCALLOP_WIDE_PARTS_H
+#define SCALLOP_WIDE_PARTS_H
+
+#include "numerics/wide/wide.h"
+
+#ifdef __SIZEOF_FLOAT128__
+#define WIDE_HAS_FLOAT128 1
+#else
+#define WIDE_HAS_FLOAT128 0
+#endif
+
+struct wide_solver {
+  void (*phase)(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                struct scallop_wide_phase *out);
+  void (*period)(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
+  /* guess: a start velocity to begin with. False: no end of the iteration. */
+  bool (*steady)(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
+};
+extern const struct wide_solver wide_long, wide_quad;
+
+/* The same in the cheapest type that resolves a sum after cancellation to the fraction `left`; left > 0, or 0 where nothing is left. False:
+ * there is none, or the gait has no exact law, or as above. */
+bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
+                       struct scallop_wide_phase *out);
+bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out);
+
+#endif
