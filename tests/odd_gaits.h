@@ -7,8 +7,6 @@
 
 #include "model/model.h"
 
-/* ---- made of straight pieces, every one but the last measured from the start ---- */
-
 static inline double run_velocity(const struct scallop_piece *p, double u) { return p->velocity + p->acceleration * u; }
 static inline double run_acceleration(const struct scallop_piece *p, double u) { return (void)u, p->acceleration; }
 static inline double run_when(const struct scallop_piece *p, double a) { return a == p->acceleration ? p->begin : NAN; }
@@ -59,8 +57,6 @@ static const struct scallop_piece detour_contraction[] = { RUN(0, 0.25, -1, 0, -
 static const struct scallop_gait detour_gait = { "detour",
                                                  { { detour_extension, 6, 16, 32, 4, 0.5, false, false },
                                                    { detour_contraction, 6, -16, 32, 4, -0.5, false, false } } };
-
-/* ---- with dwells ---- */
 
 #define REST(from, to) \
   { \
@@ -156,16 +152,12 @@ static const struct scallop_gait hesitant_gait = { "hesitant",
                                                    { { hesitant_extension, 4, 0, 0, 3.75, 0.5, false, false },
                                                      { hesitant_contraction, 6, 0, 0, 1.875, -1, false, false } } };
 
-/* ---- with jumps ---- */
-
 /* stride: l' = 3/2, then 1/2, with jumps */
 static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };
 static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5), STRIDE(0.5, 1, -0.5) };
 static const struct scallop_gait stride_gait = {
   "stride", { { stride_extension, 2, 0, 0, 1.5, 1, false, false }, { stride_contraction, 2, 0, 0, 1.5, -1, false, false } }
 };
-
-/* ---- put together when asked for ---- */
 
 /* The extension of one and the contraction of another */
 static inline struct scallop_gait mixed_gait(const struct scallop_gait *extension, const struct scallop_gait *contraction)

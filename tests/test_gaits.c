@@ -2,11 +2,7 @@
  * them in closed form or by symmetry. */
 #include "tests/check.h"
 
-#include <errno.h>
 #include <float.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include "compare/answers/gaits.h"
 #include "model/gaits.h"
@@ -14,8 +10,8 @@
 #include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 #include "tests/random_gait.h"
-
-/* ---- gaits are gaits ---- */
+#include "tests/scratch_folder.h"
+#include "tests/solved.h"
 
 static double time_of(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : 1 - u; }
 
@@ -94,9 +90,8 @@ static void check_derivatives(const struct scallop_shape *shape)
   }
 }
 
-static void gaits_are_gaits(void **state)
+TEST(gaits_are_gaits)
 {
-  (void)state;
   struct random r = { 20261201 };
   struct random_gait made;
   for (int i = 0; i < 100 * RANDOM_GAITS; i++) {
@@ -107,8 +102,6 @@ static void gaits_are_gaits(void **state)
     }
   }
 }
-
-/* ---- special cases that are other gaits ---- */
 
 static void check_same_motions(const struct scallop_gait *gait, const struct scallop_gait *other, double tolerance)
 {
@@ -131,9 +124,8 @@ static void check_same_motions(const struct scallop_gait *gait, const struct sca
 }
 
 /* A trapezoid without a plateau and a skewed gait that is not skewed have the very numbers of the quadratic gait. */
-static void halves_are_quadratic(void **state)
+TEST(halves_are_quadratic)
 {
-  (void)state;
   struct scallop_straight g;
   const double half[2] = { 0.5, 0.5 };
   assert_int_equal(scallop_make_trapezoidal(&g, "trapezoidal:0.5,0.5", half, half), SCALLOP_OK);
@@ -143,17 +135,15 @@ static void halves_are_quadratic(void **state)
 }
 
 /* The tests' own minimum jerk is written out by hand. */
-static void minimum_jerk_is_a_polynomial(void **state)
+TEST(minimum_jerk_is_a_polynomial)
 {
-  (void)state;
   check_same_motions(gait_of_text("minimum-jerk").gait, &minimum_jerk_gait, 1e-12);
   check_same_motions(gait_of_text("polynomial:0,0,1.0,-1.5,0.6").gait, &minimum_jerk_gait, 1e-12);
 }
 
 /* skewed is a trapezoid without a plateau, but for the definition of the rest by 1 - beta */
-static void skewed_is_a_trapezoid(void **state)
+TEST(skewed_is_a_trapezoid)
 {
-  (void)state;
   struct scallop_straight skewed, trapezoid;
   const double beta[2] = { 0.375, 0.6875 }, rest[2] = { 0.625, 0.3125 };
   assert_int_equal(scallop_make_skewed(&skewed, "skewed", beta), SCALLOP_OK);
@@ -163,9 +153,8 @@ static void skewed_is_a_trapezoid(void **state)
 }
 
 /* beta = 0.3: 1 - beta is no double, so what falls is in two pieces; 0.375 beside it needs one */
-static void pieces_begin_at_doubles(void **state)
+TEST(pieces_begin_at_doubles)
 {
-  (void)state;
   struct scallop_straight g;
   assert_int_equal(scallop_make_skewed(&g, "skewed", (const double[]){ 0.3, 0.7 }), SCALLOP_OK);
   assert_int_equal(g.gait.phase[0].count, 3);
@@ -186,11 +175,8 @@ static void pieces_begin_at_doubles(void **state)
   assert_int_equal(g.gait.phase[1].count, 3);
 }
 
-/* ---- domains ---- */
-
-static void bad_straight_gaits(void **state)
+TEST(bad_straight_gaits)
 {
-  (void)state;
   static const double bad[] = { 0, -0.1, 1, 1.5, 0x1p-101, NAN, INFINITY };
   struct scallop_straight g;
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
@@ -204,9 +190,8 @@ static void bad_straight_gaits(void **state)
   assert_int_equal(scallop_make_trapezoidal(&g, "", much, more), SCALLOP_EDOMAIN);
 }
 
-static void bad_polynomials(void **state)
+TEST(bad_polynomials)
 {
-  (void)state;
   static const struct {
     double c[8];
     int degree;
@@ -233,9 +218,8 @@ static void bad_polynomials(void **state)
 
 /* Two zeros of l', 1e-4 apart, and nearly two more near the end: each has its piece. Their distance is from a search for all zeros
  * in 60 digits, of C1 + 2 C2 s + ... less its value at the end times s^6. */
-static void two_zeros_and_almost_two(void **state)
+TEST(two_zeros_and_almost_two)
 {
-  (void)state;
   static const double c[] = { 0,
                               0,
                               0.15456065558773208,
@@ -254,9 +238,8 @@ static void two_zeros_and_almost_two(void **state)
   CHECK_RELATIVE(back, 1.1640201457269268e-4, 1e-10);
 }
 
-static void bad_splines(void **state)
+TEST(bad_splines)
 {
-  (void)state;
   const struct scallop_knot good[3] = { { 0, 0, 0 }, { 0.5, 0.25, 1 }, { 1, 1, 0 } };
   const struct scallop_knot back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   const struct {
@@ -286,9 +269,8 @@ static void bad_splines(void **state)
 }
 
 /* Once up and down |l'| is concave; with a rest, or a way back, it is not. */
-static void concave_splines(void **state)
+TEST(concave_splines)
 {
-  (void)state;
   const struct scallop_knot once[3] = { { 0, 0, 0 }, { 0.5, 0.5, 1.5 }, { 1, 1, 0 } },
                             rest[4] = { { 0, 0, 0 }, { 0.25, 0.5, 0 }, { 0.5, 0.5, 0 }, { 1, 1, 0 } },
                             detour[4] = { { 0, 0, 0 }, { 0.25, 0.75, 0 }, { 0.5, 0.5, 0 }, { 1, 1, 0 } },
@@ -304,15 +286,6 @@ static void concave_splines(void **state)
     assert_true(s.gait.phase[SCALLOP_CONTRACTION].concave);
     CHECK_EQUAL(s.gait.phase[SCALLOP_EXTENSION].net, 1 - i * 0.25); /* the share of the phase there, minus that back */
   }
-}
-
-/* ---- symmetry ---- */
-
-static struct scallop_steady_result steady_of(const struct scallop_crawler *c)
-{
-  struct scallop_steady_result s;
-  assert_int_equal(scallop_steady(c, &s), SCALLOP_OK);
-  return s;
 }
 
 /* L - l, half a period later */
@@ -343,9 +316,8 @@ static void turn(const struct scallop_gait *gait, struct turned *turned)
 
 /* Time scale: twice the period at a quarter of the forces is the same motion, slower: exact, by powers of 2. Bodies exchanged and seen in a
  * mirror: the same motion. Bodies exchanged alone: the separation is L - l, so extension and contraction change places. */
-static void symmetries(void **state)
+TEST(symmetries)
 {
-  (void)state;
   struct random r = { 20261203 };
   struct random_gait made;
   for (int i = 0; i < 60 * RANDOM_GAITS; i++) {
@@ -360,7 +332,7 @@ static void symmetries(void **state)
     struct scallop_steady_result b = steady_of(&d);
     CHECK_EQUAL(2 * b.period.v_start, a.period.v_start);
     CHECK_EQUAL(b.period.displacement, a.period.displacement);
-    d = (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, gait };
+    d = exchanged(&c);
     b = steady_of(&d);
     CHECK_NEAR(-b.period.v_start, a.period.v_start, 1e-12 * unit);
     CHECK_NEAR(-b.period.displacement, a.period.displacement, 1e-12 * unit * c.T);
@@ -377,9 +349,8 @@ static void symmetries(void **state)
 
 /* With l'' = 0 at the ends a body that starts from rest, and is held at first, turns back before the end by a time that goes as T^2: at T = 1e-80
  * by 1e-81 of the phase, in a piece that takes a fifth of it. */
-static void turns_next_to_the_ends(void **state)
+TEST(turns_next_to_the_ends)
 {
-  (void)state;
   struct scallop_crawler c = { 2.1585372372426566, 0.4367960174828488,
                                1.6360601029330115, 6.624494351254064,
                                1.1004164832244088, 0x1p-80,
@@ -397,9 +368,8 @@ static void turns_next_to_the_ends(void **state)
 }
 
 /* What mirrors and what is reversible */
-static void the_same_laws(void **state)
+TEST(the_same_laws)
 {
-  (void)state;
   static const struct {
     const char *text;
     bool mirrors, reversible;
@@ -422,14 +392,11 @@ static void the_same_laws(void **state)
   }
 }
 
-/* ---- a rest ---- */
-
 /* The extension is over at half of its phase, and l rests for the other half: friction then takes (F1 + F2) tau/2 / M from the
  * velocity that both bodies have, but no more than there is. What comes before is a phase of half the duration with the same cubic,
  * 3 s^2 - 2 s^3. */
-static void rest_at_the_end(void **state)
+TEST(rest_at_the_end)
 {
-  (void)state;
   struct scallop_piece pieces[7];
   struct scallop_law laws[7];
   struct scallop_spline s = { .pieces = pieces, .laws = laws };
@@ -458,26 +425,8 @@ static void rest_at_the_end(void **state)
   }
 }
 
-/* ---- texts and files ---- */
-
-static char path[] = "/tmp/scallop-gait-XXXXXX";
+static const char path[] = "gait";
 static char text[64];
-
-static int make_file(void **state)
-{
-  (void)state;
-  int file = mkstemp(path);
-  if (file < 0)
-    return -1;
-  close(file);
-  return 0;
-}
-
-static int remove_file(void **state)
-{
-  (void)state;
-  return unlink(path);
-}
 
 /* The gait measured in a file of these bytes. Each has another name: what was read once is not read again. */
 static struct gait_answer measured(const char *bytes, size_t size)
@@ -487,15 +436,14 @@ static struct gait_answer measured(const char *bytes, size_t size)
   assert_non_null(file);
   assert_int_equal(fwrite(bytes, 1, size, file), size);
   assert_int_equal(fclose(file), 0);
-  snprintf(text, sizeof text, "measured:%.*s%s", number++ % 16, "////////////////", path);
+  snprintf(text, sizeof text, "measured:%.*s%s", 2 * (number++ % 16), "././././././././././././././././", path);
   return gait_of_text(text);
 }
 
 static struct gait_answer measured_text(const char *table) { return measured(table, strlen(table)); }
 
-static void bad_files(void **state)
+TEST(bad_files)
 {
-  (void)state;
   static const struct {
     const char *table, *says;
   } bad[] = { { "", ": 0 rows" },
@@ -527,9 +475,8 @@ static void bad_files(void **state)
   assert_non_null(strstr(binary.wrong, ":2: this is not a text file"));
 }
 
-static void files_that_cannot_be_read(void **state)
+TEST(files_that_cannot_be_read)
 {
-  (void)state;
   struct gait_answer none = gait_of_text("measured:/nowhere/at/all"), folder = gait_of_text("measured:/tmp");
   assert_int_equal(none.fault, GAIT_UNREADABLE);
   assert_null(none.gait);
@@ -538,9 +485,8 @@ static void files_that_cannot_be_read(void **state)
   assert_int_equal(gait_of_text("measured:").fault, GAIT_UNKNOWN);
 }
 
-static void too_long_a_file(void **state)
+TEST(too_long_a_file)
 {
-  (void)state;
   enum { ROWS = 100001 };
   char *table = malloc(ROWS * 16);
   size_t size = 0;
@@ -554,9 +500,8 @@ static void too_long_a_file(void **state)
 }
 
 /* Comments, blank lines, a header, any blanks, CRLF; the period begins at the minimum. */
-static void a_good_file(void **state)
+TEST(a_good_file)
 {
-  (void)state;
   double L, T, alpha, l, l_later;
   struct gait_answer a = measured_text("# a comment\r\n\r\nt\tl\r\n 1 3\n2\t \t5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
   if (!a.gait) {
@@ -578,9 +523,8 @@ static void a_good_file(void **state)
   assert_false(gait_has_own(&scallop_gait_quadratic, &L, &T, &alpha));
 }
 
-static void texts(void **state)
+TEST(texts)
 {
-  (void)state;
   static const struct {
     const char *text, *says;
   } bad[] = { { "trapezodal", "did you mean 'trapezoidal'" }, { "skewed:0.3x", "'0.3x' is not a number" },
@@ -600,8 +544,6 @@ static void texts(void **state)
   check_same_motions(a.gait, b.gait, 0);
   check_same_motions(gait_of_text("skewed").gait, gait_of_text("skewed:0.25,0.25").gait, 0);
 }
-
-/* ---- convergence ---- */
 
 /* A gait measured at 2n + 1 equally spaced points of l, which is given over the extension and goes the same way back */
 static const struct scallop_gait *sampled(double (*l)(double s), int n)
@@ -633,9 +575,8 @@ static double parabolas(double s) { return s < 0.5 ? 2 * s * s : 1 - 2 * (1 - s)
 
 /* Steffen's slope is that of the parabola through three points, to second order, unless twice a secant is less, which where |l'| is
  * concave from 0 it is not: so l' is right to second order. The steady state follows. */
-static void samples_of_the_sinusoidal_gait(void **state)
+TEST(samples_of_the_sinusoidal_gait)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default(), d = c;
   d.gait = &scallop_gait_sinusoidal;
   double last = worst_velocity(sampled(wave, 8), &scallop_gait_sinusoidal);
@@ -650,9 +591,8 @@ static void samples_of_the_sinusoidal_gait(void **state)
 
 /* With equally spaced points the parabola through three of them is the gait, but for those around the middle, where l'' jumps: the secants
  * on both sides are 2 - 2/n there, and l' is 2. That is all that is wrong: motions whose bodies turn elsewhere are the same. */
-static void samples_of_the_quadratic_gait(void **state)
+TEST(samples_of_the_quadratic_gait)
 {
-  (void)state;
   for (int n = 8; n <= 512; n *= 2)
     CHECK_NEAR(worst_velocity(sampled(parabolas, n), &scallop_gait_quadratic), 2. / n, 1e-12);
   struct random r = { 20261205 };
@@ -691,9 +631,8 @@ static void check_each_number(const struct scallop_law *law, struct scallop_law 
   assert_false(law_same(law, other));
 }
 
-static void laws_are_compared(void **state)
+TEST(laws_are_compared)
 {
-  (void)state;
   const double more[2] = { 8, 9 };
   double copy[2] = { 8, 9 };
   const struct scallop_law laws[4] = {
@@ -730,9 +669,8 @@ static void laws_are_compared(void **state)
 }
 
 /* l'' of a straight piece is what it is from the beginning of the piece, and nothing else anywhere. */
-static void a_ramp_has_one_acceleration(void **state)
+TEST(a_ramp_has_one_acceleration)
 {
-  (void)state;
   struct scallop_straight g;
   const double quarters[2] = { 0.25, 0.25 };
   assert_int_equal(scallop_make_trapezoidal(&g, "trapezoidal", quarters, quarters), SCALLOP_OK);
@@ -744,32 +682,4 @@ static void a_ramp_has_one_acceleration(void **state)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(gaits_are_gaits),
-    cmocka_unit_test(halves_are_quadratic),
-    cmocka_unit_test(minimum_jerk_is_a_polynomial),
-    cmocka_unit_test(skewed_is_a_trapezoid),
-    cmocka_unit_test(pieces_begin_at_doubles),
-    cmocka_unit_test(bad_straight_gaits),
-    cmocka_unit_test(bad_polynomials),
-    cmocka_unit_test(two_zeros_and_almost_two),
-    cmocka_unit_test(bad_splines),
-    cmocka_unit_test(concave_splines),
-    cmocka_unit_test(symmetries),
-    cmocka_unit_test(turns_next_to_the_ends),
-    cmocka_unit_test(the_same_laws),
-    cmocka_unit_test(rest_at_the_end),
-    cmocka_unit_test(bad_files),
-    cmocka_unit_test(files_that_cannot_be_read),
-    cmocka_unit_test(too_long_a_file),
-    cmocka_unit_test(a_good_file),
-    cmocka_unit_test(texts),
-    cmocka_unit_test(laws_are_compared),
-    cmocka_unit_test(a_ramp_has_one_acceleration),
-    cmocka_unit_test(samples_of_the_sinusoidal_gait),
-    cmocka_unit_test(samples_of_the_quadratic_gait),
-  };
-  return cmocka_run_group_tests(tests, make_file, remove_file);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -9,28 +9,10 @@
 #include "model/exact/ball.h"
 #include "numerics/certified/certified.h"
 #include "numerics/wide/wide.h"
+#include "tests/certified_balls.h"
 #include "tests/random_gait.h"
 
 enum { BITS = 300, PRECISION = 400, ORDER = 14 };
-
-static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
-
-/* |x - y| with the radii of both */
-static double apart(const arb_t x, const arb_t y)
-{
-  arb_t d;
-  arf_t most;
-  arb_init(d);
-  arf_init(most);
-  arb_sub(d, x, y, PRECISION);
-  arb_get_abs_ubound_arf(most, d, 53);
-  double far = arf_get_d(most, ARF_RND_UP);
-  arb_clear(d);
-  arf_clear(most);
-  return far;
-}
-
-/* ---- laws ---- */
 
 static void ball_of(arb_t x, double value) { arb_set_d(x, value); }
 
@@ -86,9 +68,8 @@ static void doubles_follow_the_law(struct random *r, const struct scallop_shape 
   _arb_vec_clear(t, 4);
 }
 
-static void laws(void **state)
+TEST(laws)
 {
-  (void)state;
   struct random r = { 20261211 };
   struct random_gait made;
   for (int i = 0; i < check_cases(40 * RANDOM_GAITS); i++) {
@@ -102,9 +83,8 @@ static void laws(void **state)
 }
 
 /* A cubic that is cut in the middle of the phase goes on there, turned; a knot is a corner of l''. */
-static void pieces_that_go_on(void **state)
+TEST(pieces_that_go_on)
 {
-  (void)state;
   struct scallop_piece pieces[8];
   struct scallop_law all[8];
   struct scallop_spline s = { .pieces = pieces, .laws = all };
@@ -127,8 +107,6 @@ static void pieces_that_go_on(void **state)
     assert_true(scallop_piece_goes_on(p + i, p + i + 1, &turned));
 }
 
-/* ---- double against certified ---- */
-
 /* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded twice, a unit at most. In
  * directed rounding all these have one sign, and no spread is promised. pieces: 0, or how many there are of a spline. */
 static void judge(const struct stress_case *s, int pieces)
@@ -149,9 +127,8 @@ static void judge(const struct stress_case *s, int pieces)
 }
 
 /* The promise of numerics.h: 8 units */
-static void promise(void **state)
+TEST(promise)
 {
-  (void)state;
   static const enum family families[] = { ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE };
   struct random r = { 20261212 };
   struct random_gait made;
@@ -167,44 +144,24 @@ static void promise(void **state)
   }
 }
 
-static void check_number(double got, const arb_t wanted, double size, const struct scallop_crawler *c, const char *what)
-{
-  if (fabs(got - middle(wanted)) <= 1e-13 * size)
-    return;
-  print_crawler(c);
-  fail_msg("%s: %.17g, and %.17g is wanted", what, got, middle(wanted));
-}
-
 /* Where l' changes its sign within a phase, and c is small there, a body's turn is known to an ulp of the phase and not of the time from
  * there: so velocities are right to an ulp of the largest l'. */
-static void turning(void **state)
+TEST(turning)
 {
-  (void)state;
   struct random r = { 20261213 };
   struct random_gait made;
-  struct scallop_certified_steady wanted;
-  struct scallop_rational_crawler exact;
-  scallop_certified_steady_init(&wanted);
-  scallop_rational_init(&exact);
+  SCOPED(scallop_certified_steady, wanted);
   for (int i = 0; i < check_cases(60); i++) {
     const struct scallop_gait *gait = random_gait(&r, i % 2 ? TURNING_SPLINE : TURNING_POLYNOMIAL, &made);
     struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, gait);
-    struct scallop_steady_result got;
-    const char *why = "";
-    scallop_rational_of(&exact, &c);
-    assert_int_equal(scallop_steady(&c, &got), SCALLOP_OK);
-    if (scallop_certified_steady(&exact, 20, &wanted, &why) != SCALLOP_OK) {
-      print_crawler(&c);
-      fail_msg("%s", why);
-    }
+    struct scallop_steady_result got = steady_of(&c);
+    certify_steady(&wanted, &c, 20);
     double peak = fmax(gait->phase[0].peak, gait->phase[1].peak), unit = peak * c.L / (c.T * fmin(c.alpha, 1 - c.alpha));
-    check_number(got.period.v_start, wanted.v_start, unit, &c, "v_start");
-    check_number(got.period.v_mid, wanted.v_mid, unit, &c, "v_mid");
-    check_number(got.period.displacement, wanted.displacement, unit * c.T, &c, "displacement");
-    check_number(got.period.multiplier, wanted.multiplier, 100, &c, "multiplier");
+    check_number(got.period.v_start, wanted.v_start, 1e-13 * unit, &c, "v_start");
+    check_number(got.period.v_mid, wanted.v_mid, 1e-13 * unit, &c, "v_mid");
+    check_number(got.period.displacement, wanted.displacement, 1e-13 * unit * c.T, &c, "displacement");
+    check_number(got.period.multiplier, wanted.multiplier, 1e-11, &c, "multiplier");
   }
-  scallop_rational_clear(&exact);
-  scallop_certified_steady_clear(&wanted);
 }
 
 /* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each other: so there are
@@ -233,9 +190,7 @@ static const struct scallop_gait *far_turning(struct random *r, struct scallop_p
 /* l' has the sign that the piece says, also where all of it is next to a turn. */
 static void directions_hold(struct random *r, const struct scallop_shape *shape)
 {
-  arb_t u, speed;
-  arb_init(u);
-  arb_init(speed);
+  SCOPED(arb, u, speed);
   for (int i = 0; i < shape->count; i++)
     for (int k = 0; k < 8; k++) {
       const struct scallop_piece *p = &shape->pieces[i];
@@ -247,76 +202,51 @@ static void directions_hold(struct random *r, const struct scallop_shape *shape)
       scallop_ball_speed(speed, p, u, BITS);
       assert_true(arb_is_positive(speed));
     }
-  arb_clear(u);
-  arb_clear(speed);
 }
 
 static void check_wide(struct scallop_wide got, const arb_t wanted, double size, const struct scallop_crawler *c)
 {
-  arb_t value, low;
-  arb_init(value);
-  arb_init(low);
+  SCOPED(arb, value, low);
   arb_set_d(value, got.high);
   arb_set_d(low, got.low);
   arb_add(value, value, low, PRECISION);
   double far = apart(value, wanted);
-  arb_clear(value);
-  arb_clear(low);
   if (far <= 1e-28 * size)
     return;
   print_crawler(c);
   fail_msg("binary128: %.17g, off by %.3g", got.high, far);
 }
 
-struct precise {
-  struct scallop_rational_crawler crawler;
-  struct scallop_certified_steady steady;
-  struct scallop_certified_phase phase;
-  fmpq_t v0;
-};
-
-static void must_be_decided(enum scallop_status status, const char *why, const struct scallop_crawler *c)
-{
-  if (status == SCALLOP_OK)
-    return;
-  print_crawler(c);
-  fail_msg("%s", why);
-}
-
 /* Double and binary128 against certified, in units of what turning() says */
-static void all_agree(struct precise *e, const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, bool wide)
+static void all_agree(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, bool wide)
 {
-  struct scallop_steady_result steady;
-  struct scallop_phase_result phase;
   struct scallop_wide_steady wide_steady;
   struct scallop_wide_phase wide_phase;
-  const char *why = "";
+  SCOPED(scallop_certified_steady, s);
+  SCOPED(scallop_certified_phase, p);
   double peak = fmax(c->gait->phase[0].peak, c->gait->phase[1].peak),
          unit = peak * c->L / (c->T * fmin(c->alpha, 1 - c->alpha));
-  scallop_rational_of(&e->crawler, c);
-  scallop_rational_set_double(e->v0, v0);
-  must_be_decided(scallop_certified_steady(&e->crawler, 40, &e->steady, &why), why, c);
-  must_be_decided(scallop_certified_phase(&e->crawler, kind, e->v0, 40, &e->phase, &why), why, c);
-  assert_int_equal(scallop_steady(c, &steady), SCALLOP_OK);
-  assert_int_equal(scallop_phase(c, kind, v0, &phase), SCALLOP_OK);
-  check_number(steady.period.v_start, e->steady.v_start, unit, c, "v_start");
-  check_number(steady.period.v_mid, e->steady.v_mid, unit, c, "v_mid");
-  check_number(steady.period.displacement, e->steady.displacement, unit * c->T, c, "displacement");
-  check_number(phase.v_end, e->phase.v_end, unit + fabs(v0), c, "v_end");
-  check_number(phase.dxC, e->phase.dxC, (unit + fabs(v0)) * c->T, c, "dxC");
+  certify_steady(&s, c, 40);
+  certify_phase(&p, c, kind, v0, 40);
+  struct scallop_steady_result steady = steady_of(c);
+  struct scallop_phase_result phase = phase_of(c, kind, v0);
+  check_number(steady.period.v_start, s.v_start, 1e-13 * unit, c, "v_start");
+  check_number(steady.period.v_mid, s.v_mid, 1e-13 * unit, c, "v_mid");
+  check_number(steady.period.displacement, s.displacement, 1e-13 * unit * c->T, c, "displacement");
+  check_number(phase.v_end, p.v_end, 1e-13 * (unit + fabs(v0)), c, "v_end");
+  check_number(phase.dxC, p.dxC, 1e-13 * (unit + fabs(v0)) * c->T, c, "dxC");
   if (!wide || scallop_width_bits(SCALLOP_BINARY128) == 0)
     return;
   assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, c, &wide_steady), SCALLOP_OK);
   assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &wide_phase), SCALLOP_OK);
-  check_wide(wide_steady.period.v_start, e->steady.v_start, unit, c);
-  check_wide(wide_steady.period.displacement, e->steady.displacement, unit * c->T, c);
-  check_wide(wide_phase.v_end, e->phase.v_end, unit + fabs(v0), c);
+  check_wide(wide_steady.period.v_start, s.v_start, unit, c);
+  check_wide(wide_steady.period.displacement, s.displacement, unit * c->T, c);
+  check_wide(wide_phase.v_end, p.v_end, unit + fabs(v0), c);
 }
 
 /* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all the same. */
-static void turning_far_and_hardly(void **state)
+TEST(turning_far_and_hardly)
 {
-  (void)state;
   static const char *const texts[] = { "polynomial:0,0,-60,125,-64",
                                        "polynomial:0,330,-1420,1860,-768",
                                        "polynomial:0,0,220,-1065,1488,-640",
@@ -327,11 +257,6 @@ static void turning_far_and_hardly(void **state)
                                        "polynomial:0,-6.0000000012000002e-10,4.0000000012000001,-3.0000000006" };
   enum { TEXTS = sizeof texts / sizeof *texts, GAITS = 24 };
   struct random r = { 20261214 };
-  struct precise e;
-  scallop_rational_init(&e.crawler);
-  scallop_certified_steady_init(&e.steady);
-  scallop_certified_phase_init(&e.phase);
-  fmpq_init(e.v0);
   for (int i = 0; i < TEXTS + check_cases(GAITS); i++) {
     struct scallop_polynomial made;
     struct scallop_crawler c = scallop_crawler_default();
@@ -343,21 +268,14 @@ static void turning_far_and_hardly(void **state)
       directions_hold(&r, &c.gait->phase[kind]);
     }
     enum scallop_phase_kind kind = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    all_agree(&e, &c, kind, random_start(&r, &c, kind), i % 8 == 0);
+    all_agree(&c, kind, random_start(&r, &c, kind), i % 8 == 0);
   }
-  fmpq_clear(e.v0);
-  scallop_certified_phase_clear(&e.phase);
-  scallop_certified_steady_clear(&e.steady);
-  scallop_rational_clear(&e.crawler);
 }
-
-/* ---- series ---- */
 
 /* The terms below T^ORDER are the certified value, up to about the next one; and the first one is the paper's (26), in which
  * 1/l_0 - 1/l_T = (up + down)(1 - up/2 - down/2), for these crawlers to the last digit, as l' is linear where the bodies turn. */
-static void derived_series(void **state)
+TEST(derived_series)
 {
-  (void)state;
   static const struct {
     const char *text;
     slong numerator, denominator; /* of 1/l_0 - 1/l_T */
@@ -365,18 +283,11 @@ static void derived_series(void **state)
                 { "trapezoidal:0.5,0.25", 15, 32 },
                 { "skewed:0.375", 1, 2 },
                 { "skewed:0.3", 1, 2 } };
-  struct scallop_rational_crawler exact;
-  struct scallop_steady_expansion e;
-  struct scallop_certified_steady wanted;
-  arb_t at, value;
-  fmpq_t first, formula;
-  arb_init(at);
-  arb_init(value);
-  fmpq_init(first);
-  fmpq_init(formula);
-  scallop_rational_init(&exact);
-  scallop_steady_expansion_init(&e);
-  scallop_certified_steady_init(&wanted);
+  SCOPED(arb, at, value);
+  SCOPED(fmpq, first, formula);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_certified_steady, wanted);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct scallop_crawler c = scallop_crawler_default();
     c.gait = gait_of_text(cases[i].text).gait;
@@ -395,20 +306,4 @@ static void derived_series(void **state)
     fmpq_canonicalise(formula);
     assert_true(fmpq_equal(first, formula));
   }
-  fmpq_clear(first);
-  fmpq_clear(formula);
-  arb_clear(at);
-  arb_clear(value);
-  scallop_rational_clear(&exact);
-  scallop_steady_expansion_clear(&e);
-  scallop_certified_steady_clear(&wanted);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(laws),    cmocka_unit_test(pieces_that_go_on),      cmocka_unit_test(promise),
-    cmocka_unit_test(turning), cmocka_unit_test(turning_far_and_hardly), cmocka_unit_test(derived_series),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,9 +7,9 @@
 #include "numerics/rivals/odeiv.h"
 #include "tests/certified_balls.h"
 #include "tests/odd_gaits.h"
-#include "tests/random_crawler.h"
 
 enum { ODD = 10, DIGITS = 30 };
+static const double TOLERANCE = 1e-12;
 static struct teeth teeth;
 static struct scallop_gait curved_first, curved_last, jerk_last;
 static const struct scallop_gait *const odd_gaits[ODD] = { &there_and_back_gait, &detour_gait,   &teeth.gait,   &pause_gait,
@@ -28,9 +28,8 @@ static int make_gaits(void **state)
 }
 
 /* Each phase gains the amplitude, and l' is the derivative of l. */
-static void gaits_are_gaits(void **state)
+TEST(gaits_are_gaits)
 {
-  (void)state;
   enum { PLACES = 64 }; /* ends of pieces are at multiples of 1/32 */
   for (int g = 0; g < ODD; g++)
     for (int kind = 0; kind < 2; kind++) {
@@ -49,22 +48,11 @@ static void gaits_are_gaits(void **state)
     }
 }
 
-/* ---- against the certified solver ---- */
-
 /* Where rounding is not magnified: ordinary crawlers, some of them stuck for a while, some with equal forces */
 static struct scallop_crawler draw(struct random *r, int i, const struct scallop_gait *gait)
 {
   static const enum family families[] = { STICK_SLIP, ORDINARY, ORDINARY, EQUAL_FORCES };
   return random_crawler(r, families[i / ODD % 4], gait);
-}
-
-static void check_number(double got, const arb_t wanted, double size, const struct scallop_crawler *c, const char *what)
-{
-  if (!(fabs(got - middle(wanted)) <= 1e-12 * size)) {
-    print_crawler(c);
-    print_error("%s\n", what);
-    CHECK_NEAR(got, middle(wanted), 1e-12 * size);
-  }
 }
 
 /* The same number of them, and the same ones as far as they are kept */
@@ -86,39 +74,23 @@ static void check_modes(const struct scallop_modes *certified, const struct scal
 
 static void compare_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
 {
-  struct scallop_phase_result d;
-  struct scallop_certified_phase r;
-  struct scallop_rational_crawler exact;
-  fmpq_t start;
-  const char *why = "";
-  double tau = scallop_phase_duration(c, kind);
-  fmpq_init(start);
-  scallop_rational_init(&exact);
-  scallop_certified_phase_init(&r);
-  scallop_rational_of(&exact, c);
-  scallop_rational_set_double(start, v0);
-  assert_int_equal(scallop_phase(c, kind, v0, &d), SCALLOP_OK);
-  if (scallop_certified_phase(&exact, kind, start, DIGITS, &r, &why) != SCALLOP_OK) {
-    print_crawler(c);
-    fail_msg("v0=%.17g: %s", v0, why);
-  }
+  struct scallop_phase_result d = phase_of(c, kind, v0);
+  double tau = scallop_phase_duration(c, kind), way = TOLERANCE * (c->L + fabs(v0) * tau);
+  SCOPED(scallop_certified_phase, r);
+  certify_phase(&r, c, kind, v0, DIGITS);
   check_modes(&r.modes, &d.modes, r.regime, d.regime, c, v0);
   if (r.switches) {
-    check_number(d.t1, r.t1, tau, c, "t1");
-    check_number(d.dT, r.dT, tau, c, "dT");
+    check_number(d.t1, r.t1, TOLERANCE * tau, c, "t1");
+    check_number(d.dT, r.dT, TOLERANCE * tau, c, "dT");
   }
-  check_number(d.v_end, r.v_end, c->L / tau + fabs(v0), c, "v_end");
-  check_number(d.dx1, r.dx1, c->L + fabs(v0) * tau, c, "dx1");
-  check_number(d.dx2, r.dx2, c->L + fabs(v0) * tau, c, "dx2");
-  check_number(d.dxC, r.dxC, c->L + fabs(v0) * tau, c, "dxC");
-  scallop_certified_phase_clear(&r);
-  scallop_rational_clear(&exact);
-  fmpq_clear(start);
+  check_number(d.v_end, r.v_end, way / tau, c, "v_end");
+  check_number(d.dx1, r.dx1, way, c, "dx1");
+  check_number(d.dx2, r.dx2, way, c, "dx2");
+  check_number(d.dxC, r.dxC, way, c, "dxC");
 }
 
-static void phases(void **state)
+TEST(phases)
 {
-  (void)state;
   struct random r = { 20261101 };
   for (int i = 0; i < check_cases(60 * ODD); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % ODD]);
@@ -129,31 +101,19 @@ static void phases(void **state)
 
 static void compare_steady(const struct scallop_crawler *c)
 {
-  struct scallop_steady_result d;
-  struct scallop_certified_steady r;
-  struct scallop_rational_crawler exact;
-  const char *why = "";
-  scallop_rational_init(&exact);
-  scallop_certified_steady_init(&r);
-  scallop_rational_of(&exact, c);
-  assert_int_equal(scallop_steady(c, &d), SCALLOP_OK);
-  if (scallop_certified_steady(&exact, DIGITS, &r, &why) != SCALLOP_OK) {
-    print_crawler(c);
-    fail_msg("%s", why);
-  }
+  struct scallop_steady_result d = steady_of(c);
+  SCOPED(scallop_certified_steady, r);
+  certify_steady(&r, c, DIGITS);
   for (int kind = 0; kind < 2; kind++)
     check_modes(&r.modes[kind], &d.period.modes[kind], r.regime, d.period.regime, c, middle(r.v_start));
-  check_number(d.period.v_start, r.v_start, c->L / c->T, c, "v_start");
-  check_number(d.period.v_mid, r.v_mid, c->L / c->T, c, "v_mid");
-  check_number(d.period.displacement, r.displacement, c->L, c, "displacement");
-  check_number(d.period.multiplier, r.multiplier, 1, c, "multiplier");
-  scallop_certified_steady_clear(&r);
-  scallop_rational_clear(&exact);
+  check_number(d.period.v_start, r.v_start, TOLERANCE * c->L / c->T, c, "v_start");
+  check_number(d.period.v_mid, r.v_mid, TOLERANCE * c->L / c->T, c, "v_mid");
+  check_number(d.period.displacement, r.displacement, TOLERANCE * c->L, c, "displacement");
+  check_number(d.period.multiplier, r.multiplier, TOLERANCE, c, "multiplier");
 }
 
-static void steady_states(void **state)
+TEST(steady_states)
 {
-  (void)state;
   struct random r = { 20261102 };
   for (int i = 0; i < check_cases(24 * CONTINUOUS); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % CONTINUOUS]);
@@ -163,9 +123,8 @@ static void steady_states(void **state)
 
 /* With phases of one duration a gait leads nowhere if the contraction does the opposite of the extension, and detour does not,
  * though |l'| is the same. */
-static void the_same_speeds_in_other_directions(void **state)
+TEST(the_same_speeds_in_other_directions)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result d;
   c.alpha = 0.5;
@@ -179,11 +138,8 @@ static void the_same_speeds_in_other_directions(void **state)
   CHECK_AT_MOST(1e-5 * c.L, fabs(d.period.displacement));
 }
 
-/* ---- against the general-purpose rivals ---- */
-
-static void rivals(void **state)
+TEST(rivals)
 {
-  (void)state;
   struct random r = { 20261105 };
   struct scallop_rival *rival[3] = { scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, 1e-11),
                                      scallop_odeiv_rival(SCALLOP_ODEIV_MSADAMS, 1e-11), scallop_cvode_rival(1e-11) };
@@ -204,8 +160,6 @@ static void rivals(void **state)
     scallop_rival_destroy(rival[k]);
 }
 
-/* ---- more modes than are kept ---- */
-
 static void count_mode(void *context, const struct scallop_interval *interval)
 {
   struct scallop_modes *m = context;
@@ -216,9 +170,8 @@ static void count_mode(void *context, const struct scallop_interval *interval)
 }
 
 /* All are counted; the text has the first ones, "...", and the last. */
-static void modes_beyond_those_kept(void **state)
+TEST(modes_beyond_those_kept)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_phase_result d;
   struct scallop_modes counted = { .count = 0 };
@@ -237,9 +190,8 @@ static void modes_beyond_those_kept(void **state)
 }
 
 /* A batch has the modes that one at a time has, all of them where there are more than it keeps. */
-static void batch(void **state)
+TEST(batch)
 {
-  (void)state;
   enum { COUNT = 40 };
   struct random r = { 20261103 };
   double m1[COUNT], m2[COUNT], F1[COUNT], F2[COUNT], L[COUNT], T[COUNT], alpha[COUNT], v_start[COUNT];
@@ -273,9 +225,8 @@ static void batch(void **state)
 }
 
 /* A phase does not know what the other one is like. */
-static void phases_of_two_kinds(void **state)
+TEST(phases_of_two_kinds)
 {
-  (void)state;
   struct random r = { 20261104 };
   for (int i = 0; i < check_cases(50); i++) {
     struct scallop_crawler mixed = random_crawler(&r, ORDINARY, &curved_last), pure = mixed;
@@ -293,13 +244,4 @@ static void phases_of_two_kinds(void **state)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(gaits_are_gaits), cmocka_unit_test(phases),
-    cmocka_unit_test(steady_states),   cmocka_unit_test(the_same_speeds_in_other_directions),
-    cmocka_unit_test(rivals),          cmocka_unit_test(modes_beyond_those_kept),
-    cmocka_unit_test(batch),           cmocka_unit_test(phases_of_two_kinds),
-  };
-  return cmocka_run_group_tests_name("odd gaits", tests, make_gaits, NULL);
-}
+int main(void) { return check_run(make_gaits, NULL); }

@@ -31,9 +31,8 @@ static struct order_fit estimate(error_of *e, int count, double ratio)
   return order_estimate(points, count);
 }
 
-static void finds_orders(void **state)
+TEST(finds_orders)
 {
-  (void)state;
   static const struct {
     error_of *e;
     double order;
@@ -49,9 +48,8 @@ static void finds_orders(void **state)
     }
 }
 
-static void leaves_out_with_a_reason(void **state)
+TEST(leaves_out_with_a_reason)
 {
-  (void)state;
   estimate(at_floor, 24, 2);
   assert_int_equal(points[0].use, ORDER_USED);
   for (int i = 8; i < 24; i++) /* h^4 < 1e-9 from here on */
@@ -67,9 +65,8 @@ static void leaves_out_with_a_reason(void **state)
   assert_int_equal(points[5].use, ORDER_ZERO);
 }
 
-static void known_noise_is_never_fitted(void **state)
+TEST(known_noise_is_never_fitted)
 {
-  (void)state;
   double h = 1;
   for (int i = 0; i < 20; i++, h /= 2)
     points[i] = (struct order_point){ .h = h, .err = h * h + 1e-6, .noise = 1e-6 };
@@ -81,9 +78,8 @@ static void known_noise_is_never_fitted(void **state)
 }
 
 /* Errors that grow are no roundoff floor when the rounding is known to be far below them. */
-static void growing_above_known_noise(void **state)
+TEST(growing_above_known_noise)
 {
-  (void)state;
   for (int i = 0; i < 30; i++) {
     double h = ldexp(1, -i);
     points[i] = (struct order_point){ .h = h, .err = (i < 4 ? 1e-3 * h * h : 1e-6 / h), .noise = 1e-14 };
@@ -94,18 +90,16 @@ static void growing_above_known_noise(void **state)
 }
 
 /* A table that converges to something else than the answer is not of the order that it shows on the way. */
-static void wrong_limit(void **state)
+TEST(wrong_limit)
 {
-  (void)state;
   for (int i = 0; i < 14; i++)
     points[i] = (struct order_point){ .h = ldexp(1, -i), .err = ldexp(1, -2 * i) + 1e-3 };
   struct order_fit fit = order_estimate(points, 14);
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
 }
 
-static void refuses(void **state)
+TEST(refuses)
 {
-  (void)state;
   assert_int_equal(estimate(cubic, 2, 2).state, ORDER_INSUFFICIENT);
   assert_int_equal(estimate(oscillates, 20, 1.3).state, ORDER_NOT_ASYMPTOTIC);
   assert_true(estimate(only_noise, 20, 2).state != ORDER_FITTED);
@@ -131,9 +125,8 @@ static void refuses(void **state)
   CHECK_EQUAL(order_estimate(points, 6).order, NAN);
 }
 
-static void unsorted_is_sorted(void **state)
+TEST(unsorted_is_sorted)
 {
-  (void)state;
   for (int i = 0; i < 10; i++)
     points[i] = (struct order_point){ .h = ldexp(1, -(i * 7 % 10)), .err = cubic(ldexp(1, -(i * 7 % 10))) };
   struct order_fit fit = order_estimate(points, 10);
@@ -142,9 +135,8 @@ static void unsorted_is_sorted(void **state)
   assert_true(points[0].h > points[1].h);
 }
 
-static void from_values(void **state)
+TEST(from_values)
 {
-  (void)state;
   /* pi + h^p with ratios that change: 1.5, 2, 1.5, ... */
   for (double p = 0.5; p <= 4; p += 0.5) {
     double h = 1;
@@ -178,9 +170,8 @@ static void fill_values(int count, double p, enum values kind, double decimal, b
 
 /* Never a wrong order; and an order where there is nothing but the rounding of doubles, whatever the length of the table, or where
  * values that are rounded more stay the same in the end. */
-static void values_meet_a_floor(void **state)
+TEST(values_meet_a_floor)
 {
-  (void)state;
   static const double decimals[] = { 1e-8, 1e-10 };
   for (int kind = IN_DOUBLES; kind <= NOISY; kind++)
     for (int k = 0; k < 2; k++)
@@ -202,9 +193,8 @@ static void values_meet_a_floor(void **state)
 }
 
 /* Values that stay the same, or are noise alone, have no order; nor are they exact, for all that is known of their error. */
-static void values_without_an_order(void **state)
+TEST(values_without_an_order)
 {
-  (void)state;
   for (int i = 0; i < 12; i++)
     points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 2.385 };
   int left = 12;
@@ -218,9 +208,8 @@ static void values_without_an_order(void **state)
 }
 
 /* The noise of values is known: their differences have that of both. */
-static void values_with_known_noise(void **state)
+TEST(values_with_known_noise)
 {
-  (void)state;
   int left = 20;
   for (int i = 0; i < 20; i++)
     points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
@@ -232,9 +221,8 @@ static void values_with_known_noise(void **state)
 }
 
 /* No error at all passes for any order; errors within a hundred times their noise do not. */
-static void errors_that_are_zero(void **state)
+TEST(errors_that_are_zero)
 {
-  (void)state;
   struct order_fit fit;
   for (int noise = 0; noise < 2; noise++) {
     for (int i = 0; i < 6; i++)
@@ -251,9 +239,8 @@ static void errors_that_are_zero(void **state)
   assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_VERDICT_INSUFFICIENT);
 }
 
-static void verdicts(void **state)
+TEST(verdicts)
 {
-  (void)state;
   static const struct {
     error_of *e;
     int count;
@@ -285,22 +272,4 @@ static void verdicts(void **state)
   /* an order within the tolerance but an interval far beyond it is no pass */
   fit = (struct order_fit){ ORDER_FITTED, 2.05, 1.65, 2.45, 4 };
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_NOT_ASYMPTOTIC);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = { cmocka_unit_test(finds_orders),
-                                      cmocka_unit_test(leaves_out_with_a_reason),
-                                      cmocka_unit_test(known_noise_is_never_fitted),
-                                      cmocka_unit_test(growing_above_known_noise),
-                                      cmocka_unit_test(wrong_limit),
-                                      cmocka_unit_test(refuses),
-                                      cmocka_unit_test(unsorted_is_sorted),
-                                      cmocka_unit_test(from_values),
-                                      cmocka_unit_test(values_meet_a_floor),
-                                      cmocka_unit_test(values_without_an_order),
-                                      cmocka_unit_test(values_with_known_noise),
-                                      cmocka_unit_test(errors_that_are_zero),
-                                      cmocka_unit_test(verdicts) };
-  return cmocka_run_group_tests_name("order", tests, NULL, NULL);
 }

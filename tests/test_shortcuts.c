@@ -8,6 +8,7 @@
 #include "numerics/event/concave.h"
 #include "numerics/event/ramps.h"
 #include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { CRAWLERS = 4000, PHASES = 100000 };
 
@@ -28,8 +29,6 @@ static struct scallop_gait plain(const struct scallop_gait *gait)
     copy.phase[kind].concave = copy.phase[kind].ramps = false;
   return copy;
 }
-
-/* ---- what a gait says of itself ---- */
 
 static void check_concave(const struct scallop_shape *shape)
 {
@@ -52,9 +51,8 @@ static void check_concave(const struct scallop_shape *shape)
   CHECK_NEAR(shape->lT, end->curve->acceleration(end, 0), 0);
 }
 
-static void gaits_are_what_they_say(void **state)
+TEST(gaits_are_what_they_say)
 {
-  (void)state;
   int concave = 0, ramps = 0;
   for (int i = 0; i <= ALL_GAITS; i++)
     for (int kind = 0; kind < 2; kind++) {
@@ -68,8 +66,6 @@ static void gaits_are_what_they_say(void **state)
     }
   assert_true(concave == 8 && ramps == 4);
 }
-
-/* ---- a phase of two ramps ---- */
 
 struct walked {
   struct motion motion;
@@ -112,9 +108,8 @@ static void check_phase(const struct motion_input *in, double c0, enum scallop_p
   }
 }
 
-static void ramps_are_the_walk(void **state)
+TEST(ramps_are_the_walk)
 {
-  (void)state;
   struct random r = { 20261122 };
   long closed = 0;
   for (long n = 0; n < PHASES; n++) {
@@ -133,11 +128,8 @@ static void ramps_are_the_walk(void **state)
   assert_true(closed > PHASES * 0.9);
 }
 
-/* ---- a concave phase ---- */
-
-static void concave_is_the_walk(void **state)
+static void many_phases(const struct scallop_gait *gait)
 {
-  const struct scallop_gait *gait = *state;
   struct random r = { 20261124 };
   long solved = 0, regular = 0;
   for (long n = 0; n < PHASES / 4; n++) {
@@ -171,10 +163,13 @@ static void concave_is_the_walk(void **state)
   assert_true(solved > 1000 && solved > 0.8 * (double)regular);
 }
 
+TEST(concave_is_the_walk_sinusoidal) { many_phases(&scallop_gait_sinusoidal); }
+TEST(concave_is_the_walk_trapezoid) { many_phases(&trapezoid_gait); }
+TEST(concave_is_the_walk_skewed) { many_phases(&skewed_gait); }
+
 /* Exact coincidences are left to the walk: c at the curve just where it turns, c at 0 just at the end. */
-static void coincidences(void **state)
+TEST(coincidences)
 {
-  (void)state;
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 1, 0.5, &scallop_gait_quadratic };
   struct scallop_scaled s;
   struct motion m;
@@ -185,8 +180,6 @@ static void coincidences(void **state)
   assert_false(ramps_solve(&in, 0, &m)); /* equal forces: c stays 0, and is 0 at the end */
   assert_true(ramps_solve(&in, nextafter(1 + 0.5 * in.eps, 2), &m));
 }
-
-/* ---- the steady state ---- */
 
 /* What relative changes of the forces, masses and times do to the velocities at the start and in the middle. */
 static void conditions(const struct scallop_crawler *c, double condition[2])
@@ -209,16 +202,6 @@ static void conditions(const struct scallop_crawler *c, double condition[2])
 static double worst_share;
 static long touches;
 
-static bool modes_alike(const struct scallop_period_result *a, const struct scallop_period_result *b)
-{
-  for (int phase = 0; phase < 2; phase++) {
-    const struct scallop_modes *m = &a->modes[phase], *n = &b->modes[phase];
-    if (m->count != n->count || memcmp(m->kept, n->kept, (size_t)m->count * sizeof *m->kept) != 0)
-      return false;
-  }
-  return true;
-}
-
 static void check_steady(const struct scallop_crawler *c)
 {
   struct scallop_gait gait = plain(c->gait);
@@ -233,7 +216,9 @@ static void check_steady(const struct scallop_crawler *c)
     worst_share = fmax(worst_share, unit > 0 ? fabs(got[i] - wanted[i]) / unit : 0);
     CHECK_NEAR(got[i], wanted[i], 8 * unit);
   }
-  if (!modes_alike(&a.period, &b.period)) { /* c lies on a plateau of |l'|: every motion near it is another */
+  if (!modes_alike(&a.period.modes[0], &b.period.modes[0])
+      || !modes_alike(&a.period.modes[1],
+                      &b.period.modes[1])) { /* c lies on a plateau of |l'|: every motion near it is another */
     touches++;
     return;
   }
@@ -241,9 +226,8 @@ static void check_steady(const struct scallop_crawler *c)
   assert_int_equal(a.period.regime, b.period.regime);
 }
 
-static void steady_states(void **state)
+static void many_steady_states(const struct scallop_gait *gait)
 {
-  const struct scallop_gait *gait = *state;
   struct random r = { 20261123 };
   long shortened = 0;
   worst_share = 0;
@@ -261,14 +245,18 @@ static void steady_states(void **state)
   assert_true(touches <= (gait == &trapezoid_gait ? CRAWLERS / 100 : 0));
 }
 
+TEST(steady_states_quadratic) { many_steady_states(&scallop_gait_quadratic); }
+TEST(steady_states_sinusoidal) { many_steady_states(&scallop_gait_sinusoidal); }
+TEST(steady_states_trapezoid) { many_steady_states(&trapezoid_gait); }
+TEST(steady_states_skewed) { many_steady_states(&skewed_gait); }
+
 /* Many at once are the same as one at a time (test_batch.c has the rest). */
-static void skewed_batch(void **state)
+TEST(skewed_batch)
 {
   enum { MANY = 2000 };
   static double m1[MANY], m2[MANY], F1[MANY], F2[MANY], L[MANY], T[MANY], alpha[MANY], v_start[MANY], displacement[MANY];
   static const struct scallop_gait *gait[MANY];
   struct random r = { 5 };
-  (void)state;
   for (int i = 0; i < MANY; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), &skewed_gait);
     m1[i] = c.m1, m2[i] = c.m2, F1[i] = c.F1, F2[i] = c.F2, L[i] = c.L, T[i] = c.T, alpha[i] = c.alpha, gait[i] = c.gait;
@@ -286,9 +274,8 @@ static void skewed_batch(void **state)
 }
 
 /* The short cut is taken where it should be, and its work is counted. */
-static void work_is_counted(void **state)
+TEST(work_is_counted)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct scallop_steady_result r;
   assert_int_equal(scallop_steady(&c, &r), SCALLOP_OK);
@@ -302,23 +289,4 @@ static void work_is_counted(void **state)
   c.gait = &gait;
   assert_int_equal(scallop_steady(&c, &r), SCALLOP_OK);
   assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods && r.work.gait_evaluations > 20 * r.work.periods);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(gaits_are_what_they_say),
-    cmocka_unit_test(ramps_are_the_walk),
-    cmocka_unit_test_prestate(concave_is_the_walk, (void *)&scallop_gait_sinusoidal),
-    cmocka_unit_test_prestate(concave_is_the_walk, (void *)&trapezoid_gait),
-    cmocka_unit_test_prestate(concave_is_the_walk, (void *)&skewed_gait),
-    cmocka_unit_test(coincidences),
-    cmocka_unit_test_prestate(steady_states, (void *)&scallop_gait_quadratic),
-    cmocka_unit_test_prestate(steady_states, (void *)&scallop_gait_sinusoidal),
-    cmocka_unit_test_prestate(steady_states, (void *)&trapezoid_gait),
-    cmocka_unit_test_prestate(steady_states, (void *)&skewed_gait),
-    cmocka_unit_test(skewed_batch),
-    cmocka_unit_test(work_is_counted),
-  };
-  return cmocka_run_group_tests_name("shortcuts", tests, NULL, NULL);
 }

@@ -1,12 +1,12 @@
 /* The building blocks of `stress --stiff`: certified scenes, creep where a body is stuck against what is measured, the order in
  * delta, and what is said when a stepper gives up. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include <gsl/gsl_errno.h>
 
 #include "compare/stress/stiff_measure.h"
+#include "tests/random_crawler.h"
+#include "tests/solved.h"
 
 enum { LONG = 100000, DECADES = 6 };
 
@@ -14,8 +14,7 @@ static const double pi = 3.14159265358979323846;
 
 static struct scallop_crawler sticking(const struct scallop_gait *gait)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = gait;
+  struct scallop_crawler c = with_gait(gait);
   c.T = 4;
   return c;
 }
@@ -28,18 +27,11 @@ static struct stiff_scene scene_of(const struct scallop_crawler *c)
   return scene;
 }
 
-/* The same body after an exchange of the bodies, which turns left into right */
-static struct scallop_crawler exchanged(struct scallop_crawler c)
-{
-  return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
-}
-
 /* High is what the double solver gives, and low is what it cannot: less than an ulp, and not just 0. */
-static void certified_values(void **state)
+TEST(certified_values)
 {
-  (void)state;
   for (int i = 0; i < 4; i++) {
-    struct scallop_crawler c = sticking(i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
     c.T = i < 2 ? 1 : 4;
     struct stiff_scene scene = scene_of(&c);
     struct scallop_period_result exact;
@@ -60,9 +52,8 @@ static void certified_values(void **state)
 
 /* By hand: while body 1 is stuck the mechanism pulls it with -(m2 l'' + F2). l'' = -40/9 in the second half of the quadratic
  * extension, which lasts 3, and that is to its end. */
-static void held_by_hand_quadratic(void **state)
+TEST(held_by_hand_quadratic)
 {
-  (void)state;
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
   struct stiff_scene scene = scene_of(&c);
   const double force = (40 / 9.0 - 1) / 4;
@@ -77,10 +68,9 @@ static void held_by_hand_quadratic(void **state)
 /* Sinusoidal, l'' = (5 pi^2/9) cos(pi t/3): it is let go when the force has grown to its friction, -l'' = 5. */
 static double sinusoidal_creep(double t) { return atanh((-5 * pi * pi / 9 * cos(pi * t / 3) - 1) / 4); }
 
-static void held_by_hand_sinusoidal(void **state)
+TEST(held_by_hand_sinusoidal)
 {
   enum { PARTS = 200000 };
-  (void)state;
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
   const struct stiff_held held = scene_of(&c).held;
   double sum = 0, part = (held.end - held.begin) / PARTS;
@@ -92,11 +82,10 @@ static void held_by_hand_sinusoidal(void **state)
 }
 
 /* The bodies exchanged, and the phases too: everything has the other sign. */
-static void held_in_a_mirror(void **state)
+TEST(held_in_a_mirror)
 {
-  (void)state;
   for (int i = 0; i < 2; i++) {
-    struct scallop_crawler c = sticking(i == 0 ? &scallop_gait_quadratic : &scallop_gait_sinusoidal), d = exchanged(c);
+    struct scallop_crawler c = sticking(every_gait[i]), d = exchanged(&c);
     struct stiff_held a = scene_of(&c).held, b = scene_of(&d).held;
     assert_true(a.body == 1 && b.body == 2 && b.phase == SCALLOP_EXTENSION);
     CHECK_RELATIVE(b.creep, -a.creep, 1e-9);
@@ -111,9 +100,8 @@ static void held_in_a_mirror(void **state)
 
 /* Body 1 never moves. Quadratic, over both halves of the longer phase, whichever that is: l'' = +-4/90 and the signs of a
  * contraction. */
-static void held_all_the_time(void **state)
+TEST(held_all_the_time)
 {
-  (void)state;
   const double halves = atanh(-(4 / 90.0 + 1) / 4) + atanh((4 / 90.0 - 1) / 4);
   for (int i = 0; i < 2; i++) {
     struct scallop_crawler c = sticking(&scallop_gait_quadratic);
@@ -128,11 +116,10 @@ static void held_all_the_time(void **state)
   }
 }
 
-static void nothing_to_compare_with(void **state)
+TEST(nothing_to_compare_with)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct stiff_scene scene;
-  (void)state;
   c.T = 1e-200;
   assert_non_null(stiff_scene_init(&scene, "too short", &c));
   c.T = 1;
@@ -140,9 +127,8 @@ static void nothing_to_compare_with(void **state)
   assert_non_null(stiff_scene_init(&scene, "no alpha", &c));
 }
 
-static void errors_are_the_periods(void **state)
+TEST(errors_are_the_periods)
 {
-  (void)state;
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
   struct stiff_scene scene = scene_of(&c);
   for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++) {
@@ -165,13 +151,12 @@ static void errors_are_the_periods(void **state)
 }
 
 /* What is left against the prediction is of a higher order in delta. */
-static void creep_is_as_predicted(void **state)
+TEST(creep_is_as_predicted)
 {
-  (void)state;
   for (int i = 0; i < 8; i++) {
-    struct scallop_crawler c = sticking(i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
     c.alpha = i & 2 ? 0.75 : 0.25;
-    c = i & 4 ? exchanged(c) : c;
+    c = i & 4 ? exchanged(&c) : c;
     struct stiff_scene scene = scene_of(&c);
     double before = INFINITY;
     for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++)
@@ -190,11 +175,10 @@ static void creep_is_as_predicted(void **state)
 }
 
 /* A body that is let go gradually leaves at v_delta/4 ln(1/delta) and a constant; one that is let go by a jump, at its creep. */
-static void last_velocity(void **state)
+TEST(last_velocity)
 {
-  (void)state;
   for (int gradual = 0; gradual < 2; gradual++) {
-    struct scallop_crawler c = sticking(gradual ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = sticking(every_gait[gradual]);
     struct stiff_scene scene = scene_of(&c);
     struct stiff_run run;
     double before = NAN;
@@ -217,9 +201,8 @@ static bool count(void *context)
 }
 
 /* As many steps as it takes are enough, and one less is not. */
-static void most_steps(void **state)
+TEST(most_steps)
 {
-  (void)state;
   struct scallop_crawler c = scallop_crawler_default();
   struct stiff_scene scene = scene_of(&c);
   struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9);
@@ -235,9 +218,8 @@ static void most_steps(void **state)
   assert_false(run.solved);
 }
 
-static void a_run_that_gives_up(void **state)
+TEST(a_run_that_gives_up)
 {
-  (void)state;
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
   struct stiff_scene scene = scene_of(&c);
   struct stiff_run run;
@@ -251,11 +233,10 @@ static void a_run_that_gives_up(void **state)
   assert_false(run.solved);
 }
 
-static void order_of_the_model(void **state)
+TEST(order_of_the_model)
 {
-  (void)state;
   for (int i = 0; i < 4; i++) {
-    struct scallop_crawler c = sticking(i % 2 ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
     c.T = i < 2 ? 1 : 4;
     struct stiff_scene scene = scene_of(&c);
     struct stiff_run runs[DECADES];
@@ -286,11 +267,10 @@ static void make_runs(struct stiff_run runs[DECADES], double order)
   }
 }
 
-static void trends_that_are_not_of_order_one(void **state)
+TEST(trends_that_are_not_of_order_one)
 {
   struct stiff_run runs[DECADES];
   struct stiff_trend t;
-  (void)state;
   make_runs(runs, 1);
   CHECK_NEAR(stiff_trend(runs, DECADES, STIFF_V_END).fit.order, 1, 1e-9);
   assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).good, 0);
@@ -318,21 +298,6 @@ static void trends_that_are_not_of_order_one(void **state)
 
 int main(void)
 {
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(certified_values),
-    cmocka_unit_test(held_by_hand_quadratic),
-    cmocka_unit_test(held_by_hand_sinusoidal),
-    cmocka_unit_test(held_in_a_mirror),
-    cmocka_unit_test(held_all_the_time),
-    cmocka_unit_test(nothing_to_compare_with),
-    cmocka_unit_test(errors_are_the_periods),
-    cmocka_unit_test(creep_is_as_predicted),
-    cmocka_unit_test(last_velocity),
-    cmocka_unit_test(most_steps),
-    cmocka_unit_test(a_run_that_gives_up),
-    cmocka_unit_test(order_of_the_model),
-    cmocka_unit_test(trends_that_are_not_of_order_one),
-  };
   gsl_set_error_handler_off();
-  return cmocka_run_group_tests_name("stiff", tests, NULL, NULL);
+  return check_run(NULL, NULL);
 }

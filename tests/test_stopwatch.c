@@ -2,9 +2,8 @@
 #include "check.h"
 #include "compare/workprec/stopwatch.h"
 
-static void spread_of_known_samples(void **state)
+TEST(spread_of_known_samples)
 {
-  (void)state;
   double samples[] = { 7.5, 1.25, 3.5, 2.25, 100 };
   struct stopwatch_spread s = stopwatch_spread(samples, 5);
   CHECK_EQUAL(s.median, 3.5);
@@ -14,9 +13,8 @@ static void spread_of_known_samples(void **state)
   assert_int_equal(s.repetitions, 5);
 }
 
-static void spread_between_samples(void **state)
+TEST(spread_between_samples)
 {
-  (void)state;
   double four[] = { 4, 1, 3, 2 };
   struct stopwatch_spread s = stopwatch_spread(four, 4);
   CHECK_EQUAL(s.median, 2.5);
@@ -30,9 +28,8 @@ static void spread_between_samples(void **state)
   CHECK_EQUAL(s.q3, 7);
 }
 
-static void spread_of_one_and_of_none(void **state)
+TEST(spread_of_one_and_of_none)
 {
-  (void)state;
   double one[] = { 2.385 };
   struct stopwatch_spread s = stopwatch_spread(one, 1);
   CHECK_EQUAL(s.median, 2.385);
@@ -48,9 +45,8 @@ static void spread_of_one_and_of_none(void **state)
   assert_int_equal(s.repetitions, 0);
 }
 
-static void the_clock_never_falls(void **state)
+TEST(the_clock_never_falls)
 {
-  (void)state;
   double last = stopwatch_now();
   for (int i = 0; i < 100000; i++) {
     double now = stopwatch_now();
@@ -72,9 +68,8 @@ static double count_up(void *context)
   return (double)++*calls;
 }
 
-static void a_batch_calls_so_often(void **state)
+TEST(a_batch_calls_so_often)
 {
-  (void)state;
   long calls = 0;
   double seconds = stopwatch_batch(count_up, &calls, 1234);
   assert_int_equal(calls, 1234);
@@ -89,9 +84,8 @@ static double busy(void *context)
   return end;
 }
 
-static void passes_fill_the_time(void **state)
+TEST(passes_fill_the_time)
 {
-  (void)state;
   double half_a_millisecond = 5e-4;
   assert_int_equal(stopwatch_passes(busy, &half_a_millisecond, 1e-5), 1);
   long passes = stopwatch_passes(busy, &half_a_millisecond,
@@ -102,9 +96,8 @@ static void passes_fill_the_time(void **state)
   assert_true(stopwatch_now() - start >= 3 * half_a_millisecond);
 }
 
-static void a_limit_ends(void **state)
+TEST(a_limit_ends)
 {
-  (void)state;
   struct stopwatch_limit over = stopwatch_limit(0);
   assert_false(stopwatch_lasts(&over));
   double start = stopwatch_now();
@@ -118,9 +111,8 @@ static void a_limit_ends(void **state)
 }
 
 /* Fast answers are many to a reading of the clock; slow ones have a reading each, so that a limit is not overrun by many. */
-static void readings_are_thinned_out(void **state)
+TEST(readings_are_thinned_out)
 {
-  (void)state;
   struct stopwatch_limit limit = stopwatch_limit(60);
   for (int i = 0; i < 100000; i++)
     assert_true(stopwatch_lasts(&limit));
@@ -133,19 +125,4 @@ static void readings_are_thinned_out(void **state)
   }
   assert_true(stopwatch_lasts(&limit));
   assert_int_equal(limit.stride, 1);
-}
-
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(spread_of_known_samples),
-    cmocka_unit_test(spread_between_samples),
-    cmocka_unit_test(spread_of_one_and_of_none),
-    cmocka_unit_test(the_clock_never_falls),
-    cmocka_unit_test(a_batch_calls_so_often),
-    cmocka_unit_test(passes_fill_the_time),
-    cmocka_unit_test(a_limit_ends),
-    cmocka_unit_test(readings_are_thinned_out),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

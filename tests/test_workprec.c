@@ -69,9 +69,8 @@ static void measure(struct bench *b, double limit)
 }
 
 /* Fast ones take no time to speak of, simulations 3 ms. */
-static void the_front(void **state)
+TEST(the_front)
 {
-  (void)state;
   struct bench *b = bench_make();
   enum { ASIDE, SLOW_RIGHT, SLOW_WRONG, FAST_WRONG, SLOW_WORSE, COUNT };
   static const struct {
@@ -103,9 +102,8 @@ static void the_front(void **state)
   bench_clear(b);
 }
 
-static void those_without_an_answer(void **state)
+TEST(those_without_an_answer)
 {
-  (void)state;
   struct bench *b = bench_make();
   add(b, METHOD_ROOT, SCALLOP_ECONVERGE, end_with);
   add(b, METHOD_ROOT, SCALLOP_STOPPED, end_with)->tolerance = b->reference.v_start * 1.25;
@@ -134,9 +132,8 @@ static void those_without_an_answer(void **state)
   bench_clear(b);
 }
 
-static void errors_as_they_are_written(void **state)
+TEST(errors_as_they_are_written)
 {
-  (void)state;
   CHECK_EQUAL(printed_error_log10("0"), -INFINITY);
   CHECK_EQUAL(printed_error_log10("0.0100"), -2);
   CHECK_NEAR(printed_error_log10("2.00e-500"), log10(2) - 500, 1e-12);
@@ -147,9 +144,8 @@ static void errors_as_they_are_written(void **state)
   CHECK_EQUAL(printed_seconds(1.23456789e-7), 1.235e-7);
 }
 
-static void points_that_cannot_be(void **state)
+TEST(points_that_cannot_be)
 {
-  (void)state;
   struct scallop_crawler crawler = scallop_crawler_default();
   struct reference reference;
   crawler.m1 = 1e-300;
@@ -173,9 +169,8 @@ static void add_measured(struct bench *b, enum method_kind kind, const char *met
   s->error_log10[DISPLACEMENT] = NAN;
 }
 
-static void the_cheapest(void **state)
+TEST(the_cheapest)
 {
-  (void)state;
   struct bench *b = bench_make();
   add_measured(b, METHOD_OTHER, "batch", "1e-16", 1e-9); /* answers another question */
   add_measured(b, METHOD_FORMULA, "published", "1.00e-6", 1e-7);
@@ -219,11 +214,4 @@ static void the_cheapest(void **state)
   bench_clear(b);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    cmocka_unit_test(the_front),    cmocka_unit_test(those_without_an_answer), cmocka_unit_test(errors_as_they_are_written),
-    cmocka_unit_test(the_cheapest), cmocka_unit_test(points_that_cannot_be),
-  };
-  return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
-}
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -27,23 +27,19 @@ static struct scallop_crawler any_crawler(struct random *r)
 
 static void solve(struct scallop_certified_steady *s, const struct scallop_crawler *c, const struct scallop_gait *gait)
 {
-  struct scallop_rational_crawler exact;
   const char *why = "";
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   exact.gait = gait;
   if (scallop_certified_steady(&exact, DIGITS, s, &why) != SCALLOP_OK)
     fail_msg("%s: %s", gait->name, why);
-  scallop_rational_clear(&exact);
 }
 
 /* Both gaits move a crawler alike to 50 digits; unlike: they differ, by less than rounding of their numbers can do. */
 static void compare(struct random *r, const struct scallop_gait *one, const struct scallop_gait *other, bool alike)
 {
-  struct scallop_certified_steady a, b;
   struct scallop_crawler c = any_crawler(r);
-  scallop_certified_steady_init(&a);
-  scallop_certified_steady_init(&b);
+  SCOPED(scallop_certified_steady, a, b);
   solve(&a, &c, one);
   solve(&b, &c, other);
   double size = c.L / c.T, far = apart(a.v_mid, b.v_mid);
@@ -51,8 +47,6 @@ static void compare(struct random *r, const struct scallop_gait *one, const stru
     print_crawler(&c);
     fail_msg("%s and %s: v_mid differs by %g", one->name, other->name, far);
   }
-  scallop_certified_steady_clear(&a);
-  scallop_certified_steady_clear(&b);
 }
 
 /* All digits of doubles: what the doubles themselves make, by another way. */
@@ -145,11 +139,9 @@ TEST(a_table_of_doubles)
 /* What a table has of its own: 1/3 of the period, of 0.3. */
 TEST(own_numbers)
 {
-  struct scallop_rational_crawler exact;
   struct point p = point_initial(NULL);
-  fmpq_t wanted;
-  scallop_rational_init(&exact);
-  fmpq_init(wanted);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, wanted);
   write_text("own.txt", "0.1 0.5\n0.15 1\n0.2 1.2\n0.3 1\n0.4 0.5\n");
   p.crawler.gait = gait_of("measured:own.txt");
   point_complete(&p);
@@ -164,8 +156,6 @@ TEST(own_numbers)
   rational_point(&exact, NULL, &p);
   fmpq_set_si(wanted, 3, 8);
   assert_true(fmpq_equal(exact.alpha, wanted));
-  fmpq_clear(wanted);
-  scallop_rational_clear(&exact);
 }
 
 /* Whose doubles stand for them */
