@@ -80,6 +80,14 @@ static inline struct scallop_crawler in_units(const struct scallop_crawler *c, c
                                    c->L * u->length, c->T * u->time,  c->alpha,      c->gait };
 }
 
+/* m1, m2, F1, F2, L, T, alpha */
+enum { PARAMETERS = 7 };
+static inline double *parameter(struct scallop_crawler *c, int i)
+{
+  double *const all[PARAMETERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
+  return all[i];
+}
+
 static inline struct scallop_crawler exchanged(const struct scallop_crawler *c)
 {
   return (struct scallop_crawler){ c->m2, c->m1, c->F2, c->F1, c->L, c->T, c->alpha, c->gait };

@@ -210,14 +210,13 @@ TEST(validation)
 {
   const char *const name[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
   const double bad[] = { NAN, INFINITY, -INFINITY, 0, -0.0, -2.385, -DBL_TRUE_MIN };
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < PARAMETERS; i++)
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
       struct scallop_crawler c = scallop_crawler_default();
-      double *const input[] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
-      *input[i] = bad[k];
+      *parameter(&c, i) = bad[k];
       complains(&c, name[i], bad[k]);
-      if (i + 1 < 7) { /* the first bad one is named */
-        *input[i + 1] = -1;
+      if (i + 1 < PARAMETERS) { /* the first bad one is named */
+        *parameter(&c, i + 1) = -1;
         complains(&c, name[i], bad[k]);
       }
     }
@@ -247,9 +246,9 @@ TEST(good_crawlers_leave_the_complaint_alone)
 TEST(defaults)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  const double got[] = { c.m1, c.m2, c.F1, c.F2, c.L, c.T, c.alpha }, wanted[] = { 1, 1, 4, 1, 10, 1, 0.75 };
-  for (int i = 0; i < 7; i++)
-    CHECK_EQUAL(got[i], wanted[i]);
+  const double wanted[PARAMETERS] = { 1, 1, 4, 1, 10, 1, 0.75 };
+  for (int i = 0; i < PARAMETERS; i++)
+    CHECK_EQUAL(*parameter(&c, i), wanted[i]);
   assert_ptr_equal(c.gait, &scallop_gait_quadratic);
   CHECK_EQUAL(scallop_phase_duration(&c, SCALLOP_EXTENSION), 0.75);
   CHECK_EQUAL(scallop_phase_duration(&c, SCALLOP_CONTRACTION), 0.25);

@@ -126,15 +126,14 @@ TEST(steady_states)
 TEST(the_same_speeds_in_other_directions)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_steady_result d;
   c.alpha = 0.5;
   c.gait = &there_and_back_gait;
   compare_steady(&c);
-  assert_int_equal(scallop_steady(&c, &d), SCALLOP_OK);
+  struct scallop_steady_result d = steady_of(&c);
   CHECK_EQUAL(d.period.displacement, 0);
   c.gait = &detour_gait;
   compare_steady(&c);
-  assert_int_equal(scallop_steady(&c, &d), SCALLOP_OK);
+  d = steady_of(&c);
   CHECK_AT_MOST(1e-5 * c.L, fabs(d.period.displacement));
 }
 
@@ -145,9 +144,8 @@ TEST(rivals)
                                      scallop_odeiv_rival(SCALLOP_ODEIV_MSADAMS, 1e-11), scallop_cvode_rival(1e-11) };
   for (int i = 0; i < check_cases(30 * ODD); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % ODD]);
-    struct scallop_period_result exact;
     double unit = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)), v0 = random_start(&r, &c, SCALLOP_EXTENSION);
-    assert_int_equal(scallop_period(&c, v0, &exact), SCALLOP_OK);
+    struct scallop_period_result exact = period_of(&c, v0);
     for (int k = 0; k < 3 && rival[k]; k++) {
       struct scallop_rival_period got;
       assert_int_equal(rival[k]->period(rival[k], &c, v0, NULL, &got), SCALLOP_OK);
@@ -173,13 +171,12 @@ static void count_mode(void *context, const struct scallop_interval *interval)
 TEST(modes_beyond_those_kept)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_phase_result d;
   struct scallop_modes counted = { .count = 0 };
   char text[SCALLOP_MODES_TEXT];
   c.gait = &teeth.gait;
   c.F1 = c.F2 = 0.1;
   compare_phase(&c, SCALLOP_EXTENSION, 5);
-  assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, 5, &d), SCALLOP_OK);
+  struct scallop_phase_result d = phase_of(&c, SCALLOP_EXTENSION, 5);
   assert_int_equal(scallop_phase_intervals(&c, SCALLOP_EXTENSION, 5, count_mode, &counted), SCALLOP_OK);
   assert_int_equal(d.modes.count, 2 * TEETH + 1);
   assert_int_equal(counted.count, d.modes.count);
@@ -231,11 +228,10 @@ TEST(phases_of_two_kinds)
   for (int i = 0; i < check_cases(50); i++) {
     struct scallop_crawler mixed = random_crawler(&r, ORDINARY, &curved_last), pure = mixed;
     for (int kind = 0; kind < 2; kind++) {
-      struct scallop_phase_result a, b;
       double v0 = random_start(&r, &mixed, (enum scallop_phase_kind)kind);
       pure.gait = kind == SCALLOP_EXTENSION ? &scallop_gait_quadratic : &scallop_gait_sinusoidal;
-      assert_int_equal(scallop_phase(&mixed, (enum scallop_phase_kind)kind, v0, &a), SCALLOP_OK);
-      assert_int_equal(scallop_phase(&pure, (enum scallop_phase_kind)kind, v0, &b), SCALLOP_OK);
+      struct scallop_phase_result a = phase_of(&mixed, kind, v0);
+      struct scallop_phase_result b = phase_of(&pure, kind, v0);
       CHECK_EQUAL(a.v_end, b.v_end);
       CHECK_EQUAL(a.dxC, b.dxC);
       CHECK_EQUAL(a.t1, b.t1);

@@ -186,12 +186,11 @@ static void conditions(const struct scallop_crawler *c, double condition[2])
 {
   const double step = 0x1p-26;
   condition[0] = condition[1] = 0;
-  for (int i = 0; i < 7; i++) {
+  for (int i = 0; i < PARAMETERS; i++) {
     struct scallop_steady_result r[2];
     for (int up = 0; up < 2; up++) {
       struct scallop_crawler moved = *c;
-      double *field[] = { &moved.m1, &moved.m2, &moved.F1, &moved.F2, &moved.L, &moved.T, &moved.alpha };
-      *field[i] *= up ? 1 + step : 1 - step;
+      *parameter(&moved, i) *= up ? 1 + step : 1 - step;
       assert_true(scallop_steady(&moved, &r[up]) >= 0);
     }
     condition[0] += fabs(r[1].period.v_start - r[0].period.v_start) / (2 * step);
@@ -277,16 +276,15 @@ TEST(skewed_batch)
 TEST(work_is_counted)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_steady_result r;
-  assert_int_equal(scallop_steady(&c, &r), SCALLOP_OK);
+  struct scallop_steady_result r = steady_of(&c);
   assert_true(r.work.periods == 1 && r.work.events == 4 && r.work.gait_evaluations == 0 && r.work.root_iterations == 0);
   c.gait = &scallop_gait_sinusoidal;
-  assert_int_equal(scallop_steady(&c, &r), SCALLOP_OK);
+  r = steady_of(&c);
   assert_true(r.work.periods == 1 && r.work.events == 4);
   assert_true(r.work.root_iterations >= 1 && r.work.root_iterations <= 6);
   assert_int_equal(r.work.gait_evaluations, 4 * r.work.root_iterations);
   struct scallop_gait gait = plain(c.gait);
   c.gait = &gait;
-  assert_int_equal(scallop_steady(&c, &r), SCALLOP_OK);
+  r = steady_of(&c);
   assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods && r.work.gait_evaluations > 20 * r.work.periods);
 }

@@ -95,12 +95,11 @@ static double condition(const struct scallop_crawler *c, double v0, int q)
 {
   const double step = 1e-6;
   double sum = 0, v[2] = { v0 * (1 + step), v0 * (1 - step) };
-  for (int i = 0; i < 7; i++) {
+  for (int i = 0; i < PARAMETERS; i++) {
     double value[2];
     for (int side = 0; side < 2; side++) {
       struct scallop_crawler d = *c;
-      double *const input[] = { &d.m1, &d.m2, &d.F1, &d.F2, &d.L, &d.T, &d.alpha };
-      *input[i] *= side == 0 ? 1 + step : 1 - step;
+      *parameter(&d, i) *= side == 0 ? 1 + step : 1 - step;
       value[side] = quantity(&d, v0, q);
     }
     sum += fabs(value[0] - value[1]) / (2 * step);

@@ -299,8 +299,7 @@ TEST(bad_parameters)
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
     for (int i = 0; i < 6; i++) {
       struct scallop_crawler c = scallop_crawler_default();
-      double *const input[] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T };
-      *input[i] = bad[k];
+      *parameter(&c, i) = bad[k];
       all_refused(&c, 0, false, SCALLOP_EDOMAIN);
     }
   struct scallop_crawler c = scallop_crawler_default();
@@ -308,8 +307,7 @@ TEST(bad_parameters)
     c.alpha = bad_alpha[k];
     all_refused(&c, 0, false, SCALLOP_EDOMAIN);
   }
-  c = scallop_crawler_default();
-  c.gait = NULL;
+  c = with_gait(NULL);
   all_refused(&c, 0, false, SCALLOP_EDOMAIN);
 }
 
