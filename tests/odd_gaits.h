@@ -3,6 +3,8 @@
 #ifndef ODD_GAITS_H
 #define ODD_GAITS_H
 
+#include <stddef.h>
+
 #include <math.h>
 
 #include "model/model.h"
@@ -158,6 +160,16 @@ static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5),
 static const struct scallop_gait stride_gait = {
   "stride", { { stride_extension, 2, 0, 0, 1.5, 1, false, false }, { stride_contraction, 2, 0, 0, 1.5, -1, false, false } }
 };
+
+/* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at a rational point */
+static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
+static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
+static const struct scallop_piece parabola_contraction[] = {
+  { .begin = 1, .anchor = SCALLOP_FROM_END, .direction = -1, .law = &parabola_law }
+};
+static const struct scallop_gait parabola_gait = { "parabola",
+                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
+                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
 
 /* The extension of one and the contraction of another */
 static inline struct scallop_gait mixed_gait(const struct scallop_gait *extension, const struct scallop_gait *contraction)

@@ -1,6 +1,4 @@
 /* Many crawlers at once against one at a time: the same bits, for any number of threads and any mixture of gaits and modes. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "tests/random_crawler.h"

@@ -1,6 +1,4 @@
 /* The proven error bounds of the steady state's series, held against certified values; and that the modes change where it is said. */
-#include "tests/check.h"
-
 #include <stdlib.h>
 
 #include "tests/exact.h"
@@ -120,21 +118,10 @@ static void draw(struct subject *s, struct random *r, int i)
   while (!find_bounds(s, &why) && s->crawler.gait == &trapezoid_gait);
 }
 
-static void subject_init(struct subject *s)
-{
-  scallop_rational_init(&s->crawler);
-  scallop_steady_expansion_init(&s->expansion);
-  scallop_bound_init(&s->bounds[0]);
-  scallop_bound_init(&s->bounds[1]);
-}
-static void subject_clear(struct subject *s)
-{
-  scallop_rational_clear(&s->crawler);
-  scallop_steady_expansion_clear(&s->expansion);
-  scallop_bound_clear(&s->bounds[0]);
-  scallop_bound_clear(&s->bounds[1]);
-}
-SCOPED_KIND(subject, struct subject)
+#define SUBJECT(of) \
+  of(scallop_rational, &s->crawler) of(scallop_steady_expansion, &s->expansion) of(scallop_bound, &s->bounds[0]) \
+      of(scallop_bound, &s->bounds[1])
+SCOPED_PARTS(subject, struct subject, SUBJECT)
 
 /* What both tests look at: crawlers with their bounds, found once */
 static struct subject subjects[CRAWLERS];

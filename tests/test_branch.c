@@ -1,10 +1,7 @@
 /* Branches and limits from the inside: the motions that have no enclosure, and
  * no expansion, are not given one. */
-#include "tests/check.h"
-
 #include "asymptotics/derived/holds.h"
 #include "asymptotics/derived/limit.h"
-#include "numerics/numerics.h"
 #include "tests/exact.h"
 #include "tests/odd_gaits.h"
 #include "tests/solved.h"
@@ -21,39 +18,34 @@ struct subject {
   arb_t c, eps, one;
 };
 
+#define PARTS(of) of(scallop_rational, &s->crawler) of(branch, &s->branch) of(arb, s->c) of(arb, s->eps) of(arb, s->one)
+SCOPED_PARTS(subject, struct subject, PARTS)
+
 /* m1 = m2, F1 = 4 F2, an extension */
-static void subject_init(struct subject *s, const struct scallop_gait *gait)
+static void subject_set(struct subject *s, const struct scallop_gait *gait)
 {
   const struct scallop_crawler c = { 1, 1, 4, 1, 1, 1, 0.75, gait };
-  scallop_rational_init(&s->crawler);
   scallop_rational_of(&s->crawler, &c);
   phase_constants_init(&s->phase, &s->crawler, SCALLOP_EXTENSION);
-  branch_init(&s->branch);
-  arb_init(s->c);
-  arb_init(s->eps);
-  arb_init(s->one);
   arb_one(s->one);
 }
 
-static void subject_clear(struct subject *s)
+static void subject_end(struct subject *s)
 {
-  scallop_rational_clear(&s->crawler);
   phase_constants_clear(&s->phase);
-  branch_clear(&s->branch);
-  arb_clear(s->c);
-  arb_clear(s->eps);
-  arb_clear(s->one);
+  subject_clear(s);
 }
 
 #define SUBJECT(s, gait) \
-  struct subject s __attribute__((cleanup(subject_clear))); \
-  subject_init(&(s), gait)
+  ENDED_BY(subject_end) struct subject s; \
+  subject_init(&(s)); \
+  subject_set(&(s), gait)
 
 /* What the limit is, of a crawler in doubles */
 #define LIMIT(l, exact, crawler) \
   SCOPED(scallop_rational, exact); \
   scallop_rational_of(&(exact), crawler); \
-  struct limit l __attribute__((cleanup(limit_clear))); \
+  ENDED_BY(limit_clear) struct limit l; \
   limit_init(&(l), &(exact)); \
   assert_int_equal(limit_find(&(l), &(exact), PRECISION, NULL), SCALLOP_OK)
 
@@ -71,12 +63,10 @@ TEST(levels)
     if (cases[i].crossings >= 0)
       assert_int_equal(s.branch.count, cases[i].crossings);
   }
-  fmpq_t along; /* c = 8/13 runs along the curve */
-  fmpq_init(along);
+  SCOPED(fmpq, along); /* c = 8/13 runs along the curve */
   fmpq_set_si(along, 8, 13);
   arb_set_fmpq(s.c, along, PRECISION);
   assert_false(branch_of_level(&s.branch, &s.phase, s.c, PRECISION));
-  fmpq_clear(along);
 }
 
 /* A branch has room for MOST_CROSSINGS, and 16 teeth are crossed twice as

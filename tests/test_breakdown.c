@@ -4,7 +4,6 @@
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
-#include "numerics/certified/certified.h"
 #include "tests/exact.h"
 #include "tests/solved.h"
 

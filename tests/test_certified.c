@@ -1,12 +1,9 @@
 /* The certified solver: against the double one, against 50-digit values of a third program, and against itself
  * with more digits. */
-#include "tests/check.h"
-
 #include <float.h>
 #include <stdio.h>
 
 #include "tests/certified_balls.h"
-#include "tests/random_crawler.h"
 #include "tests/reference.h"
 
 enum { PHASE = 6, STEADY = 4, ULPS = 16, CONDITION_DIGITS = 50, REFERENCE_DIGITS = 45 };
@@ -24,17 +21,8 @@ struct answer {
   struct scallop_certified_phase of_phase;
   struct scallop_certified_steady of_steady;
 };
-static void answer_init(struct answer *a)
-{
-  scallop_certified_phase_init(&a->of_phase);
-  scallop_certified_steady_init(&a->of_steady);
-}
-static void answer_clear(struct answer *a)
-{
-  scallop_certified_phase_clear(&a->of_phase);
-  scallop_certified_steady_clear(&a->of_steady);
-}
-SCOPED_KIND(answer, struct answer)
+#define PARTS(of) of(scallop_certified_phase, &s->of_phase) of(scallop_certified_steady, &s->of_steady)
+SCOPED_PARTS(answer, struct answer, PARTS)
 
 static const char *const names[2][PHASE] = { { "t1", "dT", "v_end", "dx1", "dx2", "dxC" },
                                              { "v_start", "v_mid", "displacement", "multiplier" } };

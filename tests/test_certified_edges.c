@@ -1,17 +1,6 @@
 /* The certified solver at the edges: what it refuses, what it says that it cannot decide, and what must be exact. */
-#include "tests/check.h"
-
-#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
-#include "tests/random_crawler.h"
-
-/* l' = 6 u (1 - u) in one piece: a parabola, which a straight line can touch at a rational point. */
-static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
-static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
-static const struct scallop_piece parabola_contraction[] = { { .end = 1, .direction = -1, .law = &parabola_law } };
-static const struct scallop_gait parabola_gait = { "parabola",
-                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
-                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
+#include "tests/odd_gaits.h"
 
 static void check_undecided(const struct scallop_crawler *c, const char *v0_text, const char *reason)
 {

@@ -1,6 +1,5 @@
 /* The certified solver against laws of motion that it does not use. */
 #include "tests/certified_balls.h"
-#include "tests/random_crawler.h"
 
 /* The impulse of friction, mode by mode, for phases of one to three modes without sticking. */
 static void friction_impulse(arb_t impulse, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind,

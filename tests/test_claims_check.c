@@ -1,9 +1,6 @@
 /* claims --check against a ledger with a verdict of its own, a row less and a row more: all three are found, and nothing else. */
-#include "tests/check.h"
-
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "compare/claims/claims.h"
 #include "compare/command/commands.h"

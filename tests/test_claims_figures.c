@@ -1,6 +1,5 @@
 /* The claims in words about the figures and about steady states: verdicts, and each figure from the double solver or a closed form. */
 #include "tests/full_ledger.h"
-#include "tests/random_crawler.h"
 
 static int begin(void **state) { return (void)state, fill(false); }
 

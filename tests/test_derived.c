@@ -1,7 +1,5 @@
 /* The derived expansions against the certified solver, which finds the same motions by another route: the error of the terms
  * below T^N is the next term, to a factor that tends to 1. One wrong coefficient and it does not. */
-#include "tests/check.h"
-
 #include <stdlib.h>
 
 #include "tests/exact.h"

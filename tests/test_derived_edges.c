@@ -1,6 +1,4 @@
 /* Derived expansions: pi^2 and a fraction in its place, and what is refused, and how. */
-#include "tests/check.h"
-
 #include "tests/expansions.h"
 #include "tests/solved.h"
 

@@ -1,25 +1,13 @@
 /* Derived expansions for gaits of other kinds: right, as the certified solver
  * has it, or refused. */
-#include "tests/check.h"
-
 #include "asymptotics/derived/evaluate.h"
-#include "numerics/certified/certified.h"
 #include "tests/expansions.h"
 #include "tests/odd_gaits.h"
+#include "tests/solved.h"
 
 SCOPED_KIND(scallop_symbols, struct scallop_symbols)
 
 enum { DIGITS = 40 };
-
-/* l' = 6 s (1 - s) in one piece, which has its anchor at one end only */
-static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
-static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
-static const struct scallop_piece parabola_contraction[] = {
-  { .begin = 1, .anchor = SCALLOP_FROM_END, .direction = -1, .law = &parabola_law }
-};
-static const struct scallop_gait parabola_gait = { "parabola",
-                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
-                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
 
 struct subject {
   struct scallop_crawler doubles;
@@ -30,35 +18,23 @@ struct subject {
   fmpq_t v0;
 };
 
+#define PARTS(of) \
+  of(scallop_rational, &s->exact) of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
+      of(scallop_bound, &s->bounds[0]) of(scallop_bound, &s->bounds[1]) of(fmpq, s->v0)
+SCOPED_PARTS(subject, struct subject, PARTS)
+
 /* The default crawler at T = 1/1024 */
-static void subject_init(struct subject *s, const struct scallop_gait *gait, double alpha)
+static void subject_set(struct subject *s, const struct scallop_gait *gait, double alpha)
 {
-  s->doubles = scallop_crawler_default();
-  s->doubles.gait = gait;
+  s->doubles = with_gait(gait);
   s->doubles.alpha = alpha;
   s->doubles.T = 0x1p-10;
-  scallop_rational_init(&s->exact);
   scallop_rational_of(&s->exact, &s->doubles);
-  scallop_phase_expansion_init(&s->phase);
-  scallop_steady_expansion_init(&s->steady);
-  scallop_bound_init(&s->bounds[0]);
-  scallop_bound_init(&s->bounds[1]);
-  fmpq_init(s->v0);
-}
-
-static void subject_clear(struct subject *s)
-{
-  scallop_rational_clear(&s->exact);
-  scallop_phase_expansion_clear(&s->phase);
-  scallop_steady_expansion_clear(&s->steady);
-  scallop_bound_clear(&s->bounds[0]);
-  scallop_bound_clear(&s->bounds[1]);
-  fmpq_clear(s->v0);
 }
 
 #define SUBJECT(s, gait, alpha) \
-  struct subject s __attribute__((cleanup(subject_clear))); \
-  subject_init(&(s), gait, alpha)
+  SCOPED(subject, s); \
+  subject_set(&(s), gait, alpha)
 
 /* The terms below x^ORDER are what they are of, up to about the next one. */
 static void check_sum(const struct series *series, const fmpq_t x, const arb_t wanted, double size, const char *what)

@@ -1,7 +1,5 @@
 /* What must hold of the derived expansions whatever the motion is: they do not depend on how far one looks, on units, on the
  * names of the bodies or on the direction of space, and time reversal leaves its mark. */
-#include "tests/check.h"
-
 #include "tests/expansions.h"
 
 TEST(few_terms_and_many)

@@ -1,12 +1,8 @@
 /* Dwells: stretches in which l rests, and both bodies are one on friction F1 + F2 until they rest as well. */
-#include "tests/check.h"
-
 #include "asymptotics/derived/branch.h"
-#include "numerics/certified/certified.h"
 #include "numerics/wide/wide.h"
 #include "tests/certified_balls.h"
 #include "tests/odd_gaits.h"
-#include "tests/random_crawler.h"
 
 static const struct scallop_gait *const dwelling[] = { &pause_gait, &wait_gait, &hesitant_gait };
 enum { DWELLING = sizeof dwelling / sizeof *dwelling, DIGITS = 30 };

@@ -1,6 +1,4 @@
 /* Where each formula goes wrong: the first coefficient in which its text differs from the derived expansion. */
-#include "tests/check.h"
-
 #include "asymptotics/derived/derived.h"
 #include "asymptotics/derived/evaluate.h"
 #include "tests/exact.h"
@@ -75,25 +73,10 @@ struct subject {
   struct scallop_symbols symbols;
   fmpq_t v0, pi_squared;
 };
-static void subject_init(struct subject *s)
-{
-  scallop_rational_init(&s->crawler);
-  scallop_phase_expansion_init(&s->phase);
-  scallop_steady_expansion_init(&s->steady);
-  scallop_symbols_init(&s->symbols);
-  fmpq_init(s->v0);
-  fmpq_init(s->pi_squared);
-}
-static void subject_clear(struct subject *s)
-{
-  scallop_rational_clear(&s->crawler);
-  scallop_phase_expansion_clear(&s->phase);
-  scallop_steady_expansion_clear(&s->steady);
-  scallop_symbols_clear(&s->symbols);
-  fmpq_clear(s->v0);
-  fmpq_clear(s->pi_squared);
-}
-SCOPED_KIND(subject, struct subject)
+#define SUBJECT(of) \
+  of(scallop_rational, &s->crawler) of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
+      of(scallop_symbols, &s->symbols) of(fmpq, s->v0) of(fmpq, s->pi_squared)
+SCOPED_PARTS(subject, struct subject, SUBJECT)
 
 /* The first power in which the formula is wrong, NEVER if there is none below T^ORDER */
 static slong first_wrong(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)

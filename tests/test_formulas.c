@@ -1,7 +1,5 @@
 /* The texts of the formulas: against the functions of the same names, against a second reader of formulas, and coefficient
  * by coefficient against the derived expansions. */
-#include "tests/check.h"
-
 #include <ctype.h>
 #include <float.h>
 #include <stdlib.h>

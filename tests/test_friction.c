@@ -88,7 +88,10 @@ static double apart(const struct scallop_wide *a, const struct scallop_wide *b)
 enum { NAMED = 2 };
 static const enum quantity_id named[NAMED] = { Q_FRICTION_WORK, Q_COST_OF_TRANSPORT };
 
-static struct motion steady_motion(const struct scallop_crawler *c) { return (struct motion){ .of = OF_STEADY, .crawler = *c }; }
+static struct motion steady_motion(const struct scallop_crawler *c)
+{
+  return (struct motion){ .of = OF_STEADY, .crawler = *c };
+}
 
 static void in_binary128(struct answer *a, const struct scallop_crawler *c)
 {

@@ -1,14 +1,10 @@
 /* Gaits made to measure (model/gaits.h, compare/answers/gaits.h): that they are what they say, what is refused, and what is known of motions with
  * them in closed form or by symmetry. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "compare/answers/gaits.h"
 #include "model/gaits.h"
 #include "model/law.h"
-#include "numerics/numerics.h"
-#include "tests/random_crawler.h"
 #include "tests/random_gait.h"
 #include "tests/scratch_folder.h"
 #include "tests/solved.h"

@@ -1,13 +1,10 @@
 /* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, certified against double, and derived series. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/gaits.h"
 #include "compare/stress/judge.h"
 #include "model/exact/ball.h"
-#include "numerics/certified/certified.h"
 #include "numerics/wide/wide.h"
 #include "tests/certified_balls.h"
 #include "tests/random_gait.h"

@@ -1,7 +1,6 @@
 /* At the edge between two sequences of modes a line just touches a curve. The start velocity is bisected to
  * the last digit of such edges, and the phase solved on both sides and around: each ends, and v_end is
  * continuous across the edge, because the map never drives two motions apart. */
-#include "tests/check.h"
 #include "tests/odd_gaits.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"

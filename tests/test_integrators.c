@@ -4,8 +4,6 @@
  * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the displacement.
  * Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps add up and no more; Adams's
  * method takes the more of them. The largest share of the bound that was seen is printed. */
-#include "tests/check.h"
-
 #include <stdio.h>
 #include <unistd.h>
 

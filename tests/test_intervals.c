@@ -1,10 +1,7 @@
 /* Where l' jumps over 0 the steady states can fill an interval. Its ends are compared with a computation by
  * hand; ULP is DBL_EPSILON, and a bound is BOUND ulp of the velocities that meet there. */
-#include "tests/check.h"
-
 #include <float.h>
 
-#include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 

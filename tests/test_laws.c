@@ -9,13 +9,10 @@
  * terms of the sum that is checked. ROUNDINGS = 16: an end of an interval comes from one division or
  * one Newton correction of a function with about ten operations on those terms, and the check repeats
  * as many. The largest share of the tolerance that was used is printed. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include <gsl/gsl_integration.h>
 
-#include "numerics/numerics.h"
 #include "tests/interval.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"

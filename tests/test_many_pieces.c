@@ -1,13 +1,9 @@
 /* Gaits of very many pieces: the error must not grow with them, nor the modes change. */
-#include "tests/check.h"
-
 #include <float.h>
 #include <stdlib.h>
 
 #include "model/gaits.h"
-#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
-#include "tests/random_crawler.h"
 
 /* The size of the ways that are added up: of the mechanism, of the start, and of friction. */
 static double way_size(const struct scallop_crawler *c, double v0, double tau)

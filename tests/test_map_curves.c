@@ -5,7 +5,6 @@
 static const double pi = 3.14159265358979323846;
 
 static double centre_u = 0.43, centre_v = 0.57; /* of what is round or has a corner */
-
 static int disc(void *context, double u, double v)
 {
   const double *radius = context;

@@ -1,6 +1,4 @@
 /* Gaits, the validation of a crawler and its scaling. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "model/model.h"

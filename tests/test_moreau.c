@@ -2,8 +2,6 @@
  * period, which it must approach in first order: error <= BOUND eps/steps for every crawler and start, and the worst of
  * them proportional to 1/steps. (The error of one crawler does not fall smoothly: it hangs on where in a step it
  * turns.) That pins the exact solver without sharing a line with it. */
-#include "tests/check.h"
-
 #include <limits.h>
 
 #include "numerics/rivals/moreau.h"

@@ -1,10 +1,7 @@
 /* No solve allocates: every allocation of this program is counted, and none is made between the first call and the last. Not where a
  * sanitizer has its own allocator, nor with a C library that does not let itself be asked. */
-#include "tests/check.h"
-
 #include <stdlib.h>
 
-#include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 
 #if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__

@@ -1,8 +1,5 @@
 /* Motions with gaits of every kind that model.h allows: the exact solver against the certified one, which is written apart from it,
  * and what becomes of more modes than are kept. */
-#include "tests/check.h"
-
-#include "numerics/certified/certified.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
 #include "tests/certified_balls.h"

@@ -1,5 +1,4 @@
 /* compare/options: operands, one or many, and where they are kept. */
-#include "check.h"
 #include "compare/command/commands.h"
 #include "compare/command/list.h"
 #include "tests/said.h"

@@ -1,11 +1,8 @@
 /* Results beyond the normal range of a double are refused, whichever of them it
  * is, and the same motion in moderate units is not. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "numerics/rivals/cvode.h"
-#include "numerics/numerics.h"
 #include "numerics/rivals/odeiv.h"
 #include "numerics/rivals/smoothed.h"
 #include "tests/random_crawler.h"
@@ -13,10 +10,11 @@
 
 /* In units of L/T, with eps = T^2 (F1 + F2)/(M L); m1 = m2 and F1 = 4 F2, L and
  * T as they come. */
-static struct scallop_crawler crawler_in(double L, double T, double eps, double alpha, const struct scallop_gait *gait)
+static struct scallop_crawler crawler_in(double L, double T, double eps, double alpha)
 {
   double friction = eps * (L / T) / T, M = friction < 1 ? 1e9 : 1; /* friction: (F1 + F2)/M */
-  return (struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction, 0.2 * M * friction, L, T, alpha, gait };
+  return (
+      struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction, 0.2 * M * friction, L, T, alpha, &scallop_gait_quadratic };
 }
 
 enum phase_number { V_END, DX1, DX2, DXC, T1, DT, PHASE_NUMBERS };
@@ -43,8 +41,8 @@ static const struct {
 TEST(one_phase)
 {
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    struct scallop_crawler c = crawler_in(phases[i].L, phases[i].T, phases[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_crawler moderate = crawler_in(1, 2, phases[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(phases[i].L, phases[i].T, phases[i].eps, 0.5);
+    struct scallop_crawler moderate = crawler_in(1, 2, phases[i].eps, 0.5);
     double x[PHASE_NUMBERS], tau = c.T / 2;
     REFUSES(scallop_phase_result, scallop_phase(&c, SCALLOP_EXTENSION, phases[i].v0 * (c.L / tau), &out), SCALLOP_ERANGE);
     struct scallop_phase_result r = phase_of(&moderate, SCALLOP_EXTENSION, phases[i].v0);
@@ -81,8 +79,8 @@ TEST(one_period)
     { 1e308, 1e3, 0.5, -50, true },
   };
   for (size_t i = 0; i < sizeof periods / sizeof *periods; i++) {
-    struct scallop_crawler c = crawler_in(periods[i].L, periods[i].T, periods[i].eps, 0.5, &scallop_gait_quadratic);
-    struct scallop_crawler moderate = crawler_in(1, 1, periods[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(periods[i].L, periods[i].T, periods[i].eps, 0.5);
+    struct scallop_crawler moderate = crawler_in(1, 1, periods[i].eps, 0.5);
     double v0 = periods[i].v0 * (c.L / c.T);
     REFUSES(scallop_period_result, scallop_period(&c, v0, &out), SCALLOP_ERANGE);
     if (periods[i].overflows)
@@ -104,10 +102,10 @@ TEST(steady_states)
     { 3e-308, 1e-10, 0.1, 0.75 }, /* the displacement            */
   };
   for (size_t i = 0; i < sizeof states / sizeof *states; i++) {
-    struct scallop_crawler c = crawler_in(states[i].L, states[i].T, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(states[i].L, states[i].T, states[i].eps, states[i].alpha);
     REFUSES(scallop_steady_result, scallop_steady(&c, &out), SCALLOP_ERANGE);
     if (i > 0) {
-      struct scallop_crawler moderate = crawler_in(1, 1, states[i].eps, states[i].alpha, &scallop_gait_quadratic);
+      struct scallop_crawler moderate = crawler_in(1, 1, states[i].eps, states[i].alpha);
       struct scallop_steady_result r = steady_of(&moderate);
       double velocity = c.L / c.T;
       assert_int_equal(in_range(r.period.v_start * velocity), i != 1);
@@ -138,7 +136,7 @@ static const struct {
 TEST(trajectories)
 {
   for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
-    struct scallop_crawler c = crawler_in(motions[i].L, motions[i].T, motions[i].eps, 0.5, &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(motions[i].L, motions[i].T, motions[i].eps, 0.5);
     struct last_sample last = { 0 };
     assert_int_equal(scallop_trajectory(&c, motions[i].v0 * (c.L / c.T), 10, 64, keep, &last), SCALLOP_ERANGE);
     assert_true(last.count > 1 && last.count < 10 * 64);
@@ -154,8 +152,7 @@ TEST(smoothed_phases)
   assert_non_null(rival);
   for (int i = 0; i < 5; i++) {
     bool fast = i >= 3; /* velocities overflow, and not positions */
-    struct scallop_crawler c = crawler_in(fast ? 8e307 : 1e308, fast ? 1 : 2e3, fast ? 0.01 : 0.1, 0.5,
-                                          &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(fast ? 8e307 : 1e308, fast ? 1 : 2e3, fast ? 0.01 : 0.1, 0.5);
     struct last_sample last = { 0 };
     double times[TIMES], unit = fast ? c.L / c.T : 2 * (c.L / c.T);
     for (int k = 0; k < TIMES; k++)
@@ -175,8 +172,7 @@ TEST(a_root_beyond)
   struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6);
   assert_non_null(rival);
   for (int lopsided = 0; lopsided < 2; lopsided++) { /* then forward only */
-    struct scallop_crawler c = crawler_in(lopsided ? 5e307 : 8.95e307, 1, 0.01, lopsided ? 0.3 : 0.5,
-                                          &scallop_gait_quadratic);
+    struct scallop_crawler c = crawler_in(lopsided ? 5e307 : 8.95e307, 1, 0.01, lopsided ? 0.3 : 0.5);
     struct scallop_rival_steady steady = { .v_start = 7 };
     c.m1 = lopsided ? c.m2 / 9 : c.m1;
     assert_int_equal(scallop_rival_root(rival, &c, 1e-6, NULL, &steady), SCALLOP_ERANGE);

@@ -3,8 +3,6 @@
  * The bound: BOUND ulp times the larger of the result and its absolute condition number (sum over the
  * inputs p of |p dq/dp|, in the table). For nearly equal forces and nearly symmetric timing the
  * displacement is also held to 1e-15 L. The largest error seen is printed, in those ulp. */
-#include "tests/check.h"
-
 #include <float.h>
 
 #include "tests/reference.h"

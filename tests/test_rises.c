@@ -1,6 +1,5 @@
 /* Gaits that rise within 1e-2 to 1e-8 of a phase: every number of a phase and of the steady state within the units that are promised. */
 #include "compare/stress/judge.h"
-#include "tests/check.h"
 #include "tests/random_rises.h"
 #include "tests/solved.h"
 

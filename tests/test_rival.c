@@ -1,7 +1,5 @@
 /* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators beside
  * the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
-#include "tests/check.h"
-
 #include <gsl/gsl_errno.h>
 
 #include "numerics/rivals/odeiv.h"

@@ -1,6 +1,4 @@
 /* The arithmetic of truncated Laurent series: the laws of a ring, quotients, and what a series claims to know. */
-#include "tests/check.h"
-
 #include "tests/random_series.h"
 
 static void check_laws(const struct series *a, const struct series *b, const struct series *c)

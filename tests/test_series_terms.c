@@ -1,6 +1,4 @@
 /* The operations on series term by term, against sums that are written out here. */
-#include "tests/check.h"
-
 #include "tests/random_series.h"
 
 /* The coefficient of x^k in a b */

@@ -1,9 +1,6 @@
 /* The short cuts of the solver against the long way: the closed forms of ramps.c, the roots of concave.c and the joint Newton's method of regular.c
  * beside the walk from event to event, which a gait takes that does not say what it is (concave and ramps left false). */
-#include "tests/check.h"
-
 #include <float.h>
-#include <string.h>
 
 #include "numerics/event/concave.h"
 #include "numerics/event/ramps.h"

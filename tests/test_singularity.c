@@ -1,9 +1,5 @@
 /* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the poles of rational
  * functions. */
-#include "tests/check.h"
-
-#include <math.h>
-
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/cover.h"
 #include "asymptotics/derived/derived.h"

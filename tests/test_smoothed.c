@@ -2,8 +2,6 @@
  * tolerance far below delta: an error at most proportional to delta, but for a logarithm in stick-slip, that falls
  * with every decade of delta for every crawler. What the solvers do is measured at one delta, against the tightest
  * tolerance. */
-#include "tests/check.h"
-
 #include <gsl/gsl_errno.h>
 
 #include "numerics/rivals/smoothed.h"

@@ -4,45 +4,24 @@
 
 TEST(spread_of_known_samples)
 {
-  double samples[] = { 7.5, 1.25, 3.5, 2.25, 100 };
-  struct stopwatch_spread s = stopwatch_spread(samples, 5);
-  CHECK_EQUAL(s.median, 3.5);
-  CHECK_EQUAL(s.least, 1.25);
-  CHECK_EQUAL(s.q1, 2.25);
-  CHECK_EQUAL(s.q3, 7.5);
-  assert_int_equal(s.repetitions, 5);
-}
-
-TEST(spread_between_samples)
-{
-  double four[] = { 4, 1, 3, 2 };
-  struct stopwatch_spread s = stopwatch_spread(four, 4);
-  CHECK_EQUAL(s.median, 2.5);
-  CHECK_EQUAL(s.q1, 1.75);
-  CHECK_EQUAL(s.q3, 3.25);
-  double two[] = { 8, 4 };
-  s = stopwatch_spread(two, 2);
-  CHECK_EQUAL(s.median, 6);
-  CHECK_EQUAL(s.least, 4);
-  CHECK_EQUAL(s.q1, 5);
-  CHECK_EQUAL(s.q3, 7);
-}
-
-TEST(spread_of_one_and_of_none)
-{
-  double one[] = { 2.385 };
-  struct stopwatch_spread s = stopwatch_spread(one, 1);
-  CHECK_EQUAL(s.median, 2.385);
-  CHECK_EQUAL(s.least, 2.385);
-  CHECK_EQUAL(s.q1, 2.385);
-  CHECK_EQUAL(s.q3, 2.385);
-  assert_int_equal(s.repetitions, 1);
-  s = stopwatch_spread(one, 0);
-  CHECK_EQUAL(s.median, NAN);
-  CHECK_EQUAL(s.least, NAN);
-  CHECK_EQUAL(s.q1, NAN);
-  CHECK_EQUAL(s.q3, NAN);
-  assert_int_equal(s.repetitions, 0);
+  static const struct {
+    int count;
+    double samples[5], median, least, q1, q3;
+  } cases[] = { { 5, { 7.5, 1.25, 3.5, 2.25, 100 }, 3.5, 1.25, 2.25, 7.5 },
+                { 4, { 4, 1, 3, 2 }, 2.5, 1, 1.75, 3.25 },
+                { 2, { 8, 4 }, 6, 4, 5, 7 },
+                { 1, { 2.385 }, 2.385, 2.385, 2.385, 2.385 },
+                { 0, { 0 }, NAN, NAN, NAN, NAN } };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    double samples[5];
+    memcpy(samples, cases[i].samples, sizeof samples);
+    struct stopwatch_spread s = stopwatch_spread(samples, cases[i].count);
+    CHECK_EQUAL(s.median, cases[i].median);
+    CHECK_EQUAL(s.least, cases[i].least);
+    CHECK_EQUAL(s.q1, cases[i].q1);
+    CHECK_EQUAL(s.q3, cases[i].q3);
+    assert_int_equal(s.repetitions, cases[i].count);
+  }
 }
 
 TEST(the_clock_never_falls)

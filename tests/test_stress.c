@@ -2,7 +2,6 @@
 #include <float.h>
 
 #include "compare/stress/judge.h"
-#include "tests/check.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 
@@ -262,21 +261,22 @@ TEST(sees_what_is_wrong)
   j.number[1].error = 8.01 * j.number[1].unit;
   j.number[1].estimate = j.number[1].error;
   assert_string_equal(stress_broken(&j, 1), "error");
-  j = right;
-  j.number[2].error = NAN;
-  assert_string_equal(stress_broken(&j, 2), "error");
-  j = right;
-  j.number[3].rounding = 32.1 * j.number[3].unit;
-  assert_string_equal(stress_broken(&j, 3), "spread over the rounding modes");
-  j = right;
-  j.number[3].perturbed = 17.1 * j.number[3].unit;
-  assert_string_equal(stress_broken(&j, 3), "spread over parameters an ulp apart");
-  j = right;
-  j.number[4].estimate = 0.99 * j.number[4].error;
-  assert_string_equal(stress_broken(&j, 4), "estimate of the error too small");
-  j = right;
-  j.number[4].estimate = 200 * j.number[4].ulp;
-  assert_string_equal(stress_broken(&j, 4), "estimate of the error too large");
+  const struct {
+    int number;
+    double *changed, value;
+    const char *says;
+  } broken[] = {
+    { 2, &j.number[2].error, NAN, "error" },
+    { 3, &j.number[3].rounding, 32.1 * right.number[3].unit, "spread over the rounding modes" },
+    { 3, &j.number[3].perturbed, 17.1 * right.number[3].unit, "spread over parameters an ulp apart" },
+    { 4, &j.number[4].estimate, 0.99 * right.number[4].error, "estimate of the error too small" },
+    { 4, &j.number[4].estimate, 200 * right.number[4].ulp, "estimate of the error too large" },
+  };
+  for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+    j = right;
+    *broken[i].changed = broken[i].value;
+    assert_string_equal(stress_broken(&j, broken[i].number), broken[i].says);
+  }
   j = right;
   j.outcome = STRESS_BROKEN;
   j.why = "reason";

@@ -1,9 +1,7 @@
 /* Sweeps: which points there are, in which order, and what each is. */
 #include "compare/answers/sweep.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "tests/check.h"
 

@@ -3,11 +3,8 @@
  *
  * ULP below is DBL_EPSILON. Where two routes round differently the bound is BOUND ulp of the result or
  * of its condition number (sum over the inputs p of |p dq/dp|, by differences), whichever is larger. */
-#include "tests/check.h"
-
 #include <float.h>
 
-#include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 

@@ -1,11 +1,8 @@
 /* Trajectories against the phases and periods they are made of, against their own derivative, and over
  * a hundred thousand periods; and what every function of numerics/ refuses. */
-#include "tests/check.h"
-
 #include <float.h>
 #include <stdlib.h>
 
-#include "numerics/numerics.h"
 #include "tests/random_crawler.h"
 #include "tests/solved.h"
 

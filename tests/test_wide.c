@@ -2,7 +2,6 @@
 #include <float.h>
 
 #include "numerics/wide/wide.h"
-#include "tests/check.h"
 #include "tests/random_crawler.h"
 #include "tests/scoped.h"
 #include "tests/solved.h"

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "check.h"
 #include "compare/workprec/setting.h"
 #include "tests/scratch_folder.h"
 

@@ -1,12 +1,8 @@
 /* A gait's own numbers count as they were written: the same gait in other numbers is the same one to every digit. */
-#include <string.h>
-
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
 #include "model/exact/fractions.h"
-#include "numerics/certified/certified.h"
 #include "tests/certified_balls.h"
-#include "tests/random_crawler.h"
 #include "tests/scratch_folder.h"
 
 enum { DIGITS = 50, WORD = 1200, TRIES = 24 };
