@@ -87,7 +87,7 @@ static bool check_one(int kind, long i)
 {
   const struct scallop_modes *got = kind == STEADY ? out.modes[i] : &out.modes[0][0] + i;
   struct scallop_modes wanted[2] = { { 0 } };
-  double number[NUMBERS];
+  double number[NUMBERS] = { 0 };
   enum scallop_regime regime = SCALLOP_SLIDING;
   int count;
   enum scallop_status status = alone(kind, i, number, &count, &regime, wanted);

@@ -105,7 +105,7 @@ static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends
 /* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
 static const char *row(struct table *table, const struct point *point, const void *context, const char *refused)
 {
-  double published[MOST_FORMULAS], exact[MOST_FORMULAS];
+  double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, published, exact);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   (void)context;
@@ -139,7 +139,7 @@ static enum exit_code run_point(const struct request *request)
 {
   struct table table;
   struct use uses[MOST_FORMULAS];
-  double published[MOST_FORMULAS], exact[MOST_FORMULAS];
+  double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
   char v0[80] = "the exact steady velocity at the start of each phase";
   enum scallop_status status = solve(&request->point, published, exact);
   if (status < 0) {
