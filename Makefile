@@ -37,7 +37,7 @@ SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvec
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
 all_parts := $(basename $(wildcard $(rooms:=/*.c)))
 in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
-flint     := $(filter-out compare/workprec/stopwatch,$(filter $(in_flint) %flint,$(all_parts)))
+flint     := $(filter $(in_flint) %flint,$(all_parts))
 cvode     := numerics/rivals/cvode
 parts     := $(filter-out compare/command/main $(cvode),$(all_parts))
 threaded  := numerics/batch
@@ -46,24 +46,18 @@ shipped    = $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
 full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
 
-tests     := $(patsubst tests/test_%.c,$(B)/test_%,$(wildcard tests/test_*.c))
-# Fuzz targets: each is linked with libFuzzer (make fuzz) or with a driver that replays tests/corpus/ (make check)
-fuzz      := $(patsubst tests/fuzz/%.c,$(B)/%,$(wildcard tests/fuzz/fuzz_*.c))
-fuzz_by    = $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
-flint_use := $(addprefix $(B)/,scallop-flint $(addprefix fuzz_,certified decimal formula_series) $(addprefix test_,certified friction \
-  written_gaits rises certified_edges certified_laws claims claims_check claims_figures claims_words series series_terms formula_series \
-  derived derived_laws derived_edges formulas first_wrong bounds workprec stiff odd_gaits gaits_certified dwell many_pieces derived_gaits \
-  branch out_of_memory range wide stress breakdown map map_curves singularity))
-programs  := $(B)/scallop $(B)/scallop-flint
+# A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
+of_tests   = $(basename $(wildcard tests/*/test_*.c tests/*/*/test_*.c tests/fuzz/fuzz_*.c tests/fuzz/flint/fuzz_*.c))
+need_flint = $(filter $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint,$(1))
 ifeq ($(WITH_FLINT),0)
-  programs := $(B)/scallop
-  tests    := $(filter-out $(flint_use),$(tests))
-  fuzz     := $(filter-out $(flint_use),$(fuzz))
+  of_tests := $(filter-out $(call need_flint,$(of_tests)),$(of_tests))
 endif
-
-# What a program is linked from, and with
-link       = @echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(1) $(LDLIBS)
-with_flint = $(threads) $(FLINT) $(SUNDIALS)
+programs  := $(B)/scallop $(if $(filter 0,$(WITH_FLINT)),,$(B)/scallop-flint)
+tests     := $(addprefix $(B)/,$(filter test_%,$(notdir $(of_tests))))
+fuzz      := $(addprefix $(B)/,$(filter fuzz_%,$(notdir $(of_tests))))
+# A program is linked with the libraries that its objects need.
+needed     = $(if $(filter %/exact/ball.o,$^),$(threads) $(FLINT)) $(if $(filter %/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka)
+link       = @echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
 
 .PHONY: all help check check-report reproduce bench instructions rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
@@ -102,21 +96,17 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 
 $(B)/scallop: $(B)/compare/command/main.o $(core)
-	$(call link)
+	$(link)
 $(B)/scallop-flint: $(B)/compare/command/main.o $(full)
-	$(call link,$(with_flint))
-$(filter $(flint_use),$(tests)): $(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(full)
-	$(call link,-lcmocka $(with_flint))
-$(B)/test_integrators: $(B)/tests/test_integrators.o $(B)/tests/check.o $(core) $(call object,$(cvode))
-	$(call link,-lcmocka $(SUNDIALS))
-$(B)/test_%: $(B)/tests/test_%.o $(B)/tests/check.o $(core)
-	$(call link,-lcmocka)
-$(filter $(flint_use),$(fuzz)): $(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(full)
-	$(call link,$(FUZZER) $(with_flint))
-$(B)/fuzz_%: $(B)/tests/fuzz/fuzz_%.o $(fuzz_by) $(core)
-	$(call link,$(FUZZER))
+	$(link)
+$(foreach t,$(of_tests),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(call need_flint,$(t)),$(full),$(core))))
+$(tests): $(call object,tests/support/check)
+	$(link)
+$(B)/test_integrators: $(call object,$(cvode))
+$(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
+	$(link)
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
-	$(call link)
+	$(link)
 $(B)/nothing: $(B)/bench/nothing.o
 	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

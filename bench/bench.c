@@ -15,7 +15,7 @@
 
 #include "bench/floor.h"
 #include "bench/start.h"
-#include "compare/workprec/stopwatch.h"
+#include "compare/text/stopwatch.h"
 #include "numerics/numerics.h"
 #include "numerics/rivals/odeiv.h"
 

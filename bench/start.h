@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "compare/workprec/stopwatch.h"
+#include "compare/text/stopwatch.h"
 
 enum { START_RUNS = 401 };
 

@@ -16,7 +16,7 @@ bool scallop_has_cvode(void);
 /* DBL_EPSILON <= tolerance <= 0.1; the error that each step may make is tolerance * (1 + |y|) in the root mean square, y being x1/L
  * and x1' tau/L (tau the duration of the phase). Near DBL_EPSILON CVODE may refuse: SCALLOP_ECONVERGE from its periods.
  * Worst error seen in a velocity: 180 tolerance (L/(T min(alpha, 1 - alpha)) + |v|) at 1e-12, 15 at 1e-4, and T times that in
- * the displacement; tests/test_integrators.c holds both to a bound.
+ * the displacement; tests/numerics/rivals/test_integrators.c holds both to a bound.
  * NULL: a bad tolerance, memory is short, or the program was built without SUNDIALS. */
 struct scallop_rival *scallop_cvode_rival(double tolerance);
 

@@ -36,7 +36,7 @@ void scallop_odeiv_destroy(struct scallop_odeiv *odeiv);
  * relative to L and L/tau and not to a velocity that passes through zero. Events are located to a
  * velocity of tolerance/10 or to rounding.
  * Worst error seen in a velocity: 4.5 tolerance (L/(T min(alpha, 1 - alpha)) + |v|), Adams's method 160 times that unit
- * (at 1e-12; 40 at 1e-4), and T times that in the displacement; tests/test_integrators.c holds both to a bound. So for alpha near
+ * (at 1e-12; 40 at 1e-4), and T times that in the displacement; tests/numerics/rivals/test_integrators.c holds both to a bound. So for alpha near
  * 0 or 1 it answers for few digits of a velocity of order L/T: a velocity that is small beside L/tau is lost in the steps.
  * SCALLOP_EDOMAIN: a bad crawler, v0 or tolerance. SCALLOP_ERANGE: a scaled quantity or a result over- or
  * underflows. SCALLOP_ECONVERGE: the step size shrank to nothing, or a million steps were not enough:

@@ -26,7 +26,7 @@ enum scallop_smoothed_stepper { SCALLOP_SMOOTHED_MSBDF, SCALLOP_SMOOTHED_BSIMP, 
  * off (gsl_set_error_handler_off).
  *
  * Errors of v_end in L/T and of the displacement in L over one period from the exact steady start, measured over 100
- * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95; tests/test_smoothed.c
+ * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95; tests/numerics/rivals/test_smoothed.c
  * holds them to bounds:
  *   of the model: at most 3.2 delta where the bodies slide (0.002 delta for half of the crawlers: it is a fraction of
  *     eps delta), and at most (1.3 + ln(1/delta)/4) delta in stick-slip: first order but for a logarithm. A body about

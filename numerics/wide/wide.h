@@ -55,7 +55,7 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
 
 /* Estimates of |computed - true| for each number of a result in double: bounds, but for a chance that nothing proves: the distance
  * to the result in the widest arithmetic there is, and for what that is off by itself 2^-62 of the number and, of a displacement, 2^-111 of
- * the parts that it is the sum of. With 113 bits they hold unless rounding is magnified more than 2^50 times; tests/test_wide.c measures them against certified values. nan where the
+ * the parts that it is the sum of. With 113 bits they hold unless rounding is magnified more than 2^50 times; tests/numerics/certified/test_wide.c measures them against certified values. nan where the
  * number is. */
 struct scallop_phase_error {
   double t1, dT, v_end, dx1, dx2, dxC;

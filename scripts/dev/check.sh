@@ -15,7 +15,7 @@ same_tables() {
   sh scripts/dev/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
     cmp "$table" "data/$(basename "$table")" || return 1
   done || return 1
-  # map_reach, stress and workprec take minutes, or are times: tests/cli_{map,stress,workprec}.sh
+  # map_reach, stress and workprec take minutes, or are times: tests/compare/command/cli_{map,stress,workprec}.sh
   [ "$(cd data && ls ./*.tsv)" = "$(cd "$build/tables" && { ls ./*; for name in map_reach stress workprec; do echo "./$name.tsv"; done; } | LC_ALL=C sort)" ] &&
     [ "$(cd data && ls ./*.tsv | sed 's/tsv$/cfg/')" = "$(cd data/scenes && ls ./*.cfg)" ]
 }
@@ -23,8 +23,8 @@ perform() { # TEST
   case $1 in
     tables) same_tables ;;
     verdicts) "$build/scallop" claims --check ;;
-    reference) /usr/bin/python3 scripts/python/reference.py --check tests/reference.tsv --every 40 ;;
-    cli_*) sh "tests/$1" "$build/scallop" ;;
+    reference) /usr/bin/python3 scripts/python/reference.py --check tests/support/reference.tsv --every 40 ;;
+    cli_*) sh "tests/compare/command/$1" "$build/scallop" ;;
     fuzz_*) "$build/$1" tests/corpus/"${1#fuzz_}"/* ;;
     *) "$build/$1" ;;
   esac
@@ -96,7 +96,7 @@ report() { # TEST...: each as soon as it and those before it have ended, which t
 
 # The long ones come first, so that the others fill the cores beside them.
 together='' alone=''
-for script in tests/cli_*.sh; do
+for script in tests/compare/command/cli_*.sh; do
   name=$(basename "$script")
   case $name in
     cli_workprec.sh) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them

@@ -6,10 +6,10 @@ set -u
 folder=$1/fuzz seconds=${FUZZ_SECONDS:-60} failed=0
 "${MAKE:-make}" fuzz-programs CC=clang B="$folder" WITH_OPENMP=0 FUZZER=-fsanitize=fuzzer \
   CFLAGS="-O1 -g -fno-omit-frame-pointer -Wno-pass-failed -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" || exit 2
-LSAN_OPTIONS=suppressions=tests/lsan.supp:print_suppressions=0
+LSAN_OPTIONS=suppressions=tests/support/lsan.supp:print_suppressions=0
 export LSAN_OPTIONS
 mkdir -p "$folder/found"
-for target in ${FUZZ_TARGETS:-$(cd tests/fuzz && ls fuzz_*.c | sed 's/fuzz_\(.*\)\.c/\1/')}; do
+for target in ${FUZZ_TARGETS:-$(find tests/fuzz -name 'fuzz_*.c' | sed 's|.*/fuzz_\(.*\)\.c|\1|' | sort)}; do
   program=$folder/fuzz_$target log=$folder/$target.log
   [ -x "$program" ] || continue # a build without FLINT
   mkdir -p "$folder/$target"

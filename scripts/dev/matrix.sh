@@ -32,7 +32,7 @@ for compiler in gcc clang; do
       for test in $tests; do
         programs="$programs $build/test_$test"
       done
-      # With -O3 gcc warns of arrays that it takes for too small: warnings are the business of the other builds. CONTRACTED: tests/check.h
+      # With -O3 gcc warns of arrays that it takes for too small: warnings are the business of the other builds. CONTRACTED: tests/support/check.h
       told="-Wno-error"
       [ $contraction = off ] || told="$told -DCONTRACTED"
       # shellcheck disable=SC2086

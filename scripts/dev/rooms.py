@@ -144,7 +144,7 @@ def refusals(build):
 
 def size():
     yield "room                 files   lines  functions  median  longest"
-    for name, folders in [*((f, [f]) for f in FOLDERS), ("compare", COMPARE), ("tests", ["tests", "tests/fuzz"])]:
+    for name, folders in [*((f, [f]) for f in FOLDERS), ("compare", COMPARE), ("tests", [f.rstrip("/") for f in glob.glob("tests/**/", recursive=True)])]:
         paths = [p for f in folders for p in sources(f)]
         lengths = [length for p in paths for _, length in functions(p)]
         middle, most = (round(statistics.median(lengths)), max(lengths)) if lengths else (0, 0)

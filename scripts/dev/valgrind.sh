@@ -4,7 +4,7 @@
 #
 # Numbers are not judged: valgrind computes long double with 64 bits, and it keeps one signal for itself, so that tests of either
 # fail. A program has to come to its end without a memory error, whatever its own verdicts are. Random cases are thinned out
-# (SCALLOP_TEST_THIN: tests/check.h): a memory error is in a way through the code, and not in a number.
+# (SCALLOP_TEST_THIN: tests/support/check.h): a memory error is in a way through the code, and not in a number.
 set -u
 build=$1
 shift
@@ -68,7 +68,7 @@ commands() { # of each the program, its exit code and its arguments
   cat <<END
 scallop 0 steady
 scallop 0 steady --gait sinusoidal --T 3 --format json -o $logs/steady.json
-scallop 0 steady --points tests/reference.tsv
+scallop 0 steady --points tests/support/reference.tsv
 scallop 3 steady --points $logs/bad.tsv
 scallop 0 phase --v0 2.5
 scallop 0 phase --phase contraction --gait sinusoidal --v0 -1 --format json

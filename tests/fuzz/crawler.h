@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/random_crawler.h"
+#include "tests/support/random_crawler.h"
 
 /* Ratios to a few hundred; to 10^18; any bit pattern at all, for the gaits of the library alone: those of the tests are not written for
  * offsets of 10^-159. */

@@ -1,4 +1,4 @@
-/* A phase, put back into Newton's law and the balances of momentum and energy, interval by interval: tests/test_laws.c for whatever
+/* A phase, put back into Newton's law and the balances of momentum and energy, interval by interval: tests/numerics/event/test_laws.c for whatever
  * crawler the fuzzer thinks of.
  *
  * Units as in struct scallop_interval: lengths in L, times in the duration tau of the phase, masses in M, so that friction is f_i =
@@ -10,7 +10,7 @@
 
 #include "tests/fuzz/crawler.h"
 #include "tests/fuzz/target.h"
-#include "tests/interval.h"
+#include "tests/support/interval.h"
 
 enum { ROUNDINGS = 64, KEPT = 256 };
 #define ROUNDOFF (ROUNDINGS * (0.5 * DBL_EPSILON))

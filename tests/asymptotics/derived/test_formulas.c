@@ -1,0 +1,215 @@
+/* The texts of the formulas: against the functions of the same names, against a second reader of formulas, and coefficient
+ * by coefficient against the derived expansions. */
+#include <ctype.h>
+#include <float.h>
+#include <stdlib.h>
+
+#include "asymptotics/derived/evaluate.h"
+#include "tests/support/exact.h"
+
+SCOPED_KIND(scallop_symbols, struct scallop_symbols)
+
+enum { PRECISION = 300, LENGTH = 24 };
+static const struct ring ring = { LENGTH, PRECISION };
+
+/* The size is what the formula is with the absolute value of every term, as in test_published.c: a rounding error is a few epsilon
+ * of it. */
+struct sized {
+  double value, size;
+};
+
+struct reader {
+  const char *at;
+  const struct scallop_symbols *symbols;
+  bool exchanged;
+};
+
+static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
+                                            "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };
+static const char *const exchanged_names[SYMBOLS] = { "m2",      "m1", "F2", "F1", "M",       "L",  "L_kin",
+                                                      "alpha",   "T",  "l0", "lT", "k0",      "kT", "l_end",
+                                                      "l_start", "v0", "t1", "dT", "x_switch" };
+
+static struct sized sum(struct reader *r);
+
+static struct sized atom(struct reader *r)
+{
+  struct sized result = { NAN, NAN };
+  char *end;
+  if (*r->at == '(') {
+    r->at++;
+    result = sum(r);
+    r->at++;
+    return result;
+  }
+  if (isdigit((unsigned char)*r->at)) {
+    result.value = result.size = strtod(r->at, &end);
+    r->at = end;
+    return result;
+  }
+  size_t length = 0;
+  while (isalnum((unsigned char)r->at[length]) || r->at[length] == '_')
+    length++;
+  SCOPED(arb, ball);
+  for (int i = 0; i < SYMBOLS; i++) {
+    const char *name = (r->exchanged ? exchanged_names : names)[i];
+    if (strlen(name) != length || memcmp(name, r->at, length) != 0)
+      continue;
+    series_coefficient(ball, &r->symbols->value[i], 0, PRECISION);
+    bool turns = r->exchanged && (name[0] == 'l' || name[0] == 'k') && (name[1] == '0' || name[1] == 'T');
+    result.value = turns ? -middle(ball) : middle(ball);
+    result.size = fabs(result.value);
+  }
+  r->at += length;
+  return result;
+}
+
+static struct sized power(struct reader *r)
+{
+  struct sized base = atom(r);
+  if (*r->at != '^')
+    return base;
+  int n = r->at[1] - '0';
+  r->at += 2;
+  return (struct sized){ pow(base.value, n), pow(base.size, n) };
+}
+
+static struct sized product(struct reader *r)
+{
+  bool minus = *r->at == '-';
+  r->at += minus;
+  struct sized result = power(r);
+  while (*r->at == '*' || *r->at == '/') {
+    bool times = *r->at++ == '*';
+    struct sized factor = power(r);
+    result.value = times ? result.value * factor.value : result.value / factor.value;
+    result.size *= times ? factor.size : factor.size / (factor.value * factor.value);
+  }
+  result.value = minus ? -result.value : result.value;
+  return result;
+}
+
+static struct sized sum(struct reader *r)
+{
+  struct sized result = product(r);
+  for (;;) {
+    while (*r->at == ' ')
+      r->at++;
+    if (*r->at != '+' && *r->at != '-')
+      return result;
+    double sign = *r->at++ == '+' ? 1 : -1;
+    while (*r->at == ' ')
+      r->at++;
+    struct sized term = product(r);
+    result.value += sign * term.value;
+    result.size += term.size;
+  }
+}
+
+/* No formula has more than 32 operations; the inputs l0, lT and L_kin are rounded themselves, and enter with small powers. */
+#define ROUNDING (32 * DBL_EPSILON)
+
+static bool of_extension(const struct scallop_formula *f)
+{
+  return f->setting != SCALLOP_MOVING_CONTRACTION && f->setting != SCALLOP_STEADY;
+}
+
+static void check_value(const struct scallop_formula *f, const struct scallop_symbols *s, enum scallop_phase_kind kind,
+                        double function)
+{
+  struct reader r = { f->text, s, of_extension(f) && kind == SCALLOP_CONTRACTION };
+  SCOPED(series, value);
+  SCOPED(arb, ball);
+  assert_true(scallop_formula_expand(&value, f, s, kind, &ring));
+  assert_int_equal(next_nonzero(&value, 1, LENGTH), LENGTH);
+  series_coefficient(ball, &value, 0, PRECISION);
+  struct sized again = sum(&r);
+  if (*r.at != '\0' || !check_near(function, middle(ball), ROUNDING * again.size)
+      || !check_near(again.value, middle(ball), ROUNDING * again.size)) {
+    fail_msg("%s: the function gives %.17g, the text %.17g, read again %.17g, size %g", f->name, function, middle(ball),
+             again.value, again.size);
+  }
+}
+
+static void set_symbol(struct scallop_symbols *s, enum scallop_symbol symbol, double value)
+{
+  SCOPED(fmpq, exact);
+  scallop_rational_set_double(exact, value);
+  series_set_rational(&s->value[symbol], exact);
+}
+
+static void check_phase_texts(const struct scallop_crawler *c, struct scallop_symbols *s, enum scallop_phase_kind kind,
+                              struct random *r)
+{
+  struct scallop_phase_point p = scallop_phase_point(c, kind, random_between(r, -3, 3));
+  SCOPED(fmpq, v0);
+  SCOPED(scallop_rational, exact);
+  scallop_rational_of(&exact, c);
+  scallop_rational_set_double(v0, p.v0);
+  p.t1 = p.T * random_between(r, 0, 0.5);
+  p.dT = p.T * random_between(r, 0, 0.5);
+  p.x_switch = random_between(r, -9, 9);
+  scallop_symbols_set(s, &exact, kind, v0, NULL, &ring);
+  set_symbol(s, SYMBOL_T, p.T);
+  set_symbol(s, SYMBOL_t1, p.t1);
+  set_symbol(s, SYMBOL_dT, p.dT);
+  set_symbol(s, SYMBOL_x_switch, p.x_switch);
+  struct scallop_phase_point x = scallop_exchanged(&p);
+  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++)
+      if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
+        check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
+}
+
+static void check_steady_texts(const struct scallop_crawler *c, struct scallop_symbols *s)
+{
+  SCOPED(scallop_rational, exact);
+  scallop_rational_of(&exact, c);
+  scallop_symbols_set(s, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
+  set_symbol(s, SYMBOL_T, c->T);
+  for (const struct scallop_formula *f = scallop_published; f->name; f++)
+    if (f->steady)
+      check_value(f, s, SCALLOP_EXTENSION, f->steady(c));
+}
+
+TEST(texts_are_the_functions)
+{
+  static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
+  struct random r = { 20260851 };
+  SCOPED(scallop_symbols, s);
+  for (int i = 0; i < 300; i++) {
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, gaits[i % 3]);
+    check_phase_texts(&c, &s, SCALLOP_EXTENSION, &r);
+    check_phase_texts(&c, &s, SCALLOP_CONTRACTION, &r);
+    check_steady_texts(&c, &s);
+  }
+}
+
+static const struct scallop_formula *corrected_named(const char *name)
+{
+  const struct scallop_formula *f = scallop_corrected;
+  while (f->name && strcmp(f->name, name) != 0)
+    f++;
+  return f->name ? f : NULL;
+}
+
+/* What corrects a formula gives the same quantity, and no less of it. */
+TEST(corrected_ones_exist)
+{
+  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++) {
+      if (!f->corrected)
+        continue;
+      const struct scallop_formula *right = corrected_named(f->corrected);
+      assert_non_null(right);
+      assert_int_equal(right->quantity, f->quantity);
+      assert_true(right->remainder >= f->remainder);
+      assert_true(right->setting == f->setting
+                  || (f->setting == SCALLOP_MOVING_CONTRACTION && right->setting == SCALLOP_MOVING_EXTENSION));
+      assert_non_null(strstr(right->equation, f->equation));
+    }
+  for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
+    assert_true(f->text && !f->corrected && !f->phase && !f->steady);
+}

@@ -1,0 +1,402 @@
+/* Every formula of the paper, as printed, against an independent transcription.
+ *
+ * The wanted numbers come from the LaTeX source of arXiv 1303.2669, transcribed into exact rational
+ * arithmetic without a look at asymptotics/. The points below are fractions over 4096, exact in double
+ * precision, so the only error is the rounding of the formula itself. Beside each number stands its
+ * size: the same formula with the absolute value of every term (a quotient a/b counts |a| |b| / b^2 with
+ * the sizes of a and b), rounded up. If no path through a formula has more than 32 operations, then
+ * its rounding error is below 32 u = 16 epsilon times the size, in whichever order it is evaluated.
+ * The longest, A.15 and B.6, have about 20. */
+#include <float.h>
+
+#include "asymptotics/asymptotics.h"
+#include "tests/support/check.h"
+
+#define ROUNDING (16 * DBL_EPSILON)
+
+enum { POINTS = 2 };
+
+/* m1, m2, F1, F2, T, l0, lT; l_start, l_end, v0, t1, dT, x_switch. F1 > F2, then F1 < F2 */
+static const struct scallop_phase_point extension[POINTS] = {
+  { 6743 / 4096., 4465 / 4096., 12979 / 4096., 7485 / 4096., 2459 / 4096., 37935 / 4096., -38861 / 4096., 0, 7089 / 4096.,
+    2945 / 4096., 883 / 4096., 957 / 4096., -3521 / 4096. },
+  { 3075 / 4096., 5815 / 4096., 4461 / 4096., 14853 / 4096., 2549 / 4096., 45099 / 4096., -37089 / 4096., 0, 8715 / 4096.,
+    2605 / 4096., 485 / 4096., 701 / 4096., -3591 / 4096. },
+};
+
+static const struct scallop_phase_point contraction[POINTS] = {
+  { 2541 / 4096., 7673 / 4096., 12933 / 4096., 7771 / 4096., 3091 / 4096., -52743 / 4096., 47975 / 4096., 8193 / 4096., 0,
+    2835 / 4096., 1055 / 4096., 643 / 4096., -2451 / 4096. },
+  { 2751 / 4096., 7579 / 4096., 7561 / 4096., 16783 / 4096., 5459 / 4096., -28889 / 4096., 47361 / 4096., 11187 / 4096., 0,
+    1869 / 4096., 781 / 4096., 591 / 4096., -1173 / 4096. },
+};
+
+/* A gait whose l0 and -lT differ. The steady formulas read nothing but those of the extension. */
+static const struct scallop_gait lopsided = { "lopsided",
+                                              { { .l0 = 16105 / 4096., .lT = -36275 / 4096. }, { .l0 = NAN, .lT = NAN } } };
+
+static const struct scallop_crawler crawler[POINTS] = {
+  /* m1, m2, F1, F2, L, T, alpha */
+  { 3353 / 4096., 5671 / 4096., 16901 / 4096., 6379 / 4096., 7727 / 4096., 2941 / 4096., 2599 / 4096., &lopsided },
+  { 2949 / 4096., 3043 / 4096., 4217 / 4096., 13129 / 4096., 8005 / 4096., 4075 / 4096., 941 / 4096., &lopsided },
+};
+
+struct wanted {
+  const char *name;
+  double (*phase)(const struct scallop_phase_point *);
+  double (*steady)(const struct scallop_crawler *);
+  const char *equation;
+  enum scallop_setting setting;
+  enum scallop_quantity quantity;
+  int remainder;
+  double value[POINTS], size[POINTS];
+};
+
+#define PHASE(f, equation, setting, quantity, remainder, v1, s1, v2, s2) \
+  { \
+#f, scallop_##f, NULL, equation, setting, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
+  }
+#define REST(f, equation, quantity, remainder, v1, s1, v2, s2) \
+  PHASE(f, equation, SCALLOP_AT_REST_START, quantity, remainder, v1, s1, v2, s2)
+#define EQUAL(f, equation, quantity, v1, s1, v2, s2) \
+  PHASE(f, equation, SCALLOP_AT_REST_EQUAL_FORCES, quantity, SCALLOP_EQUALITY, v1, s1, v2, s2)
+#define EXTENSION(f, equation, quantity, remainder, v1, s1, v2, s2) \
+  PHASE(f, equation, SCALLOP_MOVING_EXTENSION, quantity, remainder, v1, s1, v2, s2)
+#define CONTRACTION(f, equation, quantity, remainder, v1, s1, v2, s2) \
+  PHASE(f, equation, SCALLOP_MOVING_CONTRACTION, quantity, remainder, v1, s1, v2, s2)
+#define STEADY(f, equation, quantity, remainder, v1, s1, v2, s2) \
+  { \
+#f, NULL, scallop_##f, equation, SCALLOP_STEADY, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
+  }
+
+/* function, equation, what it gives, exponent of the printed remainder, then value and size twice.
+ * (25) prints l(T): in section 4.3.3 that is the amplitude, l at the start of the contraction. A.7 says
+ * "v0 t1/2 = O(T^2)", which is no remainder. (12) prints O(dT^2), and dT is of order T^3; (A.4) O(t1^2), and t1 is of order T^2. (A.13)
+ * prints none; its first line is the second over M. (B.11) prints the velocity x2'(T - dT), which is 0. x2(0) of appendix B is 0: positions count from the start.
+ * Short exact values: A.7 is 2945 883 / 2^25, B.3 is 2835 1055 / 2^25. */
+static const struct wanted wanted[] = {
+  REST(rest_v1_switch, "(12)", VELOCITY_AT_LAST, 6, -6.212704512083536, 11, -6.825521347196394, 9.5),
+  REST(rest_dT_unexpanded, "(13)", LAG, 0, 0.026808290694446713, 0.12, -0.051502197069753184, 0.12),
+  REST(rest_dT, "(14)", LAG, 5, 0.028061372584542442, 0.11, -0.04756570143367021, 0.089),
+  REST(rest_x1_switch, "(15)", REAR_AT_LAST, 3, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
+  REST(rest_v1_end, "(18)", VELOCITY_AT_END, 3, 0.29427889293640703, 1.1, -0.72745689503655793, 1.4),
+  REST(rest_x1_end, "(19)", REAR_AT_END, 4, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
+  REST(rest_x2_end, "(20)", FRONT_AT_END, 4, 1.1295720950768812, 1.4, 0.50960075469065303, 1.2),
+  REST(rest_xC_end, "(21)", CENTRE_AT_END, 4, 0.26421564976438125, 1.2, -0.55424201874684697, 1.5),
+  EXTENSION(text_extension_velocity_change, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5, -0.80351340249732869,
+            1.5),
+  EXTENSION(text_extension_xC_end, "(23)", CENTRE_AT_END, 4, 0.59820373100550692, 1.8, -0.17981763617887389, 2),
+  CONTRACTION(text_contraction_velocity_change, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2, -1.0676023489190069,
+              5.4),
+  CONTRACTION(text_contraction_xC_end, "(25)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
+  STEADY(text_steady_velocity_l0_lT, "(26)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
+  STEADY(text_steady_velocity, "(27)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
+  STEADY(text_steady_xC, "(28)", STEADY_DISPLACEMENT, 4, 0.5541319235260813, 1.3, 0.78802000346568732, 1.6),
+  EXTENSION(A_v1_first_switch, "(A.4)", VELOCITY_AT_FIRST, 4, -1.8814848228492953, 3.4, -1.8232599098538154, 3.1),
+  EXTENSION(A_t1_unexpanded, "(A.5)", FIRST_SWITCH, 0, 0.059603637104378757, 0.06, 0.030621577116750929, 0.031),
+  EXTENSION(A_t1, "(A.6)", FIRST_SWITCH, 6, 0.057707608295358414, 0.083, 0.030203652269704073, 0.039),
+  EXTENSION(A_x1_first_switch, "(A.7)", REAR_AT_FIRST, 0, 0.07749900221824646, 0.078, 0.03765299916267395, 0.038),
+  EXTENSION(A_v1_switch, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -0.4631337227552516, 18, -1.7458677663002957, 15),
+  EXTENSION(A_v1_switch_from_v0, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -4.623032852862457, 13, -5.511870774443563,
+            11),
+  EXTENSION(A_dT_unexpanded, "(A.14)", LAG, 0, 0.0797318772329716, 0.19, -0.0086516334897053304, 0.18),
+  REST(rest_dT_product, "(A.15), (B.6)", LAG, 7, 0.02674971873097531, 0.13, -0.05120131674280494, 0.11),
+  EXTENSION(A_dT_product, "(A.15)", LAG, 6, 0.07787782144508062, 0.24, -0.0091824999621818195, 0.17),
+  EXTENSION(A_dT, "(A.16)", LAG, 5, 0.077906295296028238, 0.21, -0.0050466384557489983, 0.14),
+  EXTENSION(A_x1_switch_from_times, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
+  EXTENSION(A_x1_switch_collected, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
+  EXTENSION(A_x1_switch, "(A.18)", REAR_AT_LAST, 4, -0.3119760421514802, 1.7, -1.22663294996182, 2.3),
+  EXTENSION(A_v1_end_from_dT, "(A.22)", VELOCITY_AT_END, 4, 2.0236100526906373, 2.9, 2.2455916264578379, 3),
+  EXTENSION(A_v1_end, "(A.22)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
+  EXTENSION(A_x1_end_from_dT, "(A.23)", REAR_AT_END, 6, -0.62321840570984621, 1.2, -0.68455081419104683, 1.2),
+  EXTENSION(A_x1_end_from_dT_short, "(A.23)", REAR_AT_END, 4, -0.57338318467758717, 1.2, -0.65273400595364491, 1.2),
+  EXTENSION(A_x1_end, "(A.23)", REAR_AT_END, 4, -0.07184440813842655, 1.6, -1.2009422067881477, 2.3),
+  EXTENSION(A_vC_end, "(A.24)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
+  EXTENSION(A_xC_end, "(A.25)", CENTRE_AT_END, 4, 0.79351203717407345, 1.8, -0.13709943335064769, 2),
+  CONTRACTION(B_t1_unexpanded, "(B.2)", FIRST_SWITCH, 0, 0.09044974073325081, 0.091, 0.13365233003137495, 0.14),
+  CONTRACTION(B_t1, "(B.2)", FIRST_SWITCH, 6, 0.078704741812080506, 0.17, -0.53016211066593015, 1.4),
+  CONTRACTION(B_x2_first_switch, "(B.3)", REAR_AT_FIRST, 2, 0.089136511087417603, 0.09, 0.043502122163772583, 0.044),
+  CONTRACTION(B_dT_unexpanded, "(B.5)", LAG, 0, 0.037543731553911991, 0.75, 0.46141448540941523, 2.2),
+  CONTRACTION(B_dT_product, "(B.6)", LAG, 6, 0.021715129955513204, 0.77, 0.30846172689620658, 11),
+  CONTRACTION(B_dT, "(B.6)", LAG, 5, 0.037503650025935569, 0.53, 0.0051848282657064118, 3.3),
+  CONTRACTION(B_x2_switch_from_times, "(B.7)", REAR_AT_LAST, 4, 0.3046756835264675, 4, -0.0009869053999545638, 4.5),
+  CONTRACTION(B_x2_switch_collected, "(B.7)", REAR_AT_LAST, 4, 0.11808472070591278, 4, -0.02020935422037194, 4.5),
+  CONTRACTION(B_x2_switch, "(B.8)", REAR_AT_LAST, 4, -0.25571348690008118, 2, -1.5682914024023175, 6.2),
+  CONTRACTION(B_v2_end_from_dT, "(B.10)", VELOCITY_AT_END, 0, 0.48501736904897061, 1.2, -0.089897674277532193, 0.6),
+  CONTRACTION(B_v2_end, "(B.10)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
+  CONTRACTION(B_x2_end_from_dT, "(B.11)", REAR_AT_END, 4, 0.06304603620208517, 0.064, 0.018045543304647943, 0.019),
+  CONTRACTION(B_x2_end, "(B.11)", REAR_AT_END, 4, -0.26049041598187097, 1.8, -1.1950682841806636, 5.3),
+  CONTRACTION(B_vC_end, "(B.12)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
+  CONTRACTION(B_xC_end, "(B.13)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
+};
+
+enum { WANTED = sizeof wanted / sizeof *wanted };
+
+/* Section 4.1, which has its own list. (6) is the velocity at T, where l' = 0. */
+static const struct wanted wanted_equal[] = {
+  EQUAL(equal_v1_end, "(6)", VELOCITY_AT_END, 0, 0, 0, 0),
+  EQUAL(equal_x1_end, "(7)", REAR_AT_END, -0.6894747552320329, 0.69, -1.391731322281004, 1.4),
+  EQUAL(equal_xC_end, "(8)", CENTRE_AT_END, -0.17588169008046708, 0.87, 0.32788854884350394, 1.1),
+};
+
+enum { WANTED_EQUAL = sizeof wanted_equal / sizeof *wanted_equal };
+
+static const struct registry {
+  const struct scallop_formula *formulas;
+  const struct wanted *wanted;
+  int count;
+} registries[] = { { scallop_published, wanted, WANTED }, { scallop_equal_forces, wanted_equal, WANTED_EQUAL } };
+
+enum { REGISTRIES = sizeof registries / sizeof *registries };
+
+/* The formulas from rest for the two contractions, which scallop_exchanged turns into extensions. */
+static const struct {
+  double (*phase)(const struct scallop_phase_point *);
+  double value[POINTS], size[POINTS];
+} rest_of_contraction[] = {
+  { scallop_rest_v1_switch, { -2.7561604083169398, 2.0449825302824483 }, { 6.7, 9.5 } },
+  { scallop_rest_dT_unexpanded, { -0.082706772977913301, 0.45303286241709114 }, { 0.52, 1.9 } },
+  { scallop_rest_dT, { -0.074537611327285746, 0.68633010769180352 }, { 0.3, 1.9 } },
+  { scallop_rest_x1_switch, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { scallop_rest_v1_end, { -0.38138288860571275, 1.1898108985509439 }, { 1.6, 3.2 } },
+  { scallop_rest_x1_end, { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { scallop_rest_x2_end, { 1.3587278868964397, 2.796718678994885 }, { 2.1, 4.1 } },
+  { scallop_rest_xC_end, { 0.35860581658393967, 1.431118093057385 }, { 1.6, 3.5 } },
+  { scallop_rest_dT_product, { -0.08189988377559966, 0.3328923402430954 }, { 0.42, 4.3 } },
+};
+
+enum { FROM_REST = sizeof rest_of_contraction / sizeof *rest_of_contraction };
+
+/* Says which formula is off, and counts it, so that one run shows every difference. */
+static int differs(const char *name, int i, double got, double value, double size)
+{
+  if (check_near(got, value, ROUNDING * size))
+    return 0;
+  print_error("%s at point %d = %.17g, wanted %.17g: off by %.3g of its size\n", name, i, got, value, (got - value) / size);
+  return 1;
+}
+
+static double value_at(const struct wanted *w, int i)
+{
+  if (w->steady)
+    return w->steady(&crawler[i]);
+  return w->phase(w->setting == SCALLOP_MOVING_CONTRACTION ? &contraction[i] : &extension[i]);
+}
+
+TEST(every_formula_is_the_printed_one)
+{
+  int differences = 0;
+  for (const struct registry *r = registries; r < registries + REGISTRIES; r++)
+    for (const struct wanted *w = r->wanted; w < r->wanted + r->count; w++)
+      for (int i = 0; i < POINTS; i++)
+        differences += differs(w->name, i, value_at(w, i), w->value[i], w->size[i]);
+  assert_int_equal(differences, 0);
+}
+
+static const char *name_of(double (*phase)(const struct scallop_phase_point *))
+{
+  for (int k = 0; k < WANTED; k++)
+    if (wanted[k].phase == phase)
+      return wanted[k].name;
+  fail_msg("no formula is that");
+  return NULL;
+}
+
+TEST(rest_formulas_hold_for_a_contraction_with_the_bodies_exchanged)
+{
+  int differences = 0;
+  for (int k = 0; k < FROM_REST; k++)
+    for (int i = 0; i < POINTS; i++) {
+      struct scallop_phase_point p = scallop_exchanged(&contraction[i]);
+      differences += differs(name_of(rest_of_contraction[k].phase), i, rest_of_contraction[k].phase(&p),
+                             rest_of_contraction[k].value[i], rest_of_contraction[k].size[i]);
+    }
+  assert_int_equal(differences, 0);
+}
+
+TEST(froude_number_and_kinematic_length)
+{
+  static const double froude[POINTS][2] = { { 1.4183941188428877, 1.5 }, { 0.68208503425879609, 0.69 } };
+  static const double length[POINTS] = { 2.5684060060901695, 2.6608114505955489 };
+  int differences = 0;
+  for (int i = 0; i < POINTS; i++) {
+    double got = scallop_kinematic_length(&lopsided, SCALLOP_EXTENSION, crawler[i].L);
+    differences += differs("L_kin", i, got, length[i], length[i]);
+    differences += differs("text_froude", i, scallop_text_froude(&crawler[i]), froude[i][0], froude[i][1]);
+  }
+  assert_int_equal(differences, 0);
+}
+
+/* "L_kin = L for a piecewise quadratic form [...] and pi^2 L / 8 for a sinusoidal form". */
+TEST(kinematic_length_of_the_two_gaits)
+{
+  double L = crawler[0].L, pi2 = 9.8696044010893586188;
+  CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_quadratic, SCALLOP_EXTENSION, L), L, ROUNDING);
+  CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_sinusoidal, SCALLOP_EXTENSION, L), pi2 / 8 * L, ROUNDING);
+}
+
+/* How the printed formulas compare with each other: the sizes are the sums of those in the table. */
+TEST(equations_26_and_27_agree)
+{
+  for (int i = 0; i < POINTS; i++)
+    CHECK_NEAR(scallop_text_steady_velocity_l0_lT(&crawler[i]), scallop_text_steady_velocity(&crawler[i]), ROUNDING * 4);
+}
+
+TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
+{
+  for (int i = 0; i < POINTS; i++) {
+    const struct scallop_phase_point *p = &extension[i];
+    double last = p->v0 * 2 * p->F1 / (p->m2 * p->l0) * p->T * p->T * p->T;
+    CHECK_NEAR(scallop_A_xC_end(p) - scallop_text_extension_xC_end(p), 2 * last, ROUNDING * 4);
+  }
+}
+
+TEST(equation_24_and_B12_differ_by_the_factor_T2)
+{
+  for (int i = 0; i < POINTS; i++) {
+    const struct scallop_phase_point *p = &contraction[i];
+    double friction = -(p->F1 - p->F2) / (p->m1 + p->m2) * p->T;
+    double last24 = scallop_text_contraction_velocity_change(p) - friction, lastB12 = scallop_B_vC_end(p) - p->v0 - friction;
+    assert_true(fabs(last24) > 0.1);
+    CHECK_NEAR(last24, lastB12 * (p->T * p->T), ROUNDING * 16);
+  }
+}
+
+/* Appendix B is appendix A with the bodies exchanged, except where one of them is misprinted. */
+TEST(appendix_B_is_appendix_A_exchanged)
+{
+  static const struct {
+    const char *name;
+    double (*a)(const struct scallop_phase_point *), (*b)(const struct scallop_phase_point *);
+  } pair[] = {
+    { "A.5 and B.2", scallop_A_t1_unexpanded, scallop_B_t1_unexpanded },
+    { "A.6 and B.2", scallop_A_t1, scallop_B_t1 },
+    { "A.7 and B.3", scallop_A_x1_first_switch, scallop_B_x2_first_switch },
+    { "A.14 and B.5", scallop_A_dT_unexpanded, scallop_B_dT_unexpanded },
+    { "A.15 and B.6", scallop_A_dT_product, scallop_B_dT_product },
+    { "A.16 and B.6", scallop_A_dT, scallop_B_dT },
+    { "A.17 and B.7", scallop_A_x1_switch_from_times, scallop_B_x2_switch_from_times },
+    { "A.18 and B.8", scallop_A_x1_switch, scallop_B_x2_switch },
+    { "A.22 and B.10", scallop_A_v1_end_from_dT, scallop_B_v2_end_from_dT },
+    { "22 and 24", scallop_text_extension_velocity_change, scallop_text_contraction_velocity_change },
+    { "23 and 25", scallop_text_extension_xC_end, scallop_text_contraction_xC_end },
+  };
+  int differences = 0;
+  for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
+    for (int i = 0; i < POINTS; i++) {
+      struct scallop_phase_point p = scallop_exchanged(&contraction[i]);
+      differences += differs(pair[k].name, i, pair[k].a(&p), pair[k].b(&contraction[i]), 24);
+    }
+  assert_int_equal(differences, 0);
+}
+
+/* The third line of (A.17) is the second with its products written out; that of (B.7) is so only with 1/2 in front of m1 l''(0) t1^2/M. */
+TEST(lines_of_A17_and_B7)
+{
+  for (int i = 0; i < POINTS; i++) {
+    const struct scallop_phase_point *a = &extension[i], *b = &contraction[i];
+    CHECK_NEAR(scallop_A_x1_switch_collected(a), scallop_A_x1_switch_from_times(a), ROUNDING * 9.4);
+    double half = 0.5 * b->m1 / (b->m1 + b->m2) * b->l0 * b->t1 * b->t1 / (b->T * b->T);
+    CHECK_NEAR(scallop_B_x2_switch_collected(b) - half, scallop_B_x2_switch_from_times(b), ROUNDING * 9.4);
+    assert_true(fabs(half) > 0.01);
+  }
+}
+
+static void check_point(const struct scallop_crawler *c, enum scallop_phase_kind kind, double T, double l0)
+{
+  struct scallop_phase_point p = scallop_phase_point(c, kind, 0.375);
+  CHECK_EQUAL(p.m1, c->m1);
+  CHECK_EQUAL(p.m2, c->m2);
+  CHECK_EQUAL(p.F1, c->F1);
+  CHECK_EQUAL(p.F2, c->F2);
+  CHECK_EQUAL(p.v0, 0.375);
+  CHECK_RELATIVE(p.T, T, DBL_EPSILON);
+  CHECK_RELATIVE(p.l0, l0, 4 * DBL_EPSILON);
+  CHECK_RELATIVE(p.lT, -l0, 4 * DBL_EPSILON);
+  CHECK_EQUAL(p.l_start, kind == SCALLOP_EXTENSION ? 0 : c->L);
+  CHECK_EQUAL(p.l_end, kind == SCALLOP_EXTENSION ? c->L : 0);
+  CHECK_EQUAL(p.t1, NAN);
+  CHECK_EQUAL(p.dT, NAN);
+  CHECK_EQUAL(p.x_switch, NAN);
+}
+
+/* l'' = +-4 L/T^2 for the quadratic gait, +-(pi^2/2) L/T^2 for the sinusoidal one; T of the phase. */
+TEST(phase_points)
+{
+  struct scallop_crawler c = { 1.25, 0.75, 3.5, 1.125, 2.5, 0.625, 0.6875, &scallop_gait_quadratic };
+  check_point(&c, SCALLOP_EXTENSION, 0.4296875, 10);    /* 11/16 5/8 = 55/128 */
+  check_point(&c, SCALLOP_CONTRACTION, 0.1953125, -10); /*  5/16 5/8 = 25/128 */
+  c.gait = &scallop_gait_sinusoidal;
+  check_point(&c, SCALLOP_EXTENSION, 0.4296875, 12.337005501361698274);
+  check_point(&c, SCALLOP_CONTRACTION, 0.1953125, -12.337005501361698274); /* 5/4 pi^2 */
+}
+
+TEST(exchanged_is_the_same_motion)
+{
+  for (int i = 0; i < POINTS; i++) {
+    const struct scallop_phase_point *p = &contraction[i];
+    struct scallop_phase_point x = scallop_exchanged(p);
+    CHECK_EQUAL(x.m1, p->m2);
+    CHECK_EQUAL(x.m2, p->m1);
+    CHECK_EQUAL(x.F1, p->F2);
+    CHECK_EQUAL(x.F2, p->F1);
+    CHECK_EQUAL(x.l0, -p->l0);
+    CHECK_EQUAL(x.lT, -p->lT);
+    CHECK_EQUAL(x.l_end - x.l_start, p->l_start - p->l_end);
+    CHECK_EQUAL(x.T, p->T);
+    CHECK_EQUAL(x.v0, p->v0);
+    CHECK_EQUAL(x.t1, p->t1);
+    CHECK_EQUAL(x.dT, p->dT);
+    CHECK_EQUAL(x.x_switch, p->x_switch);
+  }
+}
+
+static void check_exchanged_twice(const struct scallop_phase_point *p)
+{
+  struct scallop_phase_point once = scallop_exchanged(p), twice = scallop_exchanged(&once);
+  assert_memory_equal(&twice, p, sizeof twice); /* thirteen doubles, no padding */
+  assert_memory_not_equal(&once, p, sizeof once);
+}
+
+TEST(exchanged_twice_is_the_identity)
+{
+  _Static_assert(sizeof(struct scallop_phase_point) == 13 * sizeof(double), "no padding");
+  for (int i = 0; i < POINTS; i++) {
+    check_exchanged_twice(&extension[i]);
+    check_exchanged_twice(&contraction[i]);
+  }
+}
+
+static int registry_length(const struct registry *r)
+{
+  int n = 0;
+  while (n <= r->count && r->formulas[n].name) /* a missing NULL would show as one too many */
+    n++;
+  return n;
+}
+
+/* All that asymptotics.h declares but text_froude, once each and in the order of the paper, with what is printed beside it */
+TEST(registry_lists_every_formula)
+{
+  for (const struct registry *r = registries; r < registries + REGISTRIES; r++) {
+    assert_int_equal(registry_length(r), r->count);
+    for (int k = 0; k < r->count; k++) {
+      const struct scallop_formula *f = &r->formulas[k];
+      const struct wanted *w = &r->wanted[k];
+      assert_string_equal(f->name, w->name);
+      assert_true(f->phase == w->phase && f->steady == w->steady && !f->phase != !f->steady);
+      if (strcmp(f->equation, w->equation) != 0 || f->setting != w->setting || f->quantity != w->quantity
+          || f->remainder != w->remainder)
+        fail_msg("%s: %s, setting %d, quantity %d, remainder %d", f->name, f->equation, (int)f->setting, (int)f->quantity,
+                 f->remainder);
+    }
+  }
+}
+
+TEST(registry_names_are_unique)
+{
+  const struct registry *r = registries;
+  for (int k = 0, n = registry_length(r); k < n; k++)
+    for (int j = 0; j < k; j++)
+      assert_string_not_equal(r->formulas[k].name, r->formulas[j].name);
+}

@@ -1,0 +1,427 @@
+/* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
+ * radii of convergence by two routes. */
+#include "compare/breakdown/events.h"
+#include "compare/breakdown/motion.h"
+#include "compare/breakdown/radius.h"
+#include "compare/breakdown/reach.h"
+#include "tests/support/exact.h"
+#include "tests/support/solved.h"
+
+SCOPED_KIND(scallop_singularity, struct scallop_singularity)
+
+/* Quadratic for even i, sinusoidal for odd */
+static struct scallop_crawler draw(struct random *r, int i) { return moderate_crawler(r, 3, 0.1, every_gait[i % 2]); }
+
+static void find(struct events *events, const struct motion *s)
+{
+  ENDED_BY(expansions_clear) struct expansions e;
+  expansions_init(&e, s, 4, BREAKDOWN_BITS);
+  events_find(events, s, expansions_modes(&e));
+}
+
+#define EVENTS(name, of) \
+  ENDED_BY(events_clear) struct events name; \
+  find(&(name), of)
+
+static double time_of(const struct events *events, const char *what)
+{
+  for (int i = 0; i < events->count; i++)
+    if (strstr(events->event[i].what, what))
+      return events->event[i].T;
+  return NAN;
+}
+
+/* The body with the larger friction is held once the curve is no steeper than what friction does: at the end of its phase (where |l''| L =
+ * 4 L/tau^2) from m_other 4 L/tau^2 = F1 + F2 on, and throughout from m_other 4 L/tau^2 = |F1 - F2| on. */
+TEST(sticking_begins_where_closed_forms_say)
+{
+  struct random r = { 61 };
+  for (int i = 0; i < 12; i++) {
+    struct motion s = { .crawler = draw(&r, 0) };
+    struct scallop_crawler *c = &s.crawler;
+    EVENTS(events, &s);
+    bool first = c->F1 > c->F2;
+    double other = first ? c->m2 : c->m1, shorter = fmin(c->alpha, 1 - c->alpha);
+    double held = sqrt(4 * other * c->L / (c->F1 + c->F2)), rests = sqrt(4 * other * c->L / fabs(c->F1 - c->F2));
+    CHECK_RELATIVE(time_of(&events, first ? "onset of sticking: body 1 in the extension"
+                                          : "onset of sticking: body 2 in the extension"),
+                   held / c->alpha, 8 * 0x1p-53);
+    CHECK_RELATIVE(time_of(&events, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
+                   8 * 0x1p-53);
+  }
+}
+
+static void check_certified(const struct motion *s, double T, const struct scallop_modes modes[2])
+{
+  const struct motion at = motion_at(s, T);
+  char wanted[BOTH_MODES_TEXT], got[BOTH_MODES_TEXT];
+  SCOPED(scallop_rational, exact);
+  scallop_rational_of(&exact, &at.crawler);
+  SCOPED(scallop_certified_steady, steady);
+  assert_int_equal(scallop_certified_steady(&exact, 6, &steady, NULL), SCALLOP_OK);
+  motion_modes_text(wanted, s->of, modes);
+  motion_modes_text(got, s->of, steady.modes);
+  assert_string_equal(got, wanted);
+}
+
+/* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of where certified
+ * modes change. */
+TEST(events_are_where_certified_modes_change)
+{
+  struct random r = { 62 };
+  int certified = 0, all = 0;
+  for (int i = 0; i < 8; i++) {
+    struct motion s = { .crawler = draw(&r, i) };
+    EVENTS(events, &s);
+    assert_true(events.count >= 3);
+    const struct scallop_modes *before = events.first;
+    for (int k = 0; k < events.count; k++) {
+      const struct event *e = &events.event[k];
+      double from = k > 0 ? events.event[k - 1].T : e->T / 2,
+             until = k + 1 < events.count ? events.event[k + 1].T : 2 * e->T;
+      assert_true(from < e->T && e->T < until);
+      check_certified(&s, e->T * (1 - 1e-14), before);
+      check_certified(&s, e->T * (1 + 1e-14), e->modes);
+      check_certified(&s, sqrt(e->T * until), e->modes);
+      before = e->modes;
+      all++;
+      certified += strcmp(e->status, "certified") == 0;
+      assert_true(strcmp(e->status, "certified") == 0 || strstr(e->what, "switching time"));
+    }
+    assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
+  }
+  assert_true(certified > 3 * all / 4);
+}
+
+/* No event is missed below the first: the modes of the limit are proven up to three thousandths below it. */
+TEST(the_first_event_is_the_first)
+{
+  struct random r = { 63 };
+  for (int i = 0; i < 6; i++) {
+    struct motion s = { .crawler = draw(&r, i) };
+    const char *ends = NULL;
+    SCOPED(arb, T);
+    SCOPED(scallop_rational, exact);
+    scallop_rational_of(&exact, &s.crawler);
+    EVENTS(events, &s);
+    assert_int_equal(scallop_steady_modes_hold(&exact, 128, T, &ends, NULL), SCALLOP_OK);
+    double proven = middle(T);
+    assert_non_null(ends);
+    /* a proof ends at a corner of l' as well, which is no event while it does not change the modes */
+    assert_true(events.event[0].T > proven * (1 - 1e-12));
+    if (!strstr(ends, "corner"))
+      CHECK_RELATIVE(events.event[0].T, proven, 3e-3);
+  }
+}
+
+/* Lengths times 4, times times 2; bodies exchanged in a mirror; a phase is what a half of a period is. */
+TEST(events_scale_and_mirror)
+{
+  struct random r = { 64 };
+  for (int i = 0; i < 4; i++) {
+    struct motion s = { .crawler = draw(&r, i) }, t = s, u = s;
+    t.crawler.L *= 4;
+    u.crawler = exchanged(&s.crawler);
+    EVENTS(one, &s);
+    EVENTS(larger, &t);
+    EVENTS(mirrored, &u);
+    assert_int_equal(one.count, larger.count);
+    assert_int_equal(one.count, mirrored.count);
+    for (int k = 0; k < one.count; k++) {
+      CHECK_RELATIVE(larger.event[k].T, 2 * one.event[k].T, 4 * 0x1p-52);
+      CHECK_RELATIVE(mirrored.event[k].T, one.event[k].T, strstr(one.event[k].what, "switching") ? 1e-12 : 4 * 0x1p-52);
+    }
+  }
+}
+
+enum { ORDER = 8 };
+
+struct setting {
+  struct motion motion;
+  struct expansions expansions;
+  struct exact_cache *cache;
+};
+
+static void setting_init(struct setting *s, const struct motion *motion)
+{
+  s->motion = *motion;
+  expansions_init(&s->expansions, &s->motion, ORDER, BREAKDOWN_BITS);
+  s->cache = exact_cache_new(&s->motion);
+  assert_non_null(s->cache);
+}
+
+static void setting_clear(struct setting *s)
+{
+  free(s->cache);
+  expansions_clear(&s->expansions);
+}
+
+#define SETTING(name, of) \
+  ENDED_BY(setting_clear) struct setting name; \
+  setting_init(&(name), of)
+
+static double reach_to(struct comparison *c, double tolerance)
+{
+  c->tolerance = tolerance;
+  return comparison_reach(c);
+}
+
+/* The error of a series at T, by the double solver */
+static double error_at(const struct series_item *item, const struct expansions *e, double T)
+{
+  const struct motion at = motion_at(e->motion, T);
+  struct answer exact;
+  SCOPED(arb, value);
+  answer_in_double(&exact, &at);
+  series_item_value(value, item, e, T, 64);
+  return fabs(middle(value) / exact.value[item->quantity].high - 1);
+}
+
+/* The tolerance is reached at T, and not right below it. */
+static void check_sides(const struct comparison *c, double T)
+{
+  assert_int_equal(comparison_certified_side(c, T * (1 - 0x1p-50), 40), -1);
+  assert_int_equal(comparison_certified_side(c, T * (1 + 0x1p-50), 40), 1);
+}
+
+static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name)
+{
+  struct series_item items[MOST_ITEMS];
+  int count = series_items(items, &s->expansions, quantity, ORDER), i = 0;
+  while (i < count && strcmp(items[i].name, name) != 0)
+    i++;
+  assert_true(i < count);
+  return (struct comparison){ &s->expansions, items[i], s->cache, NAN };
+}
+
+/* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2, so that
+ * T* = sqrt(m2 l0/(F1 + F2)) tol^(1/4), until the body does not turn any more. Its unexpanded form (A.5) is exact. */
+TEST(reach_of_a_known_error)
+{
+  struct random r = { 71 };
+  for (int i = 0; i < 6; i++) {
+    struct motion motion = { .crawler = draw(&r, 0), .of = OF_PHASE };
+    struct scallop_crawler *c = &motion.crawler;
+    motion.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
+    SETTING(s, &motion);
+    struct comparison short_form = comparison_named(&s, Q_T1, "A_t1");
+    for (int k = 2; k <= 12; k += 2)
+      CHECK_RELATIVE(reach_to(&short_form, pow(10, -k)), sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0),
+                     8 * 0x1p-53);
+    struct comparison whole = comparison_named(&s, Q_T1, "A_t1_unexpanded");
+    CHECK_AT_MOST(fabs(comparison_error(&whole, 0.1)), 1e-30);
+  }
+}
+
+/* What stands in the table is what a reader would find by trying: the error is below the tolerance at thousands of T below T*, and not
+ * right above it. Some of these errors are above the tolerance, below, and above again. */
+TEST(reach_against_brute_force)
+{
+  const int points = (int)check_cases(3000);
+  struct random r = { 72 };
+  int returning = 0, found = 0;
+  for (int i = 0; i < 24; i++) {
+    struct motion motion = { .crawler = draw(&r, i) };
+    SETTING(s, &motion);
+    struct series_item items[MOST_ITEMS];
+    enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
+    int count = series_items(items, &s.expansions, quantity, ORDER);
+    for (int item = 0; item < count; item++) {
+      double tolerance = random_decades(&r, 3e-2, 0.5), before = tolerance;
+      const struct comparison c = { &s.expansions, items[item], s.cache, tolerance };
+      double T = comparison_reach(&c);
+      if (!(T > 0 && isfinite(T)))
+        continue;
+      found++;
+      check_sides(&c, T);
+      for (int k = 1; k < 2 * points; k++) {
+        if (k == points)
+          continue;
+        double value = error_at(&c.item, &s.expansions, T * exp2((k - points) * 12.0 / points));
+        if (k < points)
+          CHECK_AT_MOST(value, tolerance);
+        else if (k < points + points / 30)
+          returning += value < tolerance && before >= tolerance;
+        before = value;
+      }
+    }
+  }
+  assert_true(found > 40);
+  assert_true(returning > 0);
+}
+
+/* The first of many T in the 20 octaves below T at which the error, in double, is not below the tolerance; T if there is none. */
+static double first_above(const struct comparison *c, double T)
+{
+  enum { POINTS = 1500, OCTAVES = 20 };
+  for (int k = 0; k < POINTS; k++) {
+    double t = T * exp2((double)OCTAVES * (k - POINTS) / POINTS);
+    if (!(error_at(&c->item, c->expansions, t) < c->tolerance))
+      return t;
+  }
+  return T;
+}
+
+/* 0 below the limit of the error, and as far as trying finds above it. Counts reaches in found[0], and in found[1] those of errors that
+ * fall first, or change their sign. */
+static void check_about_limit(struct comparison *c, double limit, double share, int found[2])
+{
+  double T = reach_to(c, share * limit);
+  if (share < 1) {
+    CHECK_EQUAL(T, 0);
+    return;
+  }
+  bool ends = isfinite(T);
+  assert_true(T > 0);
+  if (ends)
+    check_sides(c, T);
+  double last = ends ? T : motion_last_time(c->expansions->motion);
+  CHECK_EQUAL(first_above(c, last), last);
+  found[0]++;
+  found[1] += ends && fabs(comparison_error(c, T / 4)) < limit;
+}
+
+/* Formulas whose error tends to a limit other than 0: (28) for alpha < 1/2, and where l' is no straight line; those of a moving body, of
+ * the paper's appendices, from a velocity that they take for the steady one. */
+TEST(reach_about_the_limit_of_the_error)
+{
+  static const double shares[] = { 0.99, 1.01, 2 };
+  struct random r = { 73 };
+  int found[2] = { 0, 0 };
+  for (int i = 0; i < 12; i++) {
+    struct motion motion = { .crawler = draw(&r, i), .of = i % 4 < 2 ? OF_STEADY : OF_PHASE, .phase = i % 8 < 4 };
+    struct scallop_crawler *crawler = &motion.crawler;
+    motion.v0 = motion.of == OF_STEADY ? 0
+                                       : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
+    SETTING(s, &motion);
+    for (int q = 0; q < QUANTITIES; q++) {
+      struct series_item items[MOST_ITEMS];
+      int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s.expansions, (enum quantity_id)q, ORDER)
+                                                           : 0;
+      for (int item = 0; item < count; item++) {
+        struct comparison c = { &s.expansions, items[item], s.cache, NAN };
+        double limit = fabs(comparison_error(&c, 1e-9 * motion_natural_time(&motion)));
+        for (int k = 0; k < 3 && limit > 1e-5 && limit < 1e5; k++)
+          check_about_limit(&c, limit, shares[k], found);
+      }
+    }
+  }
+  assert_true(found[0] > 20 && found[1] > 4);
+}
+
+/* Of a steady state, for a series of the displacement: how far it reaches, and its error at T of the crawler. */
+static double reach_of(const struct scallop_crawler *crawler, const char *name, double tolerance, double *error)
+{
+  const struct motion motion = { .crawler = *crawler };
+  SETTING(s, &motion);
+  struct comparison c = comparison_named(&s, Q_DISPLACEMENT, name);
+  double T = reach_to(&c, tolerance);
+  *error = comparison_error(&c, crawler->T);
+  return T;
+}
+
+/* At the change of modes at T = 0.6327 the error of (28) has a sharp peak, just above 1 %, and is below that again from 0.643 to 4.5. */
+TEST(a_sharp_peak_counts)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  double error;
+  c.F1 = 100;
+  c.alpha = 0.99;
+  c.T = 0.6328;
+  double T = reach_of(&c, "text_steady_xC", 1e-2, &error);
+  assert_true(T > 0.632 && T < 0.633);
+  assert_true(fabs(error) > 1e-2);
+  c.T = 2;
+  CHECK_EQUAL(reach_of(&c, "text_steady_xC", 1e-2, &error), T);
+  assert_true(fabs(error) < 1e-2);
+}
+
+/* A formula that is wrong at leading order reaches nowhere: (28) for alpha < 1/2, with the limit of its error. */
+TEST(a_wrong_limit_reaches_nowhere)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  double error;
+  c.alpha = 0.3;
+  c.T = 1e-3;
+  assert_true(reach_of(&c, "derived", 1e-2, &error) > 1);
+  CHECK_EQUAL(reach_of(&c, "text_steady_xC", 1e-2, &error), 0);
+  /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 - alpha */
+  double a2 = 0.09, b2 = 0.49, wanted = (b2 * 4 + a2) / (a2 * 4 + b2) - 1;
+  CHECK_RELATIVE(error, wanted, 1e-6);
+}
+
+/* Without friction's difference, or with equal phases, nothing moves, and the series says so: for every T. */
+TEST(what_is_0_is_0_for_every_T)
+{
+  static const char *const names[] = { "text_steady_xC", "derived", "limit" };
+  struct scallop_crawler equal = scallop_crawler_default(), even = equal;
+  struct series_item items[MOST_ITEMS];
+  double error;
+  equal.F1 = equal.F2;
+  even.alpha = 0.5;
+  for (int i = 0; i < 3; i++) {
+    CHECK_EQUAL(reach_of(&equal, names[i], 1e-6, &error), INFINITY);
+    CHECK_EQUAL(reach_of(&even, names[i], 1e-6, &error), INFINITY);
+    CHECK_EQUAL(error, 0);
+  }
+  /* the paper has no formula of v_mid */
+  SETTING(s, &(struct motion){ .crawler = even });
+  assert_int_equal(series_items(items, &s.expansions, Q_V_MID, ORDER), 2);
+  assert_int_equal(items[0].source, FROM_DERIVED);
+}
+
+enum { TERMS = 96, BITS = 768 };
+
+/* Of gaits with linear l' the branch has poles, and where these are is proven of the series; the proof that follows the branch, which knows
+ * nothing of that, ends a little below them. */
+TEST(the_branch_ends_at_its_poles)
+{
+  struct random r = { 81 };
+  for (int i = 0; i < 3; i++) {
+    struct motion s = { .crawler = draw(&r, 0) };
+    ENDED_BY(expansions_clear) struct expansions e;
+    expansions_init(&e, &s, TERMS, BITS);
+    SCOPED(scallop_singularity, found);
+    assert_true(singularity_of(&found, &e, false));
+    for (int q = Q_V_START; q <= Q_MEAN_VELOCITY; q++) {
+      struct radius poles, bound;
+      assert_true(radius_from_poles(&poles, expansions_of(&e, (enum quantity_id)q), TERMS));
+      assert_true(poles.high - poles.low <= 1e-14 * poles.T && poles.T >= poles.low);
+      radius_from_singularity(&bound, &found, (enum quantity_id)q);
+      assert_string_equal(bound.method, "bound");
+      assert_true(bound.T <= poles.high && bound.T >= 0.99 * poles.low);
+    }
+  }
+}
+
+static void set_series(struct series *s, const fmpq_poly_t poly, slong terms)
+{
+  series_set_rational_poly(s, poly, terms);
+  series_inflate(s, s, 2);
+}
+
+/* 1/((1 - z/4)(1 + z/9)) and 1/(1 - 6 z/25 + z^2/25), z = T^2: poles at 4 and -9, and at 3 +- 4 i. Of their square roots: the same
+ * places, which are no poles. */
+TEST(radius_of_known_functions)
+{
+  enum { COUNT = 60 };
+  static const char *const denominators[] = { "3  1 -5/36 -1/36", "3  1 -6/25 1/25" }, *const places[] = {
+    "T^2 = 4.000000000:", "T^2 = 3.000000000 +- 4.000000000 i:"
+  };
+  for (int i = 0; i < 2; i++) {
+    struct radius found;
+    double R = i == 0 ? 2 : sqrt(5);
+    SCOPED(series, s);
+    SCOPED(fmpq_poly, poly);
+    assert_int_equal(fmpq_poly_set_str(poly, denominators[i]), 0);
+    fmpq_poly_inv_series(poly, poly, COUNT);
+    set_series(&s, poly, COUNT);
+    assert_true(radius_from_poles(&found, &s, 2 * COUNT));
+    CHECK_RELATIVE(found.T, R, 4 * 0x1p-53);
+    if (!strstr(found.note, places[i]))
+      fail_msg("%s: not %s", found.note, places[i]);
+    fmpq_poly_sqrt_series(poly, poly, COUNT);
+    set_series(&s, poly, COUNT);
+    assert_false(radius_from_poles(&found, &s, 2 * COUNT));
+  }
+}

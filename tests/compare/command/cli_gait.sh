@@ -1,0 +1,102 @@
+#!/bin/sh
+# --gait: gaits with parameters and measured ones, on every command that takes one.
+. tests/support/common.sh
+
+refuse() { # CODE PATTERN ARGUMENT...: nothing on standard output, and this on standard error
+  code_wanted=$1 pattern=$2
+  shift 2
+  run "$code_wanted" "$@"
+  [ ! -s out ] || note "scallop $* prints a table"
+  grep -q -e "$pattern" err || note "scallop $*: not '$pattern' but: $(head -n 1 err)"
+}
+
+# ---- names are printed so that they read back ----
+for gait in quadratic trapezoidal trapezoidal:0.2,0.3 trapezoidal:0.2,0.3,0.1,0.9 skewed:0.3 skewed:0.7,0.2 minimum-jerk polynomial:0,3,-2; do
+  run 0 steady --gait "$gait"
+  [ "$(cells out gait status)" = "$gait ok" ] || note "$gait: $(cells out gait status)"
+  cp out first
+  run 0 steady --gait "$(cells first gait)"
+  cmp -s out first || note "$gait does not read back"
+done
+run 0 steady --gait trapezoidal:0.5,0.5
+half=$(cells out v_start displacement multiplier modes)
+run 0 steady
+[ "$(cells out v_start displacement multiplier modes)" = "$half" ] || note "trapezoidal:0.5,0.5 is not quadratic: $half"
+finish "gaits read back what they print"
+
+# ---- refused ----
+refuse 2 "did you mean 'trapezoidal'" steady --gait trapezodal
+refuse 2 "UP + DOWN at most 1" phase --gait trapezoidal:0.7,0.4
+refuse 2 "below 1" steady --gait skewed:1
+refuse 2 "'x' is not a number" trajectory --gait skewed:x
+refuse 2 "l' not at the end" steady --gait polynomial:0,3,-2.1
+refuse 2 "so near to 0" steady --gait polynomial:0,0.125,-0.4166666666666667,0.5,-0.2
+refuse 4 "cannot read nowhere.tsv: No such file" steady --gait measured:nowhere.tsv
+printf 't\tl\n0\t0\n1\t1\n1\t0.5\n3\t0\n' >bad.tsv
+refuse 2 "bad.tsv:4: t = 1 does not come after 1 of line 3" steady --gait measured:bad.tsv
+printf '0 0\n1 1\n2 0.5\n3 0.1\n' >bad.tsv
+refuse 2 "bad.tsv:4: not periodic" steady --gait measured:bad.tsv
+finish "gaits that are refused, with file and line"
+
+# ---- measured: L, T and alpha are the file's own, wherever --gait stands and unless they are given ----
+printf '# a walk\nt l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >walk.tsv
+run 0 steady --gait measured:walk.tsv
+[ "$(cells out L T alpha gait)" = '4 10 0.7 measured:walk.tsv' ] || note "$(cells out L T alpha gait)"
+run 0 steady --T 2 --gait measured:walk.tsv --L 7
+[ "$(cells out L T alpha)" = '7 2 0.7' ] || note "given: $(cells out L T alpha)"
+run 0 steady --gait measured:walk.tsv --certified --digits 12
+[ "$(cells out status)" = certified ] || note "certified: $(cells out status)"
+printf 'T\tgait\n2\tmeasured:walk.tsv\n3\tquadratic\n4\tskewed:0.3\n5\tmeasured:bad.tsv\n' >points.tsv
+run 3 steady --points points.tsv
+[ "$(cells out L T alpha gait | tr '\n' ';')" = '4 2 0.7 measured:walk.tsv;10 3 0.75 quadratic;10 4 0.75 skewed:0.3;nan nan nan -;' ] ||
+  note "points: $(cells out L T alpha gait | tr '\n' ';')"
+cut -f 19 out >status
+tail -n 1 out | grep -q 'line 5: gait: bad.tsv:4: not periodic' || note "status: $(tail -n 1 out)"
+run 3 steady --points points.tsv --gait measured:walk.tsv --alpha 0.25
+[ "$(cells out L T alpha | sed '4d' | tr '\n' ';')" = '4 2 0.25;10 3 0.25;10 4 0.25;' ] || note "points, alpha given: $(cells out L T alpha | tr '\n' ';')"
+finish "measured gaits bring their own L, T and alpha"
+
+# ---- every command that takes one answers, or says why not ----
+run 0 phase --gait skewed:0.3 --v0 1 --error
+run 0 phase --gait trapezoidal:0.2,0.3 --v0 1 --certified
+run 0 trajectory --gait measured:walk.tsv --periods 1 --samples 4
+[ "$(rows out | wc -l)" -eq 5 ] || note "trajectory: $(rows out | wc -l) rows"
+run 0 series --gait minimum-jerk
+grep -q "l'' = 0 where a phase of this gait begins or ends" err || note "series with minimum-jerk does not say why formulas have no value"
+cells out published | grep -q inf && note "series with minimum-jerk: an infinite value"
+run 0 series --source derived --order 3 --gait trapezoidal
+rows out | cut -f 5 | grep -qx 160/37 || note "series: 160/37 is missing"
+run 3 claims --gait minimum-jerk
+grep -q "l'' = 0" err || note "claims with minimum-jerk: $(head -n 1 err)"
+run 0 claims --gait skewed:0.3 --quiet
+[ "$(cells out gait | sort -u)" = skewed:0.3 ] || note "claims: $(cells out gait | sort -u)"
+run 0 claims --gait skewed:0.3 --errors rest_dT
+run 0 stress --gait skewed:0.3 --T 0.5
+[ "$(cells out verdict | sort -u)" = holds ] || note "stress: $(cells out verdict | sort -u)"
+run 0 stress --gait trapezoidal:0.2,0.3 --family ordinary --cases 10
+[ "$(cells out gait verdict)" = 'trapezoidal:0.2,0.3 holds' ] || note "stress: $(cells out gait verdict)"
+finish "commands with gaits of all kinds"
+
+printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >noisy.txt
+run 0 steady --gait measured:noisy.txt
+grep -q "changes its sign 2 times" err || note "noise: $(cat err)"
+run 0 steady --gait measured:noisy.txt --quiet
+[ ! -s err ] || note "a note in spite of --quiet"
+finish "a table with noise is told"
+
+# ---- what a reviewer broke: a stroke next to a long dwell, and rows a millionth apart, where |l'| has a spike ----
+printf '0 1\n5 0\n9.9 0\n10 1\n' >dwell.txt
+for T in 0.001 0.02; do
+  run 0 stress --F1 1 --F2 4 --T $T --L 1 --alpha 0.05 --gait measured:dwell.txt
+done
+printf '0 0\n1 1\n2 2\n2.000001 3.5\n3.000001 4.5\n5.000001 5.5\n6.000001 7\n9.000001 0\n' >spike.txt
+spike='phase --v0 1 --F1 4 --F2 1.5 --m1 0.05 --T 20 --gait measured:spike.txt'
+# shellcheck disable=SC2086
+run 0 $spike
+cells out modes >double
+# shellcheck disable=SC2086
+run 0 $spike --certified
+cells out modes | cmp -s - double || note "modes: $(cat double), certified $(cells out modes)"
+finish "a short stroke beside a dwell, and rows a millionth apart"
+
+exit $failed

@@ -1,0 +1,302 @@
+#!/bin/sh
+# scallop breakdown --map: grids, maps that are interrupted, boundaries between regions.
+. tests/support/common.sh
+
+# ---- bad usage: one line, nothing on standard output ----
+refused() { # WORD-IN-THE-MESSAGE ARGUMENT...
+  word=$1
+  shift
+  run 2 breakdown "$@"
+  [ ! -s out ] || note "$*: something on standard output"
+  [ "$(wc -l <err)" = 1 ] || note "$*: not one line: $(cat err)"
+  grep -q -e "$word" err || note "$*: '$word' is not said: $(cat err)"
+}
+refused "'froude'" --map frude alpha
+refused "'alpha'" --map F1/F2 alhpa
+refused "different" --map alpha alpha
+refused "vary apart" --map T froude
+refused "needs two values" --map alpha
+refused "FROM:TO:COUNT" --map F1/F2 alpha --x 1:2
+refused "FROM < TO" --map F1/F2 alpha --x 2:1:3
+refused "FROM = TO" --map F1/F2 alpha --x 1:2:1
+refused "> 0" --map F1/F2 alpha --x 0:2:3
+refused "both excluded" --map F1/F2 alpha --y 0.5:1:3
+refused "log or linear" --map F1/F2 alpha --y 0.5:0.6:3:lin
+refused "10000000 rows" --map F1/F2 alpha --x 1:2:90000 --y 0.1:0.2:900
+refused "where F1/F2 sets it" --map F1/F2 alpha --F1 3
+refused "where froude sets it" --map froude alpha --T 3
+refused "displacement" --map F1/F2 alpha --quantity displacment
+refused "2 to 2001" --map F1/F2 alpha --boundaries --x 1:1:1
+finish "bad usage is refused in a line"
+
+# ---- a grid ----
+few="--source published --quiet"
+# shellcheck disable=SC2086
+run 0 breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 $few
+cp out grid
+python grid <<'END'
+rows = read(sys.argv[1])
+if [(number(r, "F1/F2"), number(r, "froude")) for r in rows] != [(2, 0.05), (20, 0.05), (200, 0.05), (2, 20), (20, 20), (200, 20)]:
+    bad("not in order", [(r["F1/F2"], r["froude"]) for r in rows])
+for r in rows:
+    F1, F2, m1, m2, T, fr = number(r, "F1", "F2", "m1", "m2", "T", "froude")
+    if F1 != F2 * number(r, "F1/F2") or not near((m1 + m2) * 3 / (T * T * (F1 + F2)), fr, 1e-15) or r["alpha"] != "0.8":
+        bad(r)
+    if not near(number(r, "mean_velocity") * T, number(r, "displacement"), 1e-15):
+        bad("mean velocity", r)
+# where a series reaches to does not depend on T
+for a, b in zip(rows[:3], rows[3:]):
+    if any(a[k] != b[k] for k in a if k.startswith("T_1e-")):
+        bad("T differs", a, b)
+END
+# shellcheck disable=SC2086
+run 0 breakdown --map F1/F2 m1/m2 --x 2:200:3 --y 1:1:1 --alpha 0.8 --L 3 $few
+[ "$(cells out T_1e-2_published T_1e-6_published)" = "$(cells grid T_1e-2_published T_1e-6_published | head -n 3)" ] ||
+  note "T is another one where T is no axis: $(cells out T_1e-2_published), $(cells grid T_1e-2_published)"
+run 0 steady --points grid --L 3
+[ "$(cells out modes regime v_start displacement mean_velocity status)" = "$(cells grid modes regime v_start displacement mean_velocity status)" ] ||
+  note "steady gives something else for the rows of the map"
+# shellcheck disable=SC2086
+OMP_NUM_THREADS=1 run 0 breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 $few
+cmp -s out grid || note "one thread gives other bytes"
+# shellcheck disable=SC2086
+OMP_NUM_THREADS=100000 run 0 breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 $few
+cmp -s out grid || note "100000 threads: other bytes, or none"
+# shellcheck disable=SC2086
+run 3 breakdown --map F1/F2 m1/m2 --x 1e300:1e305:2 --y 1:1:1 --F2 1e5 $few
+[ "$(cells out status | sed -n 2p | cut -c 1-12)" = "a parameter " ] || note "F1 = 1e310 has a steady state: $(cells out status)"
+# shellcheck disable=SC2086
+run 0 breakdown --map alpha T --x 0.6:0.8:2 --y 1:2:2 --format json --tol 1e-3 $few
+python out <<'END'
+rows = [json.loads(l) for l in open(sys.argv[1])]
+if len(rows) != 4 or [k for k in rows[0] if k.startswith("T_")] != ["T_1e-3_published"] or "error_published" not in rows[0]:
+    bad(rows[0])
+END
+held() { # X Y PARAMETERS: what the head of a map over X and Y says
+  for what in '--source limit' --boundaries; do
+    # shellcheck disable=SC2086
+    run 0 breakdown --map "$1" "$2" --x 0.2:0.3:2 --y 0.4:0.5:2 --quiet $what
+    [ "$(sed -n 's/^# parameters: //p' out)" = "$3" ] || note "the head of a map over $1 and $2: $(grep parameters out)"
+  done
+}
+held F1/F2 froude "m1=1 m2=1 F2=1 L=10 alpha=0.75 gait=quadratic"
+held m1/m2 T "m2=1 F1=4 F2=1 L=10 alpha=0.75 gait=quadratic"
+held alpha F1/F2 "m1=1 m2=1 F2=1 L=10 T=1 gait=quadratic"
+finish "a grid: rows in order, what steady gives, T from what it depends on, and a head without what varies"
+
+# ---- interrupted ----
+map() { # CODE FILE [ARGUMENT...]
+  wanted=$1 file=$2
+  shift 2
+  run "$wanted" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o "$file" "$@"
+}
+map 0 whole
+[ ! -s err ] || note "something on standard error: $(cat err)"
+[ ! -e whole.rows ] || note "the journal is still there"
+killed=0 longest=0
+for delay in 0.005 0.01 0.015 0.02 0.03 0.05 0.08 0.12; do
+  (keep_counts_apart && exec timeout --foreground -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part) >/dev/null 2>&1 && break
+  [ ! -e part ] || note "a part of a map has its name"
+  [ -e part.rows ] || continue
+  lines=$(wc -l <part.rows)
+  [ "$lines" -ge "$longest" ] || note "rows were lost: $lines lines after $longest"
+  longest=$lines killed=$((killed + 1))
+  cp part.rows some.rows
+done
+map 0 part
+cmp -s part whole || note "a map that was killed $killed times has other bytes"
+[ ! -e part.rows ] || note "the journal of the finished map is still there"
+finish "killed at any time, a map goes on and ends with the same bytes"
+
+# A journal of every length that a kill can leave, made from one that is whole: of a run that could not write its table
+mkdir full && ln -s /dev/full full/map
+map 4 full/map
+[ ! -e full/map.rows ] || note "a device has a journal"
+(keep_counts_apart && exec "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o again) >/dev/null 2>&1 &
+child=$!
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+  [ -s again.rows ] && [ "$(wc -l <again.rows)" -ge 3 ] && break
+  sleep 0.01
+done
+kill -9 $child 2>/dev/null
+wait $child 2>/dev/null
+if [ -s again.rows ]; then cp again.rows some.rows; fi
+if [ -s some.rows ]; then
+  size=$(wc -c <some.rows)
+  for length in 5 $((size / 2)) $((size - 1)) "$size"; do
+    rm -f cut
+    head -c "$length" some.rows >cut.rows
+    done_before=$(($(wc -l <cut.rows) - 1))
+    map 0 cut
+    cmp -s cut whole || note "after $length bytes of a journal the map has other bytes"
+    if [ "$done_before" -gt 0 ]; then
+      grep -q "going on from cut.rows: $done_before of " err || note "$done_before items were done; said: $(cat err)"
+    fi
+  done
+  cp some.rows other.rows
+  run 4 breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published --m1 2 -o other
+  grep -q "remove it, or write elsewhere" err || note "of another journal it says: $(cat err)"
+  cmp -s other.rows some.rows || note "another map's journal was changed"
+  [ ! -e other ] || note "a file was written beside it"
+fi
+# Of another gait by the same name: the file was changed after the map was interrupted.
+measured="breakdown --map F1/F2 alpha --x 1.5:60:99 --y 0.55:0.9:99 --gait measured:gait.txt --L 3 --T 4 -o measured"
+interrupted() { # TEXT FILE: the map goes on until FILE has TEXT
+  # shellcheck disable=SC2086
+  "$tool" $measured >/dev/null 2>err &
+  child=$!
+  for _ in $(seq 500); do
+    grep -q -e "$1" "$2" 2>/dev/null && break
+    sleep 0.01
+  done
+  kill -9 $child 2>/dev/null
+  wait $child 2>/dev/null
+}
+printf '0 0\n1 2\n2 3\n3 1\n4 0\n' >gait.txt
+interrupted '^2' measured.rows
+cp measured.rows kept.rows
+printf '0 0\n1 2.5\n2 3\n3 1\n4 0\n' >gait.txt
+# shellcheck disable=SC2086
+run 4 $measured
+grep -q "measured gait whose file has changed" err || note "of the journal of another measured gait it says: $(cat err)"
+cmp -s kept.rows measured.rows || note "the journal of another measured gait was changed"
+printf 't l\n10 0\n11 2\n12 3\n13 1\n14 0\n' >gait.txt # the first gait, written otherwise
+interrupted 'going on' err
+grep -q "going on from measured.rows" err || note "of the same gait it says: $(cat err)"
+echo "my notes" >mine.rows
+echo earlier >mine
+map 4 mine
+[ "$(cat mine mine.rows)" = "earlier
+my notes" ] || note "a file that is no journal was changed: $(cat mine mine.rows)"
+finish "journals: cut anywhere, of another map, and none"
+
+(
+  keep_counts_apart
+  ulimit -f 1
+  echo earlier >small
+  "$tool" breakdown --map F1/F2 alpha --x 1.5:60:16 --y 0.55:0.9:16 --source published -o small >/dev/null 2>small.err
+  [ $? = 4 ] || echo "exit code is not 4"
+  [ "$(wc -l <small.err)" = 1 ] || cat small.err
+  [ "$(cat small)" = earlier ] || echo "the earlier file is gone"
+) >said 2>&1
+# The journal fits, the table does not: nothing has to be computed again
+(
+  keep_counts_apart
+  ulimit -f 8
+  "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o late >/dev/null 2>&1
+  [ $? = 4 ] || echo "exit code is not 4, or the table is too small for this test"
+) >>said 2>&1
+map 0 late
+grep -q "going on from late.rows: 24 of 24 are done" err || note "of a whole journal: $(cat err)"
+cmp -s late whole || note "from a whole journal the map has other bytes"
+[ ! -s said ] || note "where no file may grow: $(cat said)"
+run 4 breakdown --map F1/F2 alpha --x 1:2:2 --y 0.6:0.7:2 --source published -o nowhere/map
+finish "a full disk: exit code 4, the earlier file stays"
+
+# ---- boundaries against closed forms, and by proof ----
+run 0 breakdown --map froude alpha --boundaries --quiet
+cp out curves
+python curves "$tool" <<'END'
+import subprocess
+from fractions import Fraction as Q
+rows = read(sys.argv[1])
+if any(r["status"] != "ok" for r in rows):
+    bad([r for r in rows if r["status"] != "ok"][0])
+curves = {}
+for r in rows:
+    curves.setdefault(r["curve"], []).append(r)
+# Quadratic gait, m1 = m2, F1 = 4, F2 = 1: |l''| is 4 in units of the phase, q = 1/2, eps = a^2/froude, delta = 3/5.
+delta = Q(3, 5)
+def zero_start(fr, a): # the velocity at the end of the contraction, but for a factor > 0, where the extension begins from rest
+    e, c, b = a * a / fr, (1 - a) * (1 - a) / fr, 1 - a
+    u = delta * e / (2 + delta * e)                # body 1 turns back: c = 2 u
+    v = (2 - e) * u * b / a                        # at the start of the contraction, in its units
+    t = v / (2 + c)
+    return 2 * t - delta * c * (1 - t)
+one = Q(1)
+forms = { # by the change, for alpha > 1/2: a function of (froude, alpha) that changes its sign there
+    "onset of sticking: body 1 in the extension": lambda fr, a: a * a - 2 * fr,
+    "start velocity changes sign": zero_start,
+    "permanent rest of body 1": lambda fr, a: delta * (one - a) * (one - a) - 2 * fr,
+}
+counted = 0
+for r in rows:
+    fr, a = Q(r["froude"]), Q(r["alpha"])
+    if a <= Q(1, 2) or r["what"] not in forms or (r["what"] == "permanent rest of body 1" and r["region_1"] != "0+ | +- 0-"):
+        continue
+    f, h = forms[r["what"]], fr / 10**12
+    if f(fr - h, a) * f(fr + h, a) >= 0:
+        bad("not within 1e-12 of the closed form:", r)
+    counted += 1
+if counted < 60:
+    bad("only", counted, "points have a closed form")
+# Where three regions meet: all ends at one place are the same to 1e-9.
+ends = [r for c in curves.values() for r in (c[0], c[-1]) if r["end"] == "junction"]
+for r in ends:
+    others = [s for s in ends if s is not r and near(number(r, "froude"), number(s, "froude"), 1e-3) and near(number(r, "alpha"), number(s, "alpha"), 1e-3)]
+    if len(others) < 2 or not all(near(number(r, "froude"), number(s, "froude"), 1e-9) and near(number(r, "alpha"), number(s, "alpha"), 1e-9) for s in others):
+        bad("not a junction of three:", r, others)
+    if r["meets"] == "-" or r["meets"] in (r["region_1"], r["region_2"]):
+        bad("meets", r)
+for c in curves.values():
+    for end in (c[0], c[-1]):
+        if end["end"] == "open" and not (end["froude"] in ("0.01", "100") or end["alpha"] in ("0.01", "0.99")):
+            bad("open, but not at the edge:", end)
+# The regions on the two sides at 1e-12, by proof, across every fifth point
+points, wanted = [], []
+for c in curves.values():
+    for i in range(1, len(c) - 1, 5):
+        x, y = number(c[i], "froude", "alpha")
+        (x0, y0), (x1, y1) = number(c[i - 1], "froude", "alpha"), number(c[i + 1], "froude", "alpha")
+        # along and across, in the logarithm and alpha over their ranges
+        du, dv = math.log(x1 / x0) / math.log(1e4), (y1 - y0) / 0.98
+        size = max(abs(dv) * math.log(1e4), abs(du) * 0.98 / 0.99)
+        for side in (1, -1):
+            nx, na = Q(-dv / size * math.log(1e4)) * side / 10**12, Q(du / size * 0.98) * side / 10**12
+            points.append((Q(c[i]["froude"]) * (1 + nx), Q(c[i]["alpha"]) + na))
+            wanted.append(c[i]["region_1" if side == 1 else "region_2"])
+from decimal import Decimal, getcontext
+getcontext().prec = 40
+with open("sides", "w") as f:
+    f.write("alpha\tT\n")
+    for fr, a in points: # froude = 20/(5 T^2)
+        T = (Decimal(4) * fr.denominator / fr.numerator).sqrt()
+        f.write("%s\t%s\n" % (Decimal(a.numerator) / a.denominator, T))
+subprocess.run([sys.argv[2], "steady", "--certified", "--points", "sides", "--digits", "15", "-o", "proven"], check=True)
+proven = read("proven")
+if len(proven) != len(wanted) or len(wanted) < 50:
+    bad("points", len(proven), len(wanted))
+for p, w, q in zip(proven, wanted, points):
+    if p["modes"] != w:
+        bad("on a side at 1e-12:", p["modes"], "and not", w, float(q[0]), float(q[1]))
+END
+finish "boundaries: closed forms, junctions, and proven modes on both sides at 1e-12"
+
+# Here the start velocity is so small beside three regions that rounding chooses its sign, unless it is solved for in wider arithmetic.
+run 0 breakdown --map m1/m2 T --boundaries --x 0.0221:0.0223:9 --y 2.177:2.178:9 --quiet
+python out <<'END'
+rows = read(sys.argv[1])
+ends = [number(r, "m1/m2", "T") for r in rows if r["end"] == "junction"]
+if len({r["curve"] for r in rows}) != 3 or len(ends) != 3:
+    bad("not three curves that meet:", ends)
+if not all(near(a, b, 1e-9) for e in ends for a, b in zip(e, ends[0])):
+    bad("they do not meet in one point:", ends)
+END
+finish "boundaries where rounding decides the modes in double"
+
+run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y 0.02:2:9 --quiet
+cp out curves
+OMP_NUM_THREADS=1 run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y 0.02:2:9 --quiet
+cmp -s out curves || note "one thread gives other bytes"
+OMP_NUM_THREADS=100000 run 0 breakdown --map F1/F2 froude --boundaries --gait sinusoidal --x 3:30:9 --y 0.02:2:9 --quiet
+cmp -s out curves || note "100000 threads: other bytes, or none"
+python curves <<'END'
+rows = read(sys.argv[1])
+whats = {r["what"] for r in rows}
+for w in ("start velocity changes sign", "permanent rest of body 1", "onset of sticking: body 1 in the extension"):
+    if w not in whats:
+        bad(w, "is not among", whats)
+END
+finish "boundaries of the sinusoidal gait, the same bytes from one thread"
+
+exit $failed

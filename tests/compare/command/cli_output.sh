@@ -1,0 +1,314 @@
+#!/bin/sh
+# What is left, said and returned where output fails or a run is killed: full disks, closed pipes, folders that cannot be written,
+# signals. What fails below the command line has its tests in tests/compare/text/test_file.c.
+# Usage: sh tests/compare/command/cli_output.sh build/scallop. One line for each check; non-zero if any failed.
+. "$(dirname "$0")/../../support/common.sh"
+keep_counts_apart
+
+says() { # PATTERN FILE
+  grep -q -e "$1" "$2" || note "no '$1' in: $(head -n 3 "$2")"
+}
+mkdir here # where tables go: nothing else is to be seen there
+earlier() { # the folder as it was: one table
+  rm -rf here/* && echo earlier >here/table
+}
+unchanged() { # WHAT: the folder is as it was
+  [ "$(ls -A here)" = table ] || note "$1: in the folder: $(ls -A here | tr '\n' ' ')"
+  [ "$(cat here/table)" = earlier ] || note "$1: the earlier file changed"
+}
+refuse() { # CODE PATTERN ARGUMENT...: one line on standard error, the folder as it was
+  pattern=$2
+  earlier
+  code=$1
+  shift 2
+  run "$code" "$@"
+  says "$pattern" err
+  [ "$(wc -l <err)" -eq 1 ] || note "scallop $*: $(wc -l <err) lines on standard error"
+  unchanged "scallop $*"
+}
+printf 'T\n0.5\n1\n' >points.tsv
+awk 'BEGIN { print "T"; for (i = 0; i < 3000; i++) print 0.5 }' >many.tsv
+printf '1 1\n0.5 0.25\n0.25 0.0625\n0.125 0.015625\n' >square.txt
+# tables of more than a block of the disk
+long='steady --points many.tsv|phase --points many.tsv|series --points many.tsv|trajectory --periods 100|figure 5'
+each_long() { # FUNCTION: with the arguments of each
+  IFS='|'
+  for arguments in $long; do
+    unset IFS
+    # shellcheck disable=SC2086
+    "$1" $arguments
+    IFS='|'
+  done
+  unset IFS
+}
+
+# ---- names ----
+run 0 steady
+cp out want
+for way in '-o -' '--output=-' '--output x -o -'; do
+  run 0 steady $way
+  cmp -s out want || note "'$way' prints something else"
+done
+[ ! -e - ] || note "there is a file called -"
+run 0 steady -o ./-
+cmp -s ./- want || note "./- is something else"
+rm -f ./-
+finish "-o -: standard output, and ./- is a file"
+if [ -e /dev/stdout ]; then
+  echo before >appended
+  "$tool" steady -o /dev/stdout >>appended 2>err || note "exit code $?: $(cat err)"
+  echo before | cat - want | cmp -s - appended || note "it holds $(head -n 2 appended)"
+  finish "-o /dev/stdout adds to what standard output goes to"
+fi
+echo text >plain
+refuse 4 'cannot write missing/x.tsv: No such file' trajectory --periods 10000 -o missing/x.tsv
+refuse 4 'cannot write plain/x.tsv: Not a directory' trajectory --periods 10000 -o plain/x.tsv
+refuse 4 'cannot write here: Is a directory' trajectory --periods 10000 -o here
+refuse 4 'cannot write here/: Is a directory' trajectory --periods 10000 -o here/
+finish "-o where there can be no file: refused before the work"
+onto_itself() { # FILE ARGUMENT...: which read the file both
+  original=$1
+  shift
+  cp "$original" both
+  "$tool" "$@" <both >table 2>err || note "scallop $*: exit code $?: $(cat err)"
+  "$tool" "$@" -o both <both 2>err || note "scallop $* -o: exit code $?: $(cat err)"
+  cmp -s both table || note "scallop $*: another table"
+}
+onto_itself many.tsv steady --points both
+onto_itself many.tsv steady --points -
+onto_itself points.tsv series --points both
+onto_itself square.txt order both
+finish "-o onto the file that is read"
+
+# ---- what is no plain file ----
+mkfifo pipe
+timeout 5 cat pipe >through &
+run 0 steady -o pipe
+wait $!
+cmp -s through want || note "the reader got $(head -n 2 through)"
+[ -p pipe ] || note "the pipe was replaced"
+timeout 5 head -n 1 pipe >through &
+run 4 trajectory --periods 10000 -o pipe
+wait $!
+says 'cannot write pipe: Broken pipe' err
+finish "-o to a named pipe"
+device() { # NAME MINOR: its path, of one of our own where the system's could be replaced, should that be what the tool does
+  if [ ! -w /dev ]; then
+    [ ! -c "/dev/$1" ] || echo "/dev/$1"
+  elif mknod -m 666 "$1" c 1 "$2" && : >"$1"; then
+    echo "$1"
+  fi 2>err
+}
+null=$(device null 3) full=$(device full 7)
+if [ -n "$null" ]; then
+  run 0 steady -o "$null"
+  [ -c "$null" ] || note "the device was replaced"
+  finish "-o to a device"
+fi
+if [ -n "$full" ]; then
+  onto_full() {
+    "$tool" "$@" -o "$full" >out 2>err
+    code=$?
+    [ $code = 4 ] || note "scallop $*: exit code $code, not 4"
+    says "cannot write $full: No space left on device" err
+  }
+  each_long onto_full
+  onto_full steady
+  onto_full order square.txt
+  finish "-o to a full device"
+fi
+
+# ---- a full disk: a limit to the size of files is one that everybody can have ----
+too_large() {
+  earlier
+  (ulimit -f 1 && exec "$tool" "$@" -o here/table) >out 2>err
+  code=$?
+  [ $code = 4 ] || note "scallop $*: exit code $code, not 4"
+  grep -q -x "scallop $1: cannot write here/table: File too large" err || note "scallop $*: $(cat err)"
+  unchanged "scallop $*"
+  rm -f here/table
+  (ulimit -f 1 && exec "$tool" "$@" -o here/table) >out 2>err
+  [ -z "$(ls -A here)" ] || note "scallop $*: left behind: $(ls -A here)"
+}
+each_long too_large
+[ ! -x "$tool-flint" ] || too_large claims --errors rest_dT --gait quadratic --quiet
+(ulimit -f 1 && exec "$tool" trajectory) >grown 2>err
+[ $? = 4 ] || note "to standard output: not exit code 4"
+grep -q -x 'scallop trajectory: cannot write standard output: File too large' err || note "to standard output: $(cat err)"
+finish "a disk that is full: the earlier table stays"
+
+# ---- standard input, output and error ----
+closed() {
+  "$tool" "$@" >&- 2>err
+  code=$?
+  [ $code = 4 ] || note "scallop $*: exit code $code, not 4"
+  says 'cannot write standard output: Bad file descriptor' err
+}
+each_long closed
+closed steady
+closed order square.txt
+closed --version
+finish "standard output that is closed"
+broken() { # the reader is gone before the first line
+  { sleep 0.05; "$tool" "$@" 2>err; echo $? >code; } | :
+  [ "$(cat code)" = 4 ] || note "scallop $*: exit code $(cat code), not 4"
+  [ "$(cat err)" = "scallop $1: cannot write standard output: Broken pipe" ] || note "scallop $*: $(cat err)"
+}
+broken steady
+broken trajectory
+broken steady --points many.tsv
+{ "$tool" trajectory --periods 10000 --quiet 2>err; echo $? >code; } | head -n 1 >out
+[ "$(wc -l <out)" -eq 1 ] || note "$(wc -l <out) lines"
+[ "$(cat code)" = 4 ] || note "exit code $(cat code), not 4"
+says 'Broken pipe' err
+"$tool" --help | grep -q '^ *4 .*| head' || note "--help does not say so"
+finish "a closed pipe is a failed write: exit code 4 and one line"
+for arguments in 'steady --points -' 'order -'; do
+  earlier
+  # shellcheck disable=SC2086
+  "$tool" $arguments -o here/table <&- >out 2>err
+  code=$?
+  [ $code = 4 ] || note "scallop $arguments: exit code $code, not 4"
+  says 'cannot read standard input: Bad file descriptor' err
+  unchanged "scallop $arguments"
+done
+finish "standard input that is closed"
+earlier
+"$tool" steady -o here/table 2>&- || note "exit code $?"
+cmp -s here/table want || note "another table"
+earlier
+(ulimit -f 1 && exec "$tool" trajectory -o here/table) 2>&-
+[ $? = 4 ] || note "a full disk: not exit code 4"
+unchanged "a full disk"
+{ sleep 0.05; "$tool" steady -o missing/table 2>&1 >/dev/null; echo $? >code; } | :
+[ "$(cat code)" = 4 ] || note "it is a closed pipe: exit code $(cat code), not 4"
+finish "standard error that is closed"
+python "$tool" <<'END'
+# The table would get what is written there.
+import os, subprocess, time
+def close():
+    os.close(1)
+    os.close(2)
+p = subprocess.Popen([sys.argv[1], "steady", "--points", "-", "-o", "here/table"], stdin=subprocess.PIPE, preexec_fn=close)
+p.stdin.write(b"T\n" + b"1\n" * 3000)
+p.stdin.flush()
+time.sleep(0.1)
+for place in 1, 2:
+    try:
+        found = os.readlink("/proc/%d/fd/%d" % (p.pid, place))
+    except OSError as e:
+        found = "closed" if os.path.exists("/proc/self") else "/"
+    if found != "/":
+        bad("descriptor", place, "is", found)
+p.kill()
+p.wait()
+END
+finish "no file takes the place of a closed standard output or error"
+
+# ---- while the table is written ----
+begins() { # starts a table onto here/table, which is begun when it returns; writing to descriptor 3 goes on with it
+  earlier
+  rm -f feed
+  mkfifo feed
+  "$tool" steady --points feed -o here/table >out 2>err &
+  child=$!
+  exec 3>feed
+  cat many.tsv >&3
+  sleep 0.1
+}
+begins
+rm here/table && mkdir here/table
+exec 3>&-
+wait $child
+[ $? = 4 ] || note "a folder in its place: not exit code 4"
+says 'cannot write here/table: Is a directory' err
+[ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
+begins
+rm -r here
+exec 3>&-
+wait $child
+[ $? = 4 ] || note "the folder is removed: not exit code 4"
+says 'cannot write here/table: No such file' err
+mkdir here
+finish "what happens to the folder meanwhile"
+for s in HUP:129 TERM:143 KILL:137; do # what a script has in the background ignores SIGINT
+  begins
+  kill -s "${s%:*}" $child
+  wait $child 2>/dev/null
+  code=$?
+  exec 3>&-
+  [ $code = "${s#*:}" ] || note "$s: exit code $code"
+  case $s in
+    KILL*) rm here/table.scallop-?????? || note "SIGKILL leaves something else: $(ls -A here)" ;;
+  esac
+  unchanged "$s"
+done
+finish "a signal leaves the earlier table and nothing else; SIGKILL leaves table.scallop-XXXXXX"
+begins
+"$tool" steady -o here/table || note "exit code $?"
+"$tool" steady | cmp -s - here/table || note "another table"
+exec 3>&-
+wait $child || note "exit code $?"
+"$tool" steady --points many.tsv | cmp -s - here/table || note "another table at last"
+[ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
+finish "two programs that write one file: the last one's table, and whole"
+
+# ---- the program with FLINT ----
+mkdir bin
+cp "$tool" bin/
+other=bin/$(basename "$tool")-flint
+echo '#!/bin/sh' >"$other"
+cannot() { # PATTERN
+  earlier
+  "bin/$(basename "$tool")" claims -o here/table >out 2>err
+  code=$?
+  [ $code = 3 ] || note "exit code $code, not 3"
+  says "$1" err
+  [ "$(wc -l <err)" -eq 1 ] || note "$(wc -l <err) lines on standard error"
+  unchanged claims
+}
+chmod 644 "$other"
+cannot 'needs FLINT: cannot run .*/bin/scallop-flint: Permission denied'
+rm "$other"
+mkdir "$other"
+cannot 'needs FLINT: cannot run .*/bin/scallop-flint: Permission denied'
+rmdir "$other"
+cannot 'needs FLINT: there is no .*/bin/scallop-flint'
+finish "a scallop-flint that cannot be run"
+cat >"$other" <<'END'
+#!/bin/sh
+ls /proc/self/fd >open
+for s in HUP TERM PIPE; do (kill -s $s $(exec sh -c 'echo $PPID'); echo lives); done
+printf '%s\n' "$@"
+END
+chmod 755 "$other"
+"$other" >out 2>err
+mv open want
+(trap '' HUP && exec "bin/$(basename "$tool")" claims -o 'a b' --quiet) >out 2>err
+[ "$(tr '\n' ' ' <out)" = 'lives lives claims -o a b --quiet ' ] || note "it got: $(tr '\n' ' ' <out)"
+cmp -s open want || note "open: $(tr '\n' ' ' <open), and without scallop: $(tr '\n' ' ' <want)"
+finish "what is handed over to scallop-flint: arguments, ignored signals, and no open file"
+if [ -x "$tool-flint" ]; then
+  mkdir root
+  for program in "$tool" "$tool-flint"; do
+    cp "$program" root/
+    for library in $(ldd "$program" 2>/dev/null | sed -n 's|^[^/]*\(/[^ ]*\) (0x.*|\1|p'); do
+      mkdir -p "root${library%/*}" && cp -L "$library" "root$library"
+    done
+  done
+  if chroot root "/$(basename "$tool")" --version >out 2>err; then
+    chroot root "/$(basename "$tool")" phase --certified >out 2>err || note "exit code $?: $(cat err)"
+    says certified out
+  fi
+  finish "scallop-flint is found without /proc"
+  for arguments in claims 'workprec --quick' 'steady --certified --digits 10000 --T 1e-30 --gait sinusoidal'; do
+    earlier
+    # shellcheck disable=SC2086
+    timeout -s INT 0.1 "$tool" $arguments -o here/table 2>err
+    code=$?
+    [ $code = 124 ] || note "scallop $arguments: exit code $code"
+    unchanged "scallop $arguments"
+  done
+  finish "Ctrl-C in scallop-flint leaves nothing"
+fi
+exit $failed

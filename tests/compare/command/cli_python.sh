@@ -1,0 +1,407 @@
+#!/bin/sh
+# scripts/python/scallop.py and scripts/python/figure4.py: the numbers of the command, bit for bit, from the shared library beside it or
+# in SCALLOP_LIBRARY.
+# Usage: sh tests/compare/command/cli_python.sh build/scallop. One line for each check; non-zero if any failed.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+. "$(dirname "$0")/../../support/common.sh"
+
+/usr/bin/python3 -c 'import numpy' 2>err || { echo "ok python: not tried, /usr/bin/python3 has no NumPy"; exit 0; }
+for name in libscallop-core libscallop; do
+  [ ! -f "$(dirname "$tool")/$name.so.0" ] || beside=$(dirname "$tool")/$name.so.0
+done
+library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.0}}
+if readelf -d "$library" 2>err | grep -q 'NEEDED.*lib\(asan\|ubsan\)'; then
+  echo "ok python: not tried, the library wants the runtime of a sanitizer"
+  exit 0
+fi
+export SCALLOP_LIBRARY="$library" PYTHONPATH="$root/scripts/python" PYTHONDONTWRITEBYTECODE=1
+export PYTHONWARNINGS=error,ignore::ResourceWarning # read() leaves its files open
+cat >>tables.py <<'END'
+import ctypes, numpy, scallop
+def same(a, b):
+    a, b = numpy.asarray(a, float), numpy.asarray(b, float)
+    return a.shape == b.shape and ((a == b) & (numpy.signbit(a) == numpy.signbit(b)) | numpy.isnan(a) & numpy.isnan(b)).all()
+PARAMETERS = ("m1", "m2", "F1", "F2", "L", "T", "alpha")
+GAITS = {"quadratic": "quadratic", "sinusoidal": "sinusoidal", "trapezoidal:0.2,0.3": scallop.trapezoidal(0.2, 0.3),
+         "trapezoidal:0.1,0.9,0.25,0.5": scallop.trapezoidal((0.1, 0.25), (0.9, 0.5)), "skewed:0.3": scallop.skewed(0.3),
+         "skewed:0.25,1e-05": scallop.skewed([0.25, 1e-5]), "minimum-jerk": scallop.minimum_jerk(),
+         "polynomial:0,3,-2": scallop.polynomial([0, 3, -2])}
+def columns(rows, *names):
+    return {name: numpy.array([float(row[name]) for row in rows]) for name in names}
+def crawlers(rows):
+    return {**columns(rows, *PARAMETERS), "gait": [GAITS[row["gait"]] for row in rows]}
+def compare(answer, rows, *names):
+    for name in names:
+        if not same(getattr(answer, name), [float(row[name]) for row in rows]):
+            bad(name, "differs")
+    for name in ("regime", "modes", "status"):
+        if getattr(answer, name).tolist() != [row[name] for row in rows]:
+            bad(name, "differs")
+    if answer.solved.tolist() != [row["status"] == "ok" for row in rows]:
+        bad("solved differs")
+END
+
+# ---- the same as the command ----
+cat >layout.py <<'END'
+import ctypes, scallop_library as scallop
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/gaits.h"\n#include "numerics/numerics.h"')
+def fact(text, value):
+    print('_Static_assert(%s == %d, "");' % (text, value))
+fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
+fact("sizeof(struct scallop_sample)", 8 * len(scallop.SAMPLE))
+for place, name in enumerate(scallop.SAMPLE):
+    fact(f"offsetof(struct scallop_sample, {name})", 8 * place)
+for each in [each for each in vars(scallop).values() if isinstance(each, type) and issubclass(each, ctypes.Structure)]:
+    fact(f"sizeof(struct {each.__name__})", ctypes.sizeof(each))
+    for name, _ in each._fields_:
+        fact(f"offsetof(struct {each.__name__}, {name})", getattr(each, name).offset)
+        fact(f"sizeof(((struct {each.__name__} *)0)->{name})", getattr(each, name).size)
+END
+/usr/bin/python3 layout.py >layout.c || note "no layout"
+[ "$(grep -c _Static_assert layout.c)" -gt 200 ] || note "$(grep -c _Static_assert layout.c) facts"
+cc -std=c11 -I"$root" -fsyntax-only layout.c 2>err || note "$(head -n 3 err)"
+finish "structures are those of the headers"
+
+python <<'END'
+import random
+random.seed(20261130)
+def spread(low, high):
+    return math.exp(random.uniform(math.log(low), math.log(high)))
+with open("points.tsv", "w") as f:
+    print(*PARAMETERS, "gait", "phase", "v0", sep="\t", file=f)
+    for i in range(4000):
+        print(*(repr(spread(1e-2, 1e2)) for _ in range(5)), repr(spread(1e-4, 1e1)), repr(random.uniform(0.02, 0.98)),
+              list(GAITS)[i % len(GAITS)], ("extension", "contraction")[i // 8 % 2],
+              repr(random.uniform(-3, 3) if i % 3 else 0.0), sep="\t", file=f)
+    print(*"1e-300 1 4 1 10 1e200 0.75 quadratic extension 0".split(), sep="\t", file=f)
+END
+run 3 steady --points points.tsv
+cp out steady.tsv
+python <<'END'
+rows = read("steady.tsv")
+answer = scallop.steady(**crawlers(rows))
+compare(answer, rows, "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier")
+if not same(answer.v_low, answer.v_start) or not same(answer.v_high, answer.v_start):
+    bad("v_low or v_high")
+if {"sliding", "stick-slip", "at-rest", "-"} != set(answer.regime.tolist()) or not math.isnan(answer.froude[-1]):
+    bad("the points do not have every regime")
+END
+finish "steady: the rows of steady --points, every bit"
+
+run 3 phase --points points.tsv
+cp out phase.tsv
+python <<'END'
+rows = read("phase.tsv")
+for kind in ("extension", "contraction"):
+    some = [row for row in rows if row["phase"] == kind]
+    compare(scallop.phase(kind, **crawlers(some), **columns(some, "v0")), some, "t1", "dT", "v_end", "dx1", "dx2", "dxC")
+END
+finish "phase: the rows of phase --points, every bit"
+
+run 0 trajectory --start 2.5 --periods 3 --samples 50 --F1 3 --gait skewed:0.3
+python <<'END'
+rows = read("out")
+motion = scallop.trajectory(2.5, periods=3, samples=50, F1=3, gait=GAITS["skewed:0.3"])
+for name, values in columns(rows, *motion._fields).items():
+    if not same(getattr(motion, name), values):
+        bad(name, "differs")
+END
+finish "trajectory: the rows of trajectory"
+
+run 0 series --F1 3 --gait sinusoidal --v0 2.5
+python <<'END'
+rows = read("out")
+found = 0
+for row in rows:
+    if row["phase"] == "contraction" and row["formula"].startswith("rest_"):
+        continue
+    taken = {}
+    if row["phase"] != "period":
+        start = 0 if row["formula"].startswith("rest_") else 2.5
+        exact = scallop.phase(row["phase"], start, F1=3, gait="sinusoidal")
+        taken = dict(t1=exact.t1, dT=exact.dT)
+    value = scallop.published(row["formula"], 2.5, F1=3, gait="sinusoidal", **taken)
+    if math.isnan(value) and "_end_from_dT" in row["formula"]:
+        continue  # it takes x_switch, which no command prints
+    if "%.15g" % value != "%.15g" % float(row["published"]):
+        bad(row["formula"], value, row["published"])
+    if scallop.formulas()[row["formula"]][0] != row["equation"]:
+        bad(row["formula"], "has another equation")
+    found += 1
+if found < 35 or {row["formula"] for row in rows} != set(scallop.formulas()):
+    bad(found, "formulas")
+if scallop.published("A_x1_end_from_dT_short", 2.5, dT=0.1, x_switch=[1, 2]).shape != (2,):
+    bad("given values do not broadcast")
+END
+finish "published: the values of series"
+
+# ---- arrays ----
+python <<'END'
+F1, T = numpy.array([1.5, 3, 40]), numpy.array([[0.1], [1]])
+grid = scallop.steady(F1=F1, T=T)
+if grid.displacement.shape != (2, 3) or grid.modes.shape != (2, 3) or grid.regime[0, 0] != "sliding":
+    bad("shapes", grid)
+for i in range(2):
+    for j in range(3):
+        one = scallop.steady(F1=F1[j], T=float(T[i, 0]))
+        if one.displacement != grid.displacement[i, j] or one.modes != grid.modes[i, j]:
+            bad("one by one differs")
+        if not isinstance(one.displacement, float) or not isinstance(one.modes, str) or one.status != "ok" or not one.solved:
+            bad("not a number and texts", one)
+gaits = scallop.steady(gait=numpy.array(["quadratic", "sinusoidal"]), F1=[[3], [4]])
+if gaits.v_mid[1, 0] != scallop.steady().v_mid or gaits.v_mid[0, 1] != scallop.steady(F1=3, gait="sinusoidal").v_mid:
+    bad("gaits do not broadcast")
+END
+finish "parameters broadcast together"
+
+python <<'END'
+for answer in (scallop.steady(F1=[]), scallop.phase("extension", numpy.empty((0, 3))), scallop.steady(gait=[])):
+    for name in (*answer._arrays, "regime", "modes", "status", "solved"):
+        if getattr(answer, name).size != 0 or getattr(answer, name).shape[0] != 0:
+            bad(name, getattr(answer, name))
+if scallop.published("rest_xC_end", F1=[]).shape != (0,) or "array([]" not in repr(scallop.steady(F1=[])):
+    bad("no formula of nothing")
+END
+finish "zero length"
+
+python <<'END'
+numbers = numpy.linspace(1, 7, 12)
+wanted = scallop.steady(F1=numbers).v_start
+for name, other in {"strided": numpy.repeat(numbers, 3)[::3], "backward": numbers[::-1].copy()[::-1],
+                    "big-endian": numbers.astype(">f8"), "object": numbers.astype(object), "list": numbers.tolist(),
+                    "unaligned": numpy.frombuffer(b"x" + numbers.tobytes(), numpy.uint8)[1:].view(float)}.items():
+    if not same(scallop.steady(F1=other).v_start, wanted):
+        bad(name, "differs")
+for kind in (numpy.float32, numpy.int64, numpy.uint8, numpy.longdouble):
+    if not same(scallop.steady(F1=numpy.array([2, 3, 5], kind)).v_start, scallop.steady(F1=[2.0, 3.0, 5.0]).v_start):
+        bad(kind, "differs")
+square = numbers.reshape(3, 4)
+for other in (square, numpy.asfortranarray(square), numpy.tile(square, (2, 2))[:3, 4:]):
+    if not same(scallop.steady(F1=other).v_start, wanted.reshape(3, 4)):
+        bad("order in memory matters")
+END
+finish "arrays of every kind and order in memory"
+
+python <<'END'
+seen, give = [], scallop._crawlers
+scallop._crawlers = lambda columns: seen.append(give(columns)) or seen[-1]
+numbers = {name: numpy.linspace(0.5, 0.9, 100).reshape(10, 10) for name in PARAMETERS}
+numbers["F1"].flags.writeable = False
+scallop.steady(**numbers)
+scallop.phase("extension", **numbers)
+numbers["T"] = numbers["T"].T
+before = numbers["T"].copy()
+scallop.steady(**numbers)
+for name in PARAMETERS:
+    places = [getattr(each, name) == numbers[name].ctypes.data for each in seen]
+    if places != [True, True, name != "T"]:
+        bad(name, "is copied, or is not:", places)
+if not same(numbers["T"], before):
+    bad("T was changed")
+odd = numpy.frombuffer(bytes(1) + before.tobytes(), numpy.uint8)[1:].view(float)
+scallop.steady(T=odd)
+if odd.flags.aligned or seen[-1].T % odd.itemsize != 0 or not same(odd, before.ravel()):
+    bad("an array that is not aligned is handed over")
+END
+finish "float64 arrays in C order are not copied"
+
+# ---- threads ----
+python <<'END'
+rows = crawlers(read("steady.tsv"))
+for call in (scallop.steady, lambda **rows: scallop.phase("contraction", 0.5, **rows)):
+    one, some = call(**rows), [call(threads=threads, **rows) for threads in (2, 3, 8)]
+    for other in some:
+        for name in one._arrays:
+            if not same(getattr(one, name), getattr(other, name)):
+                bad(name, "depends on the threads")
+        for name in ("modes", "status", "regime"):
+            if (getattr(one, name) != getattr(other, name)).any():
+                bad(name, "depends on the threads")
+END
+finish "threads do not matter"
+
+python <<'END'
+import scallop_library, threading, time
+ticks, stop, spans, asked = [], threading.Event(), [], []
+def tick():
+    while not stop.wait(0.001):
+        ticks.append(time.perf_counter())
+library = scallop_library.library()
+class Timed:
+    def __getattr__(self, name):
+        return getattr(library, name)
+    def scallop_steady_batch(self, *arguments):
+        asked.append(arguments[-1])
+        begin = time.perf_counter()
+        failed = library.scallop_steady_batch(*arguments)
+        spans.append((begin, time.perf_counter()))
+        return failed
+scallop_library._loaded = Timed()
+ticker = threading.Thread(target=tick)
+ticker.start()
+count = 1 << 16
+while not spans or spans[-1][1] - spans[-1][0] < 0.2:
+    scallop.steady(T=numpy.linspace(0.1, 3, count), gait="sinusoidal")
+    count *= 2
+stop.set()
+ticker.join()
+begin, end = spans[-1]
+scallop.steady(threads=3)
+if asked[0] != 1 or asked[-1] != 3:
+    bad("the library was asked for", asked, "threads")
+within = sum(begin + 0.1 * (end - begin) < t < end - 0.1 * (end - begin) for t in ticks)
+if within < 5:
+    bad("another thread ran", within, "times in", end - begin, "s")
+END
+finish "other threads of Python run meanwhile"
+
+python <<'END'
+import gc
+wanted = [scallop.steady(gait=scallop.skewed(i / 64)).displacement for i in range(1, 64)]
+got = scallop.steady(gait=[scallop.skewed(i / 64) for i in range(1, 64)]).displacement
+gc.collect()
+if not same(got, wanted) or len(set(wanted)) < 50:
+    bad("gaits made on the way differ")
+for name, gait in GAITS.items():
+    if not isinstance(gait, str) and gait.name != name:
+        bad(gait, "is not called", name)
+END
+finish "gaits live as long as they are needed, with the names of --gait"
+
+# ---- bad input ----
+python <<'END'
+import reprlib
+nan, inf = math.nan, math.inf
+grid = numpy.ones((2, 3))
+grid[1, 2] = -2
+none = "'quadratic', 'sinusoidal', or a Gait made by trapezoidal(), skewed(), polynomial() or minimum_jerk()"
+for call, wanted in {
+    (lambda: scallop.steady(F1=-3)): "F1 = -3.0: a finite number > 0",
+    (lambda: scallop.steady(F1=[1, -3, -4], T=[1, 1, 0])): "row 1: F1 = -3.0: a finite number > 0",
+    (lambda: scallop.steady(m2=grid)): "row (1, 2): m2 = -2.0: a finite number > 0",
+    (lambda: scallop.steady(alpha=[0.5, 1])): "row 1: alpha = 1.0: a number between 0 and 1, both excluded",
+    (lambda: scallop.phase("extension", [0, 1, inf])): "row 2: v0 = inf: a finite number",
+    (lambda: scallop.phase("contraction", nan, L=inf)): "L = inf: a finite number > 0",
+    (lambda: scallop.phase("rest")): "kind = 'rest': 'extension' or 'contraction'",
+    (lambda: scallop.phase(["extension"])): "kind = ['extension']: 'extension' or 'contraction'",
+    (lambda: scallop.steady(T="1")): "T: real numbers are wanted, not '1'",
+    (lambda: scallop.steady(T=1j)): "T: real numbers are wanted, not 1j",
+    (lambda: scallop.steady(T=None)): "T: real numbers are wanted, not None",
+    (lambda: scallop.steady(T=[[1], [1, 2]])): "T: real numbers are wanted, not [[1], [1, 2]]",
+    (lambda: scallop.steady(T=[1, 10**400])): "T: real numbers are wanted, not " + reprlib.repr([1, 10**400]),
+    (lambda: scallop.steady(T=[1, 2], F1=[1, 2, 3])): "these do not broadcast together: F1 (3,), T (2,)",
+    (lambda: scallop.steady(gait="walk")): "gait = 'walk': " + none,
+    (lambda: scallop.steady(gait=["quadratic", None])): "gait = None: " + none,
+    (lambda: scallop.steady(gait={})): "gait = {}: " + none,
+    (lambda: scallop.steady(threads=0)): "threads = 0: a whole number from 1 to 2147483647",
+    (lambda: scallop.steady(threads=1.5)): "threads = 1.5: a whole number from 1 to 2147483647",
+    (lambda: scallop.trapezoidal(0.7, 0.4)): 
+        "up = [0.7, 0.7], down = [0.4, 0.4]: from 2^-100, and up + down at most 1 in both phases",
+    (lambda: scallop.trapezoidal([1, 2, 3])): "up: one number, or two for extension and contraction, not [1, 2, 3]",
+    (lambda: scallop.skewed(1)): "beta = [1.0, 1.0]: from 2^-100, below 1",
+    (lambda: scallop.polynomial([1, 2, 3])): "coefficients = [1.0, 2.0, 3.0]: C1 is not 0, and so l' not at the start",
+    (lambda: scallop.polynomial([0, 1])): "coefficients: a sequence of 3 to 16 numbers, not [0, 1]",
+    (lambda: scallop.trajectory(periods=0)): "periods = 0: a whole number from 1 to 2147483647",
+    (lambda: scallop.trajectory(T=[1, 2])): "a trajectory is that of one crawler: its parameters are numbers",
+    (lambda: scallop.trajectory(nan)): "v0 = nan: a finite number",
+    (lambda: scallop.published("rest_xC", F1=2)): 
+        "name = 'rest_xC': a formula that formulas() lists; did you mean 'rest_xC_end'?",
+    (lambda: scallop.published("rest_xC_end", L=[1, 0])): "row 1: L = 0.0: a finite number > 0",
+}.items():
+    try:
+        bad("no error:", wanted, call())
+    except ValueError as error:
+        if str(error) != wanted:
+            bad("got:", error, "wanted:", wanted)
+END
+finish "bad input is a ValueError that says where, what and what is allowed"
+
+python <<'END'
+far, reason = dict(m1=[1, 1e-300], T=[1, 1e200]), "out of range: a scaled quantity overflows or underflows"
+for answer in (scallop.steady(**far), scallop.phase("extension", **far)):
+    if answer.status.tolist() != ["ok", reason] or answer.solved.tolist() != [True, False]:
+        bad(answer)
+    if answer.regime[1] != "-" or answer.modes[1] != "-" or not all(math.isnan(each[1]) for each in answer._arrays.values()):
+        bad(answer)
+try:
+    bad(scallop.trajectory(m1=1e-300, T=1e200))
+except ArithmeticError as error:
+    if str(error) != reason:
+        bad(error)
+END
+finish "what cannot be solved is nan, and its status says why"
+
+python <<'END'
+def interrupt(*_):
+    raise KeyboardInterrupt
+ctypes.memmove = interrupt
+try:
+    bad(scallop.trajectory())
+except KeyboardInterrupt:
+    pass
+END
+finish "an interrupt ends a trajectory"
+
+# ---- finding the library ----
+mkdir -p tree/scripts/python tree/build
+cp "$root/scripts/python/scallop.py" "$root/scripts/python/scallop_library.py" tree/scripts/python
+loads() { # FILE, or part of the message
+  PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
+  tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
+}
+loads "$library"
+cp "$library" libscallop.so.1
+cp "$library" libscallop.so
+cp "$library" libscallop.so.0.9.8
+ln -s libscallop.so.0.9.8 link.so
+echo text >libscallop.so.0
+cc -shared -o libscallop-core.so.0 -x c /dev/null
+for pair in "libscallop.so.1=libscallop.so.1: version 1 of the binary interface: version 0 is wanted" \
+  "libscallop.so=the name does not say the version of the binary interface: .so.0 is wanted" \
+  "link.so=$scratch/link.so" "libscallop.so.0=cannot load the library of scallop: $scratch/libscallop.so.0: " \
+  "libscallop-core.so.0=has no scallop_status_text: it is older than scallop.py, or another library" \
+  "none.so.0=cannot load the library of scallop: $scratch/none.so.0: cannot open"; do
+  SCALLOP_LIBRARY=${pair%%=*} loads "${pair#*=}"
+done
+unset SCALLOP_LIBRARY
+mv libscallop.so.0.9.8 libscallop.so.0
+loads "neither libscallop.so.0 nor libscallop-core.so.0 is in $scratch/tree/build"
+LD_LIBRARY_PATH=$scratch loads libscallop.so.0
+cp "$library" tree/build/libscallop-core.so.0
+LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.0"
+export SCALLOP_LIBRARY="$library"
+loads "$library"
+python "$scratch/tree/build/libscallop-core.so.0" <<'END'
+if scallop.load(sys.argv[1]) != sys.argv[1] or scallop.steady().v_start != 3.0166206576889527:
+    bad("the argument does not come first")
+END
+finish "the library is found, in order, and refused when it is another one"
+
+# ---- the example ----
+run 0 figure 4 --digits 17
+cp out figure4.tsv
+python "$root/data/figure4.tsv" <<'END'
+import figure4
+table, exact, committed = figure4.table(), read("figure4.tsv"), read(sys.argv[1])
+if not same(table, [[float(row[name]) for name in figure4.COLUMNS] for row in exact]):
+    bad("not the numbers of figure 4")
+if [["%.12g" % x for x in row] for row in table.tolist()] != [[row[name] for name in figure4.COLUMNS] for row in committed]:
+    bad("not the digits of data/figure4.tsv")
+END
+finish "figure4.py: the numbers of figure 4"
+
+if command -v gnuplot >/dev/null; then
+  /usr/bin/python3 "$root/scripts/python/figure4.py" --output python.svg || note "exit code $?"
+  gnuplot -e "table = 'figure4.tsv'; output_file = 'table.svg'; kind = 'svg'" \
+    "$root/scripts/plots/common.gp" "$root/scripts/plots/figure4.gp"
+  cmp python.svg table.svg >said || note "$(cat said)"
+  /usr/bin/python3 "$root/scripts/python/figure4.py" --output none/python.svg 2>err
+  [ $? = 4 ] || note "no exit code 4 for a folder that is not there"
+  finish "figure4.py: the picture of figure 4"
+fi
+PATH=/nowhere SCALLOP_LIBRARY=$library /usr/bin/python3 "$root/scripts/python/figure4.py" --output kept.svg 2>err
+[ $? = 3 ] || note "no exit code 3 without gnuplot"
+grep -q 'gnuplot is not installed' err || note "$(tail -n 1 err)"
+[ ! -f kept.svg ] || note "a file is there"
+finish "figure4.py: without gnuplot"
+exit $failed

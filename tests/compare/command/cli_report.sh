@@ -1,0 +1,204 @@
+#!/bin/sh
+# The page of all results: scripts/report/report.py. Usage: sh tests/compare/command/cli_report.sh build/scallop
+# With Chromium installed it is looked at as well; `make check-report` looks at the real one, with the plots of gnuplot.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+. "$(dirname "$0")/../../support/common.sh"
+
+figures='figure2 figure3 figure4 figure5 errors workprec map_regimes map_reach map_velocity'
+mkdir plots scenes
+for name in $figures; do # with the names that gnuplot gives in every file, a colour it sets, and what must be escaped
+  cat >"plots/$name.svg" <<'END'
+<?xml version="1.0" encoding="utf-8" standalone="no"?>
+<svg width="900" height="380" viewBox="0 0 900 380"
+  xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink">
+<title>Gnuplot</title>
+<g id="gnuplot_canvas"><rect x="0" y="0" width="900" height="380" fill="#ffffff"/>
+<defs><circle id='gpPt5' stroke-width='0.222' stroke='currentColor' cx='0' cy='0' r='1'/>
+<use xlink:href='#gpPt5' id='gpPt6' fill='currentColor'/></defs>
+<g fill="none" color="#FFFFFF" stroke="currentColor" stroke-width="1.00"></g>
+<g id="gnuplot_plot_1" ><title>one</title><g fill="none" color="black" stroke="currentColor" stroke-width="2.00">
+<path stroke='rgb( 11,  60, 140)'  d='M20.00,20.00 L800.25,360.55  '/>
+<path stroke='black'  d='M20.00,360.00 L800.25,20.55  '/>
+<use xlink:href='#gpPt6' transform='translate(121.64,106.80) scale(4.50)' color='rgb(200,  16,  46)'/></g></g>
+<g stroke='none'><polygon fill = 'rgb(217, 231, 247)' points = '100,80 200,80 200,40 100,40 '/>
+<polygon fill = 'rgb(217, 231, 247)' points = '190,80 300,80 300,40 190,40 '/></g>
+<g transform="translate(64.14,326.30)" stroke="none" fill="black" font-family="DejaVu Sans" font-size="12.00">
+<text><tspan font-family="DejaVu Sans" >a &lt; b &amp; c</tspan></text></g>
+</g></svg>
+END
+done
+for table in "$root"/data/*.tsv; do
+  printf '# of %s, with <b> & "quotes"\n' "$(basename "$table")" >"scenes/$(basename "$table" .tsv).cfg"
+done
+report() { # CODE OPTION...
+  wanted=$1
+  shift
+  /usr/bin/python3 "$root/scripts/report/report.py" "$@" >out 2>err
+  code=$?
+  [ "$code" = "$wanted" ] || note "report.py $* gives exit code $code, not $wanted: $(tail -n 2 err)"
+}
+say() { grep -q -e "$1" err || note "no '$1' on standard error: $(tail -n 1 err)"; }
+
+report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
+[ ! -s err ] || note "on standard error: $(head -n 2 err)"
+[ ! -s out ] || note "on standard output: $(head -n 2 out)"
+finish 'report: written, without a word'
+
+cat >parse.py <<'END'
+import html.parser, re
+class Page(html.parser.HTMLParser):
+    """Elements as a list of (name, attributes); complains of tags that do not match."""
+    void = {"meta", "link", "br", "wbr", "input"}
+    def __init__(self, source):
+        super().__init__()
+        self.open, self.elements, self.wrong, self.words = [], [], [], []
+        self.feed(source)
+        self.close()
+        self.wrong += [f"<{name}> is not closed" for name in self.open]
+    def handle_starttag(self, name, attributes):
+        self.elements.append((name, dict(attributes)))
+        if name not in self.void:
+            self.open.append(name)
+    def handle_startendtag(self, name, attributes):
+        self.elements.append((name, dict(attributes)))
+    def handle_endtag(self, name):
+        if not self.open or self.open.pop() != name:
+            self.wrong.append(f"</{name}> at {self.getpos()}")
+    def handle_data(self, data):
+        self.words.append(data)
+source = open("page/index.html", encoding="utf-8").read()
+page = Page(source)
+END
+python() { # as in common.sh, with the page parsed
+  cat tables.py parse.py - >program.py
+  /usr/bin/python3 program.py "$@" >said 2>&1 || note "python: $(tail -n 1 said)"
+  [ ! -s said ] || note "$(head -n 3 said)"
+}
+python <<'END'
+if page.wrong:
+    bad(*page.wrong[:3])
+names = [given["id"] for _, given in page.elements if "id" in given]
+twice = {name for name in names if names.count(name) > 1}
+if twice:
+    bad("ids that are not unique:", *sorted(twice))
+links = [given["href"] for name, given in page.elements if given.get("href", "").startswith("#")]
+links += ["#" + target for target in re.findall(r"url\(#([^)]*)\)", source)]
+for link in links:
+    if link[1:] not in names:
+        bad("no target of", link)
+END
+finish 'report: tags match, ids are unique, links within the page have targets'
+
+python <<'END'
+for name, given in page.elements:
+    for key, value in given.items():
+        if key in ("src", "srcset", "data", "poster", "xlink:href", "style") or key.startswith("on"):
+            bad(f"<{name} {key}>")
+        cited = name == "a" and value.startswith("https://arxiv.org/")
+        if key == "href" and not (cited or value.startswith(("#", "data:"))):
+            bad(f"<{name} href={value[:60]}>")
+policy = [given["content"] for _, given in page.elements if given.get("http-equiv") == "Content-Security-Policy"]
+if len(policy) != 1 or "default-src 'none'" not in policy[0] or "unsafe" in policy[0] or "http" in policy[0]:
+    bad("policy:", *policy)
+if re.search(r"@import|@font-face", source):
+    bad("a style that loads")
+END
+finish 'report: nothing is loaded, and the policy forbids it'
+
+python "$root/data" <<'END'
+import os, urllib.parse
+figures = "figure2 figure3 figure4 figure5 errors workprec stress map_regimes map_reach map_velocity".split()
+there = [given.get("id") for name, given in page.elements if name == "figure"]
+if sorted(there) != sorted(figures):
+    bad("figures:", *there)
+pictures = [given for name, given in page.elements if name == "svg" and given.get("role") == "img"]
+if len(pictures) != 16 or not all(given.get("aria-label") for given in pictures):
+    bad(len(pictures), "pictures, some without a label")
+files = {given["download"]: given["href"] for _, given in page.elements if "download" in given}
+wanted = sorted(os.listdir(sys.argv[1]))
+wanted = [name for name in wanted if name.endswith(".tsv")]
+if sorted(files) != wanted:
+    bad("tables:", *sorted(files))
+for name in wanted:
+    given = urllib.parse.unquote(files[name].split(",", 1)[1])
+    if given != open(os.path.join(sys.argv[1], name), encoding="utf-8").read():
+        bad(name, "is not what is downloaded")
+rows = [given for name, given in page.elements if name == "tr" and "data-verdict" in given]
+ledger = read(os.path.join(sys.argv[1], "claims.tsv"))
+if [row["verdict"] for row in ledger] != [given["data-verdict"] for given in rows]:
+    bad("the ledger has other verdicts than the table, or other rows")
+inside = [row["verdict"] for row in ledger if row["source"] == "paper" and row["inside"] == "yes"]
+for verdict in ("holds", "sharper", "refuted", "undecided"):
+    if not re.search(rf'<li class="{verdict}"><a [^>]*><b>{inside.count(verdict)}</b>', source):
+        bad(verdict, "is not counted as", inside.count(verdict))
+END
+finish 'report: every figure, every table, and the counts of the ledger'
+
+python <<'END'
+for text in ("a &lt; b &amp; c", "&lt;b&gt; &amp; &quot;quotes&quot;", "d(&lt;U&gt; T/L)"):
+    if text not in source:
+        bad("not escaped, or not there:", text)
+if re.search(r"rgb\(|Gnuplot|gnuplot_|DejaVu Sans,", source):
+    bad("left of gnuplot:", re.search(r"rgb\(|Gnuplot|gnuplot_|DejaVu Sans,", source)[0])
+if 'd="M100 40H300V80H100z"' not in source:
+    bad("boxes of one colour are not joined")
+END
+finish 'report: cells, scenes and labels are escaped, colours have names'
+
+cp page/index.html first.html
+mkdir elsewhere
+cp -r plots scenes elsewhere/
+(cd elsewhere && report 0 --tables "$root/data" --plots plots --scenes scenes --output index.html)
+cmp -s first.html elsewhere/index.html || note "another page from another folder"
+! grep -q -e "$root" -e "$scratch" first.html || note "the page has a path of the machine"
+[ "$(wc -c <first.html)" -lt 5000000 ] || note "$(wc -c <first.html) bytes"
+finish 'report: the same bytes, without a path, below 5 MB'
+
+rm scenes/errors.cfg
+report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
+say 'errors.cfg: there is no such scene'
+report 0 --tables "$root/data" --plots plots --scenes nowhere --output page/index.html
+say 'nowhere: there is no such folder'
+finish 'report: what is not there is left out, and said'
+
+cp page/index.html before.html
+mv plots/figure3.svg moved.svg
+report 4 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
+say 'plots/figure3.svg: No such file'
+echo '<svg' >plots/figure3.svg
+report 4 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
+say 'plots/figure3.svg'
+mv moved.svg plots/figure3.svg
+mkdir tables
+cp "$root"/data/*.tsv tables/
+printf 'a\tb\n1\n' >tables/figure2.tsv
+report 4 --tables tables --plots plots --scenes scenes --output page/index.html
+say 'figure2.tsv: row 1 has 1 cells where the header has 2'
+rm tables/figure2.tsv
+report 4 --tables tables --plots plots --scenes scenes --output page/index.html
+say 'figure2.tsv: No such file'
+cp "$root/data/figure2.tsv" tables/
+sed 's/^method/name/' "$root/data/workprec.tsv" >tables/workprec.tsv
+report 3 --tables tables --plots plots --scenes scenes --output page/index.html
+say "no column 'method'"
+report 2 --tables "$root/data"
+cmp -s before.html page/index.html || note "the earlier page is not what it was"
+[ "$(ls page)" = index.html ] || note "left behind: $(ls page)"
+finish 'report: bad input is refused, and an earlier page stays'
+
+for browser in chromium chromium-browser google-chrome ''; do
+  [ -z "$browser" ] || ! command -v "$browser" >/dev/null 2>&1 || break
+done
+if [ -n "$browser" ]; then
+  /usr/bin/python3 "$root/scripts/report/check_report.py" --quick first.html >out 2>err || note "$(head -n 3 out err)"
+  sed 's/<\/style>/svg{visibility:hidden}p{color:#555}main{min-width:2000px}<\/style>/
+    s/style-src [^;]*;/style-src '"'unsafe-inline'"';/' first.html >bad.html
+  /usr/bin/python3 "$root/scripts/report/check_report.py" --quick bad.html >out 2>err
+  code=$?
+  [ $code = 1 ] || note "exit code $code for a page that is bad"
+  for complaint in 'blank, 1 colours' 'contrast' 'the page is 20.. px wide in a window of'; do
+    grep -q "$complaint" out || note "no complaint: $complaint"
+  done
+  finish 'report: looked at in Chromium'
+fi
+exit $failed

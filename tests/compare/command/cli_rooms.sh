@@ -1,0 +1,90 @@
+#!/bin/sh
+# scripts/dev/rooms.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
+rooms=$(cd "$(dirname "$0")/../../.." && pwd)/scripts/dev/rooms.py
+. "$(dirname "$0")/../../support/common.sh"
+
+build() { # every .c of the house as an object file
+  rm -rf build
+  for c in */*.c compare/*/*.c; do
+    mkdir -p "build/${c%/*}"
+    "${CC:-cc}" -std=c11 -I. -c -o "build/${c%.c}.o" "$c" || note "$c is not compiled"
+  done
+}
+judge() { # CODE
+  build
+  /usr/bin/python3 "$rooms" build >out 2>err
+  code=$?
+  [ "$code" = "$1" ] || note "exit code $code, not $1: $(cat out err)"
+}
+said() { grep -q -F -e "$1" out || note "'$1' is not among: $(cat out err)"; }
+
+mkdir -p model numerics asymptotics compare/text compare/maps compare/breakdown
+echo 'double law(double t);' >model/law.h
+printf '#include "model/law.h"\ndouble law(double t) { return t; }\n' >model/law.c
+printf '#include "model/law.h"\ndouble solve(void);\ndouble solve(void) { return law(1); }\n' >numerics/solve.c
+echo 'extern int written;' >compare/text/table.h
+printf '#include "compare/text/table.h"\nint written;\n' >compare/text/table.c
+printf '#include "compare/text/table.h"\nint grid(void);\nint grid(void)\n{\n  return written;\n}\n' >compare/maps/grid.c
+judge 0
+[ ! -s out ] || note "of a house in order: $(cat out)"
+finish "make rooms: a house in order"
+
+# Upward: by an include, by a call without one, by data without one
+cp compare/text/table.c kept.c
+printf '#include "compare/maps/map.h"\n' >>compare/text/table.c
+: >compare/maps/map.h
+judge 1
+said "text must not use maps: compare/text/table.c:3 includes compare/maps/map.h"
+printf 'int grid(void);\nint (*const row)(void) = grid;\n' >>kept.c
+cp kept.c compare/text/table.c
+judge 1
+said "text must not use maps: compare/text/table.c uses grid of compare/maps/grid.c"
+said "circle in the house, of maps, text:"
+sed '/grid/d' kept.c >compare/text/table.c
+printf 'extern int written;\nint *law_written(void);\nint *law_written(void) { return &written; }\n' >model/data.c
+judge 1
+said "model must not use text: model/data.c uses written of compare/text/table.c"
+rm model/data.c
+mkdir compare/cellar
+: >compare/cellar/box.h
+judge 1
+said "cellar: not in rooms.txt"
+rm -r compare/cellar
+finish "make rooms: arrows that are not allowed, by includes and by symbols"
+
+# A table of functions; one of them reads the table.
+cat >compare/breakdown/kinds.c <<'END'
+int reach(void), radius(void);
+int (*const kinds[])(void) = { reach, radius };
+END
+cat >compare/breakdown/reach.c <<'END'
+extern int (*const kinds[])(void);
+int reach(void), radius(void);
+int reach(void) { return kinds[1](); }
+END
+echo 'int radius(void); int radius(void) { return 1; }' >compare/breakdown/radius.c
+judge 1
+said "circle in compare/breakdown, of kinds, reach:"
+said "compare/breakdown/kinds.c uses reach of compare/breakdown/reach.c"
+said "compare/breakdown/reach.c uses kinds of compare/breakdown/kinds.c"
+[ "$(wc -l <out)" = 3 ] || note "more than one circle: $(cat out)"
+sed -i 's/kinds\[1\]/radius/' compare/breakdown/reach.c
+judge 0
+finish "make rooms: a circle through a table of function pointers"
+
+{
+  printf 'int many(int i);\nint many(int i)\n{\n'
+  for _ in $(seq 57); do echo '  i++;'; done
+  printf '  return i;\n}\n'
+} >numerics/many.c # 61 lines from its name on
+for i in $(seq 26); do : >"compare/maps/header$i.h"; done
+seq 451 | sed 's|^|// |' >compare/text/long.h
+judge 1
+said "numerics/many.c: many: 61 lines, 60 are allowed"
+said "compare/maps: 28 files, 25 are allowed"
+said "compare/text/long.h: 451 lines, 450 are allowed"
+[ "$(wc -l <out)" = 3 ] || note "more is refused: $(cat out)"
+/usr/bin/python3 "$rooms" build --size >out || note "--size gives exit code $?"
+grep -q '^numerics  *2  *65  *2  *31  *61$' out || note "the size of numerics: $(cat out)"
+finish "make rooms, make size: functions, files and folders that are too long"
+exit $failed

@@ -1,0 +1,113 @@
+/* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the first and last
+ * of the libraries': in between they fall themselves. Only where the allocator lets itself be called by another name: glibc's, and the
+ * address sanitizer's. */
+#include "tests/support/check.h"
+
+#include <stdlib.h>
+
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/smoothed.h"
+
+#ifdef __GLIBC__
+static volatile long fails_in = -1; /* allocations until one fails; below 0: none does */
+static volatile long in_use;
+
+#ifdef __has_feature
+#define SANITIZED __has_feature(address_sanitizer)
+#elif defined __SANITIZE_ADDRESS__
+#define SANITIZED 1
+#else
+#define SANITIZED 0
+#endif
+#if SANITIZED
+#define REAL(name) __interceptor_##name
+#else
+#define REAL(name) __libc_##name
+#endif
+void *REAL(malloc)(size_t size);
+void *REAL(calloc)(size_t count, size_t size);
+void REAL(free)(void *block);
+
+static bool refused(void) { return fails_in >= 0 && fails_in-- == 0; }
+
+static void *counted(void *block)
+{
+  in_use += block != NULL;
+  return block;
+}
+
+void *malloc(size_t size) { return refused() ? NULL : counted(REAL(malloc)(size)); }
+
+void *calloc(size_t count, size_t size) { return refused() ? NULL : counted(REAL(calloc)(count, size)); }
+
+void free(void *block)
+{
+  in_use -= block != NULL;
+  REAL(free)(block);
+}
+
+typedef struct scallop_rival *maker(int kind);
+
+/* How many allocations it takes */
+static long allocations(maker *make, int kind)
+{
+  enum { MANY = 1000000 };
+  fails_in = MANY;
+  struct scallop_rival *rival = make(kind);
+  long left = fails_in;
+  fails_in = -1;
+  assert_non_null(rival);
+  scallop_rival_destroy(rival);
+  return MANY - left;
+}
+
+static void check_failures(maker *make, int kind, long from, long to)
+{
+  for (long n = from; n < to; n++) {
+    long before = in_use;
+    fails_in = n;
+    struct scallop_rival *rival = make(kind);
+    bool failed = fails_in < 0;
+    fails_in = -1;
+    assert_true(failed);
+    assert_null(rival);
+    assert_int_equal(in_use, before);
+  }
+}
+
+static struct scallop_rival *make_odeiv(int kind) { return scallop_odeiv_rival((enum scallop_odeiv_stepper)kind, 1e-6); }
+static struct scallop_rival *make_smoothed(int kind)
+{
+  return scallop_smoothed_rival((enum scallop_smoothed_stepper)kind, 1e-3, 1e-6);
+}
+static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_cvode_rival(1e-6); }
+
+TEST(making_rivals)
+{
+  for (int kind = 0; kind < 3; kind++) {
+    check_failures(make_odeiv, kind, 0, 3);
+    check_failures(make_smoothed, kind, 0, 3);
+  }
+  long all = allocations(make_odeiv, SCALLOP_ODEIV_MSADAMS);
+  check_failures(make_odeiv, SCALLOP_ODEIV_MSADAMS, all - 10, all);
+  if (scallop_has_cvode())
+    check_failures(make_cvode, 0, 0, 2);
+}
+
+/* In one call: a status instead, and the result as it was */
+TEST(a_period_in_one_call)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_rival_period period = { .v_end = 7 };
+  fails_in = 0;
+  enum scallop_status status = scallop_odeiv_period(&c, 0, SCALLOP_ODEIV_RKF45, 1e-6, &period);
+  fails_in = -1;
+  assert_int_equal(status, SCALLOP_ECONVERGE);
+  CHECK_EQUAL(period.v_end, 7);
+  assert_int_equal(scallop_odeiv_period(&c, 0, SCALLOP_ODEIV_RKF45, 1e-6, &period), SCALLOP_OK);
+}
+#else
+TEST(making_rivals) { skip(); }
+TEST(a_period_in_one_call) { skip(); }
+#endif

@@ -1,0 +1,302 @@
+/* The building blocks of `stress --stiff`: certified scenes, creep where a body is stuck against what is measured, the order in
+ * delta, and what is said when a stepper gives up. */
+#include <float.h>
+
+#include <gsl/gsl_errno.h>
+
+#include "compare/stress/stiff_measure.h"
+#include "tests/support/random_crawler.h"
+#include "tests/support/solved.h"
+
+enum { LONG = 100000, DECADES = 6 };
+
+static const double pi = 3.14159265358979323846;
+
+static struct scallop_crawler sticking(const struct scallop_gait *gait)
+{
+  struct scallop_crawler c = with_gait(gait);
+  c.T = 4;
+  return c;
+}
+
+static struct stiff_scene scene_of(const struct scallop_crawler *c)
+{
+  struct stiff_scene scene;
+  assert_null(stiff_scene_init(&scene, "made up", c));
+  assert_string_equal(scene.name, "made up");
+  return scene;
+}
+
+/* High is what the double solver gives, and low is what it cannot: less than an ulp, and not just 0. */
+TEST(certified_values)
+{
+  for (int i = 0; i < 4; i++) {
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
+    c.T = i < 2 ? 1 : 4;
+    struct stiff_scene scene = scene_of(&c);
+    struct scallop_period_result exact = period_of(&c, scene.v_start);
+    CHECK_NEAR(exact.v_end, scene.v_end.high, 1e-14 * c.L / c.T);
+    CHECK_NEAR(exact.displacement, scene.displacement.high, 1e-14 * c.L);
+    CHECK_NEAR(scene.v_start, scene.v_end.high, 1e-14 * c.L / c.T);
+    const struct scallop_wide *values[] = { &scene.v_end, &scene.displacement };
+    for (int k = 0; k < 2; k++) {
+      assert_true(values[k]->low != 0);
+      CHECK_AT_MOST(fabs(values[k]->low), 0.5 * DBL_EPSILON * fabs(values[k]->high));
+    }
+    CHECK_RELATIVE(scene.eps, 5 * c.T * c.T / 20, 4 * DBL_EPSILON);
+    assert_int_equal(scene.regime, i < 2 ? SCALLOP_SLIDING : SCALLOP_STICK_SLIP);
+    assert_int_equal(scene.held.body, i < 2 ? 0 : 1);
+  }
+}
+
+/* By hand: while body 1 is stuck the mechanism pulls it with -(m2 l'' + F2). l'' = -40/9 in the second half of the quadratic
+ * extension, which lasts 3, and that is to its end. */
+TEST(held_by_hand_quadratic)
+{
+  struct scallop_crawler c = sticking(&scallop_gait_quadratic);
+  struct stiff_scene scene = scene_of(&c);
+  const double force = (40 / 9.0 - 1) / 4;
+  assert_int_equal(scene.held.phase, SCALLOP_EXTENSION);
+  CHECK_EQUAL(scene.held.v0, scene.v_start);
+  CHECK_RELATIVE(scene.held.end, 3, 1e-14);
+  CHECK_RELATIVE(scene.held.force, force, 1e-13);
+  CHECK_RELATIVE(scene.held.velocity, atanh(force), 1e-12);
+  CHECK_RELATIVE(scene.held.creep, atanh(force) * (3 - scene.held.begin) / 4, 1e-12);
+}
+
+/* Sinusoidal, l'' = (5 pi^2/9) cos(pi t/3): it is let go when the force has grown to its friction, -l'' = 5. */
+static double sinusoidal_creep(double t) { return atanh((-5 * pi * pi / 9 * cos(pi * t / 3) - 1) / 4); }
+
+TEST(held_by_hand_sinusoidal)
+{
+  enum { PARTS = 200000 };
+  struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
+  const struct stiff_held held = scene_of(&c).held;
+  double sum = 0, part = (held.end - held.begin) / PARTS;
+  for (int i = 0; i < PARTS; i++)
+    sum += sinusoidal_creep(held.begin + (i + 0.5) * part) * part;
+  CHECK_RELATIVE(held.end, 3 / pi * acos(-9 / (pi * pi)), 1e-12);
+  CHECK_RELATIVE(held.velocity, sinusoidal_creep((held.begin + held.end) / 2), 1e-12);
+  CHECK_RELATIVE(held.creep, sum / 4, 1e-5);
+}
+
+/* The bodies exchanged, and the phases too: everything has the other sign. */
+TEST(held_in_a_mirror)
+{
+  for (int i = 0; i < 2; i++) {
+    struct scallop_crawler c = sticking(every_gait[i]), d = exchanged(&c);
+    struct stiff_held a = scene_of(&c).held, b = scene_of(&d).held;
+    assert_true(a.body == 1 && b.body == 2 && b.phase == SCALLOP_EXTENSION);
+    CHECK_RELATIVE(b.creep, -a.creep, 1e-9);
+    CHECK_RELATIVE(b.velocity, -a.velocity, 1e-12);
+    c.alpha = 0.25; /* and the bodies where they were: stuck in the contraction, as long, and as fast to the other side */
+    struct stiff_held late = scene_of(&c).held;
+    assert_true(late.body == 1 && late.phase == SCALLOP_CONTRACTION);
+    CHECK_RELATIVE(late.creep, -a.creep, 1e-9);
+    CHECK_RELATIVE(late.end - late.begin, a.end - a.begin, 1e-12);
+  }
+}
+
+/* Body 1 never moves. Quadratic, over both halves of the longer phase, whichever that is: l'' = +-4/90 and the signs of a
+ * contraction. */
+TEST(held_all_the_time)
+{
+  const double halves = atanh(-(4 / 90.0 + 1) / 4) + atanh((4 / 90.0 - 1) / 4);
+  for (int i = 0; i < 2; i++) {
+    struct scallop_crawler c = sticking(&scallop_gait_quadratic);
+    c.T = 40;
+    c.alpha = i == 0 ? 0.75 : 0.25;
+    struct stiff_scene scene = scene_of(&c);
+    assert_int_equal(scene.regime, SCALLOP_AT_REST);
+    assert_int_equal(scene.held.phase, i == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
+    CHECK_EQUAL(scene.held.begin, 0);
+    CHECK_RELATIVE(scene.held.end, 30, 1e-14);
+    CHECK_RELATIVE(scene.held.creep, (i == 0 ? 1 : -1) * halves * 15 / 40, 1e-9);
+  }
+}
+
+TEST(nothing_to_compare_with)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct stiff_scene scene;
+  c.T = 1e-200;
+  assert_non_null(stiff_scene_init(&scene, "too short", &c));
+  c.T = 1;
+  c.alpha = 1;
+  assert_non_null(stiff_scene_init(&scene, "no alpha", &c));
+}
+
+TEST(errors_are_the_periods)
+{
+  struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
+  struct stiff_scene scene = scene_of(&c);
+  for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++) {
+    struct stiff_run run;
+    struct scallop_rival_period p, looser;
+    stiff_solve(&scene, (enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9, LONG, &run);
+    struct scallop_rival *rivals[2] = { scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9),
+                                        scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3, 10 * 1e-9) };
+    assert_int_equal(rivals[0]->period(rivals[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
+    assert_int_equal(rivals[1]->period(rivals[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
+    CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
+    CHECK_NEAR(run.error[STIFF_DISPLACEMENT], (p.displacement - scene.displacement.high) / c.L, 1e-15);
+    CHECK_NEAR(run.own[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
+    CHECK_EQUAL(run.steps, (double)p.steps);
+    CHECK_EQUAL(run.evaluations, (double)p.evaluations);
+    assert_string_equal(run.status, "ok");
+    scallop_rival_destroy(rivals[0]);
+    scallop_rival_destroy(rivals[1]);
+  }
+}
+
+/* What is left against the prediction is of a higher order in delta. */
+TEST(creep_is_as_predicted)
+{
+  for (int i = 0; i < 8; i++) {
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
+    c.alpha = i & 2 ? 0.75 : 0.25;
+    c = i & 4 ? exchanged(&c) : c;
+    struct stiff_scene scene = scene_of(&c);
+    double before = INFINITY;
+    for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++)
+      for (int digits = 3; digits <= 6 && (stepper == SCALLOP_SMOOTHED_MSBDF || digits < 5); digits++) {
+        struct stiff_run run;
+        double delta = pow(10, -digits);
+        stiff_solve(&scene, (enum scallop_smoothed_stepper)stepper, delta, stiff_tolerance(delta), LONG, &run);
+        double off = fabs(run.error[STIFF_CREEP] / delta / scene.held.creep - 1);
+        CHECK_AT_MOST(off, 2 * sqrt(delta));
+        CHECK_NEAR(run.velocity, scene.held.velocity, 20 * delta);
+        if (stepper == SCALLOP_SMOOTHED_MSBDF)
+          CHECK_AT_MOST(off, 0.5 * before);
+        before = off;
+      }
+  }
+}
+
+/* A body that is let go gradually leaves at v_delta/4 ln(1/delta) and a constant; one that is let go by a jump, at its creep. */
+TEST(last_velocity)
+{
+  for (int gradual = 0; gradual < 2; gradual++) {
+    struct scallop_crawler c = sticking(every_gait[gradual]);
+    struct stiff_scene scene = scene_of(&c);
+    struct stiff_run run;
+    double before = NAN;
+    for (int digits = 5; digits <= 8; digits++) {
+      double delta = pow(10, -digits);
+      stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, delta, stiff_tolerance(delta), LONG, &run);
+      if (!gradual)
+        CHECK_NEAR(run.last, run.velocity, 0.01);
+      else if (digits > 5)
+        CHECK_NEAR((run.last - before) / log(10), 0.25, 0.003);
+      before = run.last;
+    }
+  }
+}
+
+static bool count(void *context)
+{
+  ++*(long *)context;
+  return true;
+}
+
+/* As many steps as it takes are enough, and one less is not. */
+TEST(most_steps)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct stiff_scene scene = scene_of(&c);
+  struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9);
+  struct scallop_rival_period p;
+  struct stiff_run run;
+  long steps = 0;
+  const struct scallop_patience patience = { count, &steps };
+  assert_int_equal(rival->period(rival, &c, scene.v_start, &patience, &p), SCALLOP_OK);
+  scallop_rival_destroy(rival);
+  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, steps, &run);
+  assert_true(run.solved);
+  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, steps - 1, &run);
+  assert_false(run.solved);
+}
+
+TEST(a_run_that_gives_up)
+{
+  struct scallop_crawler c = sticking(&scallop_gait_quadratic);
+  struct stiff_scene scene = scene_of(&c);
+  struct stiff_run run;
+  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, 100, &run);
+  assert_false(run.solved);
+  assert_string_equal(run.status, "cut off after 100 accepted steps");
+  CHECK_EQUAL(run.steps, NAN);
+  for (int i = 0; i < STIFF_QUANTITIES; i++)
+    CHECK_EQUAL(run.error[i], NAN);
+  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1, LONG, &run); /* not a tolerance */
+  assert_false(run.solved);
+}
+
+TEST(order_of_the_model)
+{
+  for (int i = 0; i < 4; i++) {
+    struct scallop_crawler c = sticking(every_gait[i % 2]);
+    c.T = i < 2 ? 1 : 4;
+    struct stiff_scene scene = scene_of(&c);
+    struct stiff_run runs[DECADES];
+    for (int k = 0; k < DECADES; k++) {
+      double delta = pow(10, -1 - k);
+      stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, delta, stiff_tolerance(delta), LONG, &runs[k]);
+    }
+    for (int quantity = 0; quantity < (i < 2 ? STIFF_CREEP : STIFF_QUANTITIES); quantity++) {
+      struct stiff_trend trend = stiff_trend(runs, DECADES, quantity);
+      print_message("%s, T = %g, %s: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, stiff_quantities[quantity],
+                    trend.fit.order, trend.fit.lo, trend.fit.hi);
+      CHECK_NEAR(trend.fit.order, 1, i == 3 ? 0.09 : 0.01); /* a logarithm in the last of them */
+      assert_int_equal(trend.verdict, ORDER_PASS);
+      assert_int_equal(trend.good, DECADES);
+      CHECK_EQUAL(trend.worst_beyond, NAN);
+    }
+  }
+}
+
+/* error = factor delta^order, known to one part in a thousand */
+static void make_runs(struct stiff_run runs[DECADES], double order)
+{
+  for (int k = 0; k < DECADES; k++) {
+    double delta = pow(10, -1 - k), error = -0.3 * pow(delta, order);
+    runs[k] = (struct stiff_run){
+      .delta = delta, .error = { error, NAN, NAN }, .own = { -1e-3 * error, NAN, NAN }, .solved = true
+    };
+  }
+}
+
+TEST(trends_that_are_not_of_order_one)
+{
+  struct stiff_run runs[DECADES];
+  struct stiff_trend t;
+  make_runs(runs, 1);
+  CHECK_NEAR(stiff_trend(runs, DECADES, STIFF_V_END).fit.order, 1, 1e-9);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).good, 0);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).verdict, ORDER_VERDICT_INSUFFICIENT);
+  make_runs(runs, 2);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).verdict, ORDER_TOO_HIGH);
+  make_runs(runs, 0.5);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).verdict, ORDER_TOO_LOW);
+  make_runs(runs, 1);
+  runs[4].error[STIFF_V_END] = 0.9 * runs[3].error[STIFF_V_END]; /* stands still, and what follows no longer counts */
+  t = stiff_trend(runs, DECADES, STIFF_V_END);
+  assert_true(t.good == 4 && t.verdict == ORDER_PASS);
+  CHECK_RELATIVE(t.worst_beyond, fabs(runs[4].error[STIFF_V_END]), 1e-15);
+  make_runs(runs, 1);
+  runs[2].own[STIFF_V_END] = 0.11 * fabs(runs[2].error[STIFF_V_END]); /* the stepper takes over */
+  t = stiff_trend(runs, DECADES, STIFF_V_END);
+  assert_true(t.good == 2 && t.verdict == ORDER_VERDICT_INSUFFICIENT);
+  make_runs(runs, 1);
+  runs[3].solved = false;
+  t = stiff_trend(runs, 4, STIFF_V_END);
+  assert_true(t.good == 3 && t.fit.used == 3);
+  CHECK_EQUAL(t.worst_beyond, NAN);
+  assert_int_equal(stiff_trend(runs, 0, STIFF_V_END).verdict, ORDER_VERDICT_INSUFFICIENT);
+}
+
+int main(void)
+{
+  gsl_set_error_handler_off();
+  return check_run(NULL, NULL);
+}

@@ -1,0 +1,295 @@
+/* compare/text/plot: what gnuplot is told, what becomes of the picture, and what is said where there is none. A program of the test's
+ * own takes the place of gnuplot and keeps what it is told as the picture; the last tests are of gnuplot itself, if it is installed. */
+#include "compare/text/plot.h"
+#include "tests/support/said.h"
+#include "tests/support/scratch_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+static char real_path[4096];
+static const char rows[] = "x\ty\tz\n1\t2\t0.1\n1.5\tnan\t0.2\n2\t3\t5e3\n";
+
+/* Programs are found in the folder bin, then in the usual ones. */
+static void install(const char *gnuplot)
+{
+  char path[sizeof real_path + 200], here[100];
+  assert_non_null(getcwd(here, sizeof here));
+  mkdir("bin", 0777);
+  write_text("bin/gnuplot", gnuplot);
+  chmod("bin/gnuplot", 0777);
+  snprintf(path, sizeof path, "%s/bin:%s", here, real_path);
+  setenv("PATH", path, 1);
+}
+
+static const char keeps_script[] = "#!/bin/sh\n"
+                                   "cat >script\n"
+                                   "eval \"$(sed -n 's/^output_file = /file=/p' script)\"\n"
+                                   "cp script \"$file\"\n";
+
+/* Each test begins with one of these: a folder with the table, and the gnuplot. */
+static void fresh(void)
+{
+  unlink("bin/gnuplot");
+  entries(true);
+  write_text("table", rows);
+}
+
+static void ours(void)
+{
+  fresh();
+  install(keeps_script);
+}
+
+/* y over x in "table", unless the plot says otherwise */
+static struct plot completed(struct plot p)
+{
+  p.table = p.table ? p.table : "table";
+  p.file = p.file ? p.file : "plot.svg";
+  p.x = p.x ? p.x : "x";
+  p.y[0] = p.y[0] ? p.y[0] : "y";
+  return p;
+}
+
+static void assert_in(const char *text, const char *part)
+{
+  if (!strstr(text, part))
+    fail_msg("no '%s' in\n%s", part, text);
+}
+
+static void read_picture(char *text, size_t size, const char *name)
+{
+  FILE *file = fopen(name, "r");
+  assert_non_null(file);
+  text[fread(text, 1, size - 1, file)] = '\0';
+  fclose(file);
+}
+
+/* Draws the plot, and gives what is in the picture. */
+static const char *draws(struct plot plot)
+{
+  static char picture[100000];
+  struct said said;
+  int before = lowest_free();
+  plot = completed(plot);
+  said_begin(&said);
+  bool drawn = plot_draw(&plot, "run");
+  said_end(&said);
+  if (!drawn)
+    fail_msg("%s", said.text);
+  assert_string_equal(said.text, "");
+  assert_int_equal(lowest_free(), before);
+  read_picture(picture, sizeof picture, plot.file);
+  return picture;
+}
+
+/* Nothing is drawn, this is said, and an earlier picture stays. */
+static void refused(struct plot plot, const char *wanted)
+{
+  struct said said;
+  int before = lowest_free();
+  write_text("plot.svg", "earlier");
+  int files = entries(false);
+  plot = completed(plot);
+  said_begin(&said);
+  bool drawn = plot_draw(&plot, "run");
+  said_end(&said);
+  assert_in(said.text, wanted);
+  assert_false(drawn);
+  assert_int_equal(lowest_free(), before);
+  assert_int_equal(entries(false), files);
+  assert_holds("plot.svg", "earlier");
+}
+
+TEST(texts_are_bytes_to_gnuplot)
+{
+  ours();
+  write_text("plot.svg", "earlier");
+  const char *script = draws((struct plot){ .x = "$x@",
+                                            .y = { "a'`b`\\\"", "y" },
+                                            .by = { "\"; !touch hacked" },
+                                            .title = "1\n!touch hacked\xce\xb1",
+                                            .log_y = true });
+  assert_in(script, "table = \"./table\"\noutput_file = \"/");
+  assert_in(script, "kind = \"svg\"\ntitle = \"1\\012\\041touch hacked\\316\\261\"\nx_column = \"\\044x\\100\"\n");
+  assert_in(script, "y_columns[1] = \"a\\047\\140b\\140\\134\\042\"\ny_columns[2] = \"y\"\nys = 2\n");
+  assert_in(script, "by_columns[1] = \"\\042\\073 \\041touch hacked\"\nbys = 1\nlog_x = 0\nlog_y = 1\n");
+  assert_in(script, "keyentry with @drawn");
+  script = draws((struct plot){ .table = "<t", .script = "<sub/it's.gp" });
+  assert_in(script, "table = \"./\\074t\"\n");
+  assert_in(script, "load \"./\\074sub/it\\047s.gp\"\nunset output\n");
+}
+
+TEST(names_of_pictures)
+{
+  ours();
+  assert_string_equal(plot_kind("a.svg"), "svg");
+  assert_string_equal(plot_kind("dir.png/a.b.png"), "png");
+  assert_string_equal(plot_kind("a.pdf"), "pdf");
+  assert_null(plot_kind("a.SVG"));
+  assert_null(plot_kind("a"));
+  assert_null(plot_kind("a.svgz"));
+  mkdir("folder.svg", 0777);
+  refused((struct plot){ .file = "folder.svg" },
+          "scallop run: cannot draw folder.svg: there is something of this name that is no file\n");
+  refused((struct plot){ .file = "missing/plot.svg" },
+          "scallop run: cannot draw missing/plot.svg: cannot write it: No such file or directory\n");
+}
+
+TEST(gnuplot_fails)
+{
+  ours();
+  install("#!/bin/sh\nprintf '\\ngnuplot> plot\\n         ^\\n  line 3: \\033undefined\\n\\n' >&2\nexit 1\n");
+  refused((struct plot){ .x = NULL }, "scallop run: gnuplot: gnuplot> plot\nscallop run: gnuplot: line 3: ?undefined\n"
+                                      "scallop run: cannot draw plot.svg: gnuplot has failed\n");
+  install("#!/bin/sh\nkill -9 $$\n");
+  refused((struct plot){ .x = NULL }, "scallop run: cannot draw plot.svg: gnuplot has failed\n");
+  install("#!/bin/sh\necho a warning >&2\n");
+  refused((struct plot){ .script = "mine.gp" },
+          "scallop run: gnuplot: a warning\nscallop run: cannot draw plot.svg: gnuplot has drawn nothing\n");
+  setenv("PATH", "/nonexistent", 1);
+  refused((struct plot){ .x = NULL },
+          "scallop run: cannot draw plot.svg: gnuplot is not installed (Debian: gnuplot-nox); the tables are written\n");
+}
+
+/* Where standard input is closed, the script takes its place. */
+TEST(standard_input_is_closed)
+{
+  ours();
+  int input = fcntl(STDIN_FILENO, F_DUPFD, 20);
+  struct plot plot = completed((struct plot){ .x = NULL });
+  close(STDIN_FILENO);
+  bool drawn = plot_draw(&plot, "run");
+  dup2(input, STDIN_FILENO);
+  close(input);
+  assert_true(drawn);
+}
+
+static void installed(void)
+{
+  struct said said;
+  struct plot plot = completed((struct plot){ .file = "try.svg" });
+  setenv("PATH", real_path, 1);
+  fresh();
+  said_begin(&said);
+  plot_draw(&plot, "run");
+  if (strstr(said_end(&said), "gnuplot is not installed"))
+    skip();
+  unlink("try.svg");
+}
+
+TEST(pictures_of_each_kind)
+{
+  installed();
+  static const char *const files[] = { "plot.svg", "plot.png", "plot.pdf" }, *const heads[] = { "<?xml", "\x89PNG", "%PDF" };
+  for (int i = 0; i < 6; i++) {
+    bool logarithmic = i >= 3;
+    const char *head = draws(
+        (struct plot){ .file = files[i % 3], .y = { "y", "z" }, .log_x = logarithmic, .log_y = logarithmic });
+    assert_memory_equal(head, heads[i % 3], strlen(heads[i % 3]));
+  }
+}
+
+/* How many times a curve, the first of this colour, is begun (M) or goes on (L) */
+static int strokes(const char *picture, const char *colour, char kind)
+{
+  int count = 0;
+  const char *path = strstr(picture, colour);
+  assert_non_null(path);
+  for (path = strstr(path, "d='") + 3; *path != '\''; path++)
+    count += *path == kind;
+  return count;
+}
+
+/* Rows of other values do not interrupt a curve; values that cannot be shown do. */
+TEST(curves_are_of_their_rows)
+{
+  installed();
+  write_text("table", "# note\nx\tF\tg\ty\tz\n1\t2\ta\t1\tnan\n1\t40\ta\t1\tnan\n2\t2\ta\t2\t-\n2\t40\ta\tnan\t-\n"
+                      "3\t2\ta\t3\tinf\n3\t40\ta\t3\t0\n4\t2\ta\t4\t5\n4\t40\ta\tinf\t0\n5\t2\ta\t5\t5\n# end\n");
+  const char *picture = draws((struct plot){ .by = { "F", "g" } });
+  assert_in(picture, ">F, g = 2, a</");
+  assert_in(picture, ">F, g = 40, a</");
+  static const char blue[] = "stroke='rgb( 11,  60, 140)'", red[] = "stroke='rgb(200,  16,  46)'";
+  assert_int_equal(strokes(picture, blue, 'M'), 1);
+  assert_int_equal(strokes(picture, blue, 'L'), 4);
+  assert_int_equal(strokes(picture, red, 'M'), 2);
+  assert_int_equal(strokes(picture, red, 'L'), 0);
+  picture = draws((struct plot){ .y = { "y", "z" }, .by = { "F" }, .log_y = true });
+  assert_in(picture, ">y, F = 2</");
+  assert_in(picture, ">z, F = 40 (none)</");
+}
+
+TEST(axes_of_any_width)
+{
+  installed();
+  static const char *const extreme[] = { "1\t1\n", "1\t1\n1.0000000000000002\t1\n", "1e-307\t1e-307\n",
+                                         "1e-300\t1\n1e300\t1\n" };
+  for (size_t i = 0; i < 2 * sizeof extreme / sizeof *extreme; i++) {
+    char table[100];
+    snprintf(table, sizeof table, "x\ty\n%s", extreme[i / 2]);
+    write_text("table", table);
+    draws((struct plot){ .log_x = i % 2 == 1, .log_y = i % 2 == 1 });
+  }
+  write_text("table", "x\ty\n0.2\t3\n0\t5\n0.3\tinf\n0.5\t300\n");
+  const char *picture = draws((struct plot){ .log_x = true, .log_y = true });
+  static const char *const tics[] = { "> 0.25<", "> 0.45<", "> 5<", "> 10<", "> 200<" };
+  for (size_t i = 0; i < sizeof tics / sizeof *tics; i++)
+    assert_in(picture, tics[i]);
+  assert_null(strstr(picture, "> 0.55<"));
+}
+
+TEST(gnuplot_runs_nothing_from_names)
+{
+  installed();
+  static const char *const nasty[] = { "`touch hacked`", "'; !touch hacked #",  "\"; system(\"touch hacked\"); \"",
+                                       "@hacked",        "\\\"; !touch hacked", "END",
+                                       "<touch hacked",  "|touch hacked" };
+  for (size_t i = 0; i < sizeof nasty / sizeof *nasty; i++) {
+    char table[300], script[100];
+    const bool is_quoted = strchr(nasty[i], '"'); /* gnuplot takes the quotes off a cell */
+    snprintf(table, sizeof table, "%s\ty\tby\n1\t3\t%s\n2\t4\tEND\n", is_quoted ? "x" : nasty[i], nasty[i]);
+    write_text("table", table);
+    assert_in(draws((struct plot){ .x = is_quoted ? "x" : nasty[i], .by = { "by" }, .title = nasty[i] }), "</svg>");
+    write_text(nasty[i], rows);
+    snprintf(script, sizeof script, "%s.gp", nasty[i]);
+    write_text(script, "plot table using 1:2 skip 1\n");
+    assert_in(draws((struct plot){ .table = nasty[i], .script = script }), "</svg>");
+    unlink(script);
+    unlink(nasty[i]);
+    assert_int_equal(access("hacked", F_OK), -1);
+  }
+  write_text("table", rows);
+  assert_in(draws((struct plot){ .title = "a_b {c}^2 \\n & < > \" ' end" }), "a_b {c}^2 \\n &amp; &lt; ");
+}
+
+TEST(gnuplot_says_what_is_wrong)
+{
+  installed();
+  write_text("mine.gp", "plot table using 1:2 skip 1\nplot undefined_variable\n");
+  refused((struct plot){ .script = "mine.gp" },
+          "scallop run: gnuplot: \"./mine.gp\" line 2: undefined variable: undefined_variable\n"
+          "scallop run: cannot draw plot.svg: gnuplot has failed\n");
+  refused((struct plot){ .script = "missing.gp" }, "missing.gp");
+  refused((struct plot){ .table = "missing" }, "missing");
+  refused((struct plot){ .y = { "power" } }, "power");
+  refused((struct plot){ .x = "power" }, "power");
+  refused((struct plot){ .by = { "power" } }, "power");
+  write_text("table", "# only notes\nx\ty\n");
+  refused((struct plot){ .x = NULL }, "./table");
+  write_text("table", "x\ty\n1\t0\n2\t-5\n");
+  refused((struct plot){ .log_y = true }, "no row has a number that the axis can show in both columns\n");
+  char many[500] = "x\ty\n";
+  for (int i = 0; i <= 24; i++)
+    snprintf(many + strlen(many), sizeof many - strlen(many), "%d\t1\n", i);
+  write_text("table", many);
+  refused((struct plot){ .by = { "x" } }, "more than 24 combinations of values: each has a curve\n");
+}
+
+static int begin(void **state)
+{
+  snprintf(real_path, sizeof real_path, "%s", getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin");
+  return scratch_begin(state);
+}
+
+int main(void) { return check_run(begin, scratch_end); }

@@ -1,0 +1,131 @@
+/* Tables: what a cell looks like, and what is left of a table that fails. What a whole command writes has its tests in tests/compare/command/cli_*.sh. */
+#include "compare/answers/points.h"
+#include "tests/support/said.h"
+#include "tests/support/scratch_folder.h"
+
+static const struct style tsv = { .command = "test", .output = "elsewhere" },
+                          json = { .command = "test", .output = "elsewhere", .format = FORMAT_JSON };
+
+static const char *const columns[] = { "T", "status", NULL };
+
+static void write_row(struct table *t, double number, const char *text)
+{
+  table_number(t, number);
+  table_text(t, text);
+}
+
+TEST(cells_follow_the_format)
+{
+  static const char *const wanted[] = {
+    "# note\nT\tstatus\n0.667\ta \"quoted\" text\nnan\tok\n",
+    "{\"T\": 0.667, \"status\": \"a \\\"quoted\\\" text\"}\n{\"T\": null, \"status\": \"ok\"}\n",
+  };
+  for (int i = 0; i < 2; i++) {
+    struct style o = i == 0 ? tsv : json;
+    struct table t;
+    o.digits = 3;
+    assert_true(table_open_at(&t, &o, "table"));
+    table_note(&t, "note");
+    table_columns(&t, columns);
+    table_begin_rows(&t);
+    write_row(&t, 2.0 / 3, "a \"quoted\"\ttext");
+    write_row(&t, NAN, "ok");
+    assert_true(table_close(&t));
+    assert_holds("table", wanted[i]);
+    assert_int_equal(entries(true), 1);
+  }
+}
+
+/* More than a buffer holds, in turn with notes */
+TEST(rows_and_notes_keep_their_order)
+{
+  enum { PARTS = 4, ROWS = 5000 };
+  struct table t;
+  assert_true(table_open_at(&t, &tsv, "table"));
+  table_columns(&t, columns);
+  table_begin_rows(&t);
+  for (int i = 0; i < PARTS; i++) {
+    for (int j = 0; j < ROWS; j++)
+      write_row(&t, i * ROWS + j, "ok");
+    table_note(&t, "end of %d", i);
+  }
+  assert_true(table_close(&t));
+  FILE *file = fopen("table", "r");
+  assert_non_null(file);
+  assert_int_equal(fscanf(file, "T status"), 0);
+  for (int i = 0; i < PARTS; i++) {
+    int number = -1, end = -1;
+    for (int j = 0; j < ROWS; j++) {
+      assert_int_equal(fscanf(file, "%d ok", &number), 1);
+      assert_int_equal(number, i * ROWS + j);
+    }
+    assert_int_equal(fscanf(file, " # end of %d", &end), 1);
+    assert_int_equal(end, i);
+  }
+  fclose(file);
+  entries(true);
+}
+
+/* Not what varies or is not used; no line where nothing is left. */
+TEST(parameters_that_do_not_hold_are_not_said)
+{
+  static const char *const some[] = { "m1", "F1", "T", NULL };
+  struct point p = point_initial(NULL);
+  struct table t;
+  p.written[0] = "1e0";
+  p.written[6] = "0.750";
+  for (int i = 0; i < 3; i++) {
+    assert_true(table_open_at(&t, &tsv, "table"));
+    note_parameters(&t, &p, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
+    assert_true(table_close(&t));
+    assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
+                          : i == 1 ? "# parameters: m1=1e0 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.750 gait=quadratic\n"
+                                   : "");
+  }
+  entries(true);
+}
+
+TEST(an_abandoned_table_leaves_nothing)
+{
+  struct table t;
+  write_text("table", "earlier");
+  assert_true(table_open_at(&t, &tsv, "table"));
+  table_columns(&t, columns);
+  table_begin_rows(&t);
+  write_row(&t, 1, "ok");
+  table_abandon(&t);
+  assert_holds("table", "earlier");
+  assert_int_equal(entries(true), 1);
+}
+
+TEST(a_failed_write_is_told_once)
+{
+  struct table t;
+  struct said said;
+  if (access("/dev/full", W_OK) != 0)
+    skip();
+  assert_true(table_open_at(&t, &tsv, "/dev/full"));
+  said_begin(&said);
+  table_columns(&t, columns);
+  table_begin_rows(&t);
+  bool failed_at_first = table_failed(&t);
+  for (int j = 0; j < 20000; j++)
+    write_row(&t, j, "ok");
+  bool failed = table_failed(&t), closed = table_close(&t);
+  said_end(&said);
+  assert_true(!failed_at_first && failed && !closed);
+  assert_string_equal(said.text, "scallop test: cannot write /dev/full: No space left on device\n");
+}
+
+TEST(a_refused_output_is_named)
+{
+  struct table t;
+  struct said said;
+  said_begin(&said);
+  bool opened = table_open_at(&t, &tsv, "missing/table");
+  said_end(&said);
+  assert_false(opened);
+  assert_string_equal(said.text, "scallop test: cannot write missing/table: No such file or directory\n");
+}
+
+int main(void) { return check_run(scratch_begin, scratch_end); }

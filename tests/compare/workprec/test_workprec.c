@@ -1,0 +1,216 @@
+/* compare/workprec on settings made up for it: the front, errors, the cheapest setting, and settings without an answer. */
+#include <stdlib.h>
+#include <time.h>
+
+#include "compare/workprec/setting.h"
+#include "tests/support/scratch_folder.h"
+
+/* What a made-up setting does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
+static enum scallop_status give(struct setting *s, struct setting_answer *answer)
+{
+  const struct timespec pause = { .tv_nsec = s->kind == METHOD_SIMULATION ? 3000000 : 0 };
+  if (pause.tv_nsec > 0)
+    nanosleep(&pause, NULL);
+  answer->value[VELOCITY] = s->reference->v_start * (1 + 1e-3 * (double)s->number);
+  return SCALLOP_OK;
+}
+
+static enum scallop_status end_with(struct setting *s, struct setting_answer *answer)
+{
+  answer->periods = 17;
+  answer->value[VELOCITY] = s->tolerance;
+  return (enum scallop_status)s->number;
+}
+
+static enum scallop_status work_forever(struct setting *s, struct setting_answer *answer)
+{
+  (void)answer;
+  assert_non_null(s->patience); /* it is not timed again */
+  while (s->patience->lasts(s->patience->context))
+    ;
+  return SCALLOP_ESTOPPED;
+}
+
+struct bench {
+  struct reference reference;
+  struct settings settings;
+};
+
+static struct bench *bench_make(void)
+{
+  struct bench *b = calloc(1, sizeof *b);
+  struct scallop_crawler crawler = scallop_crawler_default();
+  crawler.alpha = 0.7; /* no double: an answer is held to the double, not to 7/10 */
+  assert_non_null(b);
+  assert_null(reference_init(&b->reference, &crawler));
+  return b;
+}
+
+static void bench_clear(struct bench *b)
+{
+  settings_clear(&b->settings);
+  reference_clear(&b->reference);
+  free(b);
+}
+
+static struct setting *add(struct bench *b, enum method_kind kind, long number, setting_solve *solve)
+{
+  struct setting *s = settings_add(&b->settings, &b->reference, "made up", kind, solve, "%ld", number);
+  s->number = number;
+  return s;
+}
+
+static void measure(struct bench *b, double limit)
+{
+  struct stopwatch_clock clock = stopwatch_clock();
+  const struct progress progress = progress_begin(true);
+  settings_measure(&b->settings, &clock, limit, &progress);
+}
+
+/* Fast ones take no time to speak of, simulations 3 ms. */
+TEST(the_front)
+{
+  struct bench *b = bench_make();
+  enum { ASIDE, SLOW_RIGHT, SLOW_WRONG, FAST_WRONG, SLOW_WORSE, COUNT };
+  static const struct {
+    enum method_kind kind;
+    long number;
+  } made[COUNT] = {
+    { METHOD_OTHER, 0 }, { METHOD_SIMULATION, 0 }, { METHOD_SIMULATION, 2 }, { METHOD_EXACT, 2 }, { METHOD_SIMULATION, 3 }
+  };
+  for (int i = 0; i < COUNT; i++)
+    add(b, made[i].kind, made[i].number, give);
+  measure(b, 0.05);
+  const struct setting *list = b->settings.list;
+  for (int i = 0; i < COUNT; i++) {
+    assert_string_equal(list[i].status, "ok");
+    assert_true(setting_has(&list[i], VELOCITY) && !setting_has(&list[i], DISPLACEMENT));
+    assert_true(list[i].time.repetitions >= 1 && list[i].time.least > 0);
+    if (made[i].number == 0)
+      CHECK_AT_MOST(list[i].error_log10[VELOCITY], -15.9); /* rounding                              */
+    else
+      CHECK_NEAR(list[i].error_log10[VELOCITY], log10(1e-3 * (double)made[i].number), 0.003);
+    CHECK_EQUAL(list[i].error_log10[DISPLACEMENT], NAN);
+    assert_false(list[i].front[DISPLACEMENT]);
+  }
+  assert_false(list[ASIDE].front[VELOCITY]);     /* not asked                                       */
+  assert_true(list[SLOW_RIGHT].front[VELOCITY]); /* nor does it beat anybody                        */
+  assert_false(list[SLOW_WRONG].front[VELOCITY]);
+  assert_true(list[FAST_WRONG].front[VELOCITY]);
+  assert_false(list[SLOW_WORSE].front[VELOCITY]);
+  bench_clear(b);
+}
+
+TEST(those_without_an_answer)
+{
+  struct bench *b = bench_make();
+  add(b, METHOD_ROOT, SCALLOP_ECONVERGE, end_with);
+  add(b, METHOD_ROOT, SCALLOP_STOPPED, end_with)->tolerance = b->reference.v_start * 1.25;
+  add(b, METHOD_ROOT, 0, work_forever);
+  add(b, METHOD_ROOT, SCALLOP_OK, end_with)->tolerance = INFINITY;
+  add(b, METHOD_ROOT, 0, give)->release = free; /* and no memory                                         */
+  add(b, METHOD_ROOT, 0, NULL);
+  measure(b, 0.002);
+  static const char *const status[] = { "no convergence",
+                                        "cut off after 0.002 s: 17 periods",
+                                        "cut off after 0.002 s, in its first period",
+                                        "not a finite number",
+                                        "out of memory",
+                                        "" };
+  for (int i = 0; i < b->settings.count; i++) {
+    const struct setting *s = &b->settings.list[i];
+    bool stood = i == 1;
+    assert_string_equal(s->status, status[i]);
+    assert_false(s->solved || s->front[VELOCITY] || s->front[DISPLACEMENT]);
+    assert_int_equal(s->time.repetitions, 0);
+    assert_true(setting_has(s, VELOCITY) && setting_has(s, DISPLACEMENT));
+    CHECK_NEAR(s->error_log10[VELOCITY], stood ? log10(0.25) : NAN, 1e-12);
+    assert_string_equal(s->error[VELOCITY], stood ? "0.250" : "nan");
+  }
+  assert_true(b->settings.list[2].time.median >= 0.002);
+  bench_clear(b);
+}
+
+TEST(errors_as_they_are_written)
+{
+  CHECK_EQUAL(printed_error_log10("0"), -INFINITY);
+  CHECK_EQUAL(printed_error_log10("0.0100"), -2);
+  CHECK_NEAR(printed_error_log10("2.00e-500"), log10(2) - 500, 1e-12);
+  CHECK_NEAR(printed_error_log10("3.5E+2"), log10(350), 1e-12);
+  static const char *const bad[] = { "nan", "", "-1", "1e", "1e-5x", "e-5", "inf", "1x" };
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+    CHECK_EQUAL(printed_error_log10(bad[i]), NAN);
+  CHECK_EQUAL(printed_seconds(1.23456789e-7), 1.235e-7);
+}
+
+TEST(points_that_cannot_be)
+{
+  struct scallop_crawler crawler = scallop_crawler_default();
+  struct reference reference;
+  crawler.m1 = 1e-300;
+  crawler.m2 = 1e300;
+  assert_non_null(reference_init(&reference, &crawler));
+  reference_clear(&reference);
+  crawler = scallop_crawler_default();
+  crawler.F1 = NAN;
+  assert_non_null(reference_init(&reference, &crawler));
+  reference_clear(&reference);
+}
+
+/* A setting that has been measured: its error, and its time */
+static void add_measured(struct bench *b, enum method_kind kind, const char *method, const char *error, double seconds)
+{
+  struct setting *s = settings_add(&b->settings, &b->reference, method, kind, NULL, "as is");
+  s->solved = true;
+  s->time.median = seconds;
+  snprintf(s->error[VELOCITY], SETTING_TEXT, "%s", error);
+  s->error_log10[VELOCITY] = printed_error_log10(error);
+  s->error_log10[DISPLACEMENT] = NAN;
+}
+
+TEST(the_cheapest)
+{
+  struct bench *b = bench_make();
+  add_measured(b, METHOD_OTHER, "batch", "1e-16", 1e-9); /* answers another question */
+  add_measured(b, METHOD_FORMULA, "published", "1.00e-6", 1e-7);
+  add_measured(b, METHOD_EXACT, "exact", "1e-16", 1e-6);
+  add_measured(b, METHOD_EXACT, "certified", "2.00e-500", 1e-3);
+  add_measured(b, METHOD_ROOT, "gsl, root", "1.00e-4", 1e-4);
+  add_measured(b, METHOD_SIMULATION, "gsl, simulated", "1.00e-4", 5e-4);
+  static const char *const expected[][2] = {
+    { "1e-2",
+      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
+    { "1e-4",
+      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
+    { "1e-6", "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-8", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-10", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-12", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-15", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-30", "certified\tas is\t2.00e-500\t-\t-\tnan\tcertified\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+    { "1e-100", "certified\tas is\t2.00e-500\t-\t-\tnan\tcertified\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
+  };
+  const char *const file = "summary.tsv";
+  const struct style style = { .command = "workprec" };
+  struct table table;
+  char line[400], wanted[400];
+  assert_true(table_open_at(&table, &style, file));
+  summary_begin(&table);
+  table_begin_rows(&table);
+  summary_write(&table, &b->settings);
+  assert_true(table_close(&table));
+  FILE *written = fopen(file, "r");
+  assert_non_null(written);
+  assert_non_null(fgets(line, sizeof line, written)); /* the header */
+  for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+    snprintf(wanted, sizeof wanted, "quadratic\t1\tv_start\t%s\t%s\n", expected[i][0], expected[i][1]);
+    assert_non_null(fgets(line, sizeof line, written));
+    assert_string_equal(line, wanted);
+  }
+  assert_null(fgets(line, sizeof line, written));
+  fclose(written);
+  remove(file);
+  bench_clear(b);
+}
+
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -1,0 +1,200 @@
+/* Formulas as series: identities that hold for whatever is taken, the value of a formula of numbers by another parser, modulo a
+ * prime, and an untouched value where it refuses. */
+#include "asymptotics/derived/formula_flint.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/fuzz/target.h"
+#include "tests/support/scoped.h"
+
+enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions of digits */ };
+static const struct ring ring = { .length = 6, .precision = 100 };
+
+/* x is the variable, h is 1/2, b a ball */
+static const char symbols[] = "xhb";
+enum { SYMBOLS = sizeof symbols - 1 };
+
+static int place_of(void *context, const char *name)
+{
+  (void)context;
+  const char *found = strlen(name) == 1 ? strchr(symbols, *name) : NULL;
+  return found ? (int)(found - symbols) : -1;
+}
+
+static bool evaluate_text(struct series *value, const char *text)
+{
+  static const struct formula_names names = { .place = place_of };
+  struct formula formula;
+  char message[FORMULA_MESSAGE];
+  struct series values[SYMBOLS];
+  if (formula_read(&formula, text, &names, message))
+    return false;
+  for (int i = 0; i < SYMBOLS; i++)
+    series_init(&values[i]);
+  SCOPED(fmpq, half);
+  SCOPED(arb, pi);
+  fmpq_set_si(half, 1, 2);
+  arb_const_pi(pi, ring.precision);
+  series_set_x(&values[0]);
+  series_set_rational(&values[1], half);
+  series_set_ball(&values[2], pi);
+  bool evaluated = !formula_series(value, &formula, values, &ring, message);
+  for (int i = 0; i < SYMBOLS; i++)
+    series_clear(&values[i]);
+  return evaluated;
+}
+
+/* Evaluates the formula that consists of these parts, NULL-terminated. */
+static bool evaluate(struct series *value, const char *const *parts)
+{
+  char formula[2 * LONGEST + 16] = "";
+  for (size_t used = 0; *parts; used = strlen(formula), parts++)
+    snprintf(formula + used, sizeof formula - used, "%s", *parts);
+  return evaluate_text(value, formula);
+}
+#define EVALUATE(value, ...) evaluate(value, (const char *const[]){ __VA_ARGS__, NULL })
+
+static bool are_equal(const struct series *a, const struct series *b)
+{
+  return a->exact == b->exact && a->first == b->first && a->known == b->known
+         && (a->exact ? fmpq_poly_equal(a->rational, b->rational) : arb_poly_equal(a->ball, b->ball));
+}
+
+/* May every coefficient that is known be 0? */
+static bool may_vanish(const struct series *s)
+{
+  if (s->exact)
+    return fmpq_poly_is_zero(s->rational);
+  for (slong i = 0; i < arb_poly_length(s->ball); i++)
+    if (!arb_contains_zero(arb_poly_get_coeff_ptr(s->ball, i)))
+      return false;
+  return true;
+}
+
+/* The same formula once more, in whole numbers modulo a prime, operator by operator. */
+static const uint64_t PRIME = 2147483647; /* 2^31 - 1: products fit */
+
+struct modulo {
+  const char *at;
+  bool undefined; /* a divisor is 0 modulo the prime */
+};
+
+static char following(struct modulo *m)
+{
+  while (*m->at == ' ')
+    m->at++;
+  return *m->at;
+}
+
+static uint64_t power(uint64_t base, uint64_t exponent)
+{
+  uint64_t result = 1;
+  for (; exponent > 0; exponent /= 2, base = base * base % PRIME)
+    result = exponent % 2 ? result * base % PRIME : result;
+  return result;
+}
+
+/* level: 0 a sum, 1 a product, 2 what has a sign */
+static uint64_t operand(struct modulo *m, int level);
+
+static uint64_t after_operator(struct modulo *m, char kind, uint64_t left, int level)
+{
+  m->at++;
+  uint64_t right = operand(m, level + 1);
+  m->undefined |= kind == '/' && right == 0;
+  switch (kind) {
+  case '+': return (left + right) % PRIME;
+  case '-': return (left + PRIME - right) % PRIME;
+  case '*': return left * right % PRIME;
+  default: return left * power(right, PRIME - 2) % PRIME;
+  }
+}
+
+static uint64_t atom(struct modulo *m)
+{
+  uint64_t value = following(m) == 'h' ? power(2, PRIME - 2) : 0;
+  bool parentheses = *m->at == '(';
+  m->at += parentheses || *m->at == 'h';
+  if (parentheses) {
+    value = operand(m, 0);
+    m->at += following(m) == ')';
+  }
+  for (; *m->at >= '0' && *m->at <= '9' && !parentheses; m->at++)
+    value = (10 * value + (uint64_t)(*m->at - '0')) % PRIME;
+  if (following(m) != '^')
+    return value;
+  m->at++;
+  uint64_t exponent = operand(m, 2);
+  bool is_negative = exponent > PRIME / 2;
+  m->undefined |= is_negative && value == 0;
+  return is_negative ? power(power(value, PRIME - 2), PRIME - exponent) : power(value, exponent);
+}
+
+static uint64_t operand(struct modulo *m, int level)
+{
+  if (level == 2 && following(m) == '-') {
+    m->at++;
+    return (PRIME - operand(m, 2)) % PRIME;
+  }
+  if (level == 2)
+    return atom(m);
+  uint64_t value = operand(m, level + 1);
+  for (char c; (c = following(m)) && strchr(level == 0 ? "+-" : "*/", c);)
+    value = after_operator(m, c, value, level);
+  return value;
+}
+
+static void judge_value(const struct series *value, const char *text)
+{
+  struct modulo m = { .at = text };
+  fmpz_t prime;
+  if (text[strspn(text, "0123456789h+-*/^() ")] != '\0')
+    return;
+  uint64_t wanted = operand(&m, 0);
+  SCOPED(fmpq, exact);
+  SCOPED(fmpz, residue);
+  fmpz_init_set_ui(prime, PRIME);
+  if (!series_rational_coefficient(exact, value, 0))
+    fuzz_fail("'%s' is not exact", text);
+  if (!m.undefined && fmpq_mod_fmpz(residue, exact, prime) && fmpz_get_ui(residue) != wanted)
+    fuzz_fail("'%s' is another number modulo 2^31 - 1: not %lu", text, (unsigned long)wanted);
+  fmpz_clear(prime);
+}
+
+static void judge(const struct series *value, const char *text)
+{
+  SCOPED(series, other, negative);
+  if (!EVALUATE(&other, " (", text, " ) ") || !are_equal(value, &other))
+    fuzz_fail("in parentheses '%s' is something else", text);
+  series_neg(&negative, value);
+  if (!EVALUATE(&other, "-(", text, ")") || !are_equal(&negative, &other))
+    fuzz_fail("-(%s) is not minus that", text);
+  if (!EVALUATE(&other, "(", text, ")-(", text, ")") || !may_vanish(&other))
+    fuzz_fail("'%s' minus itself is not 0", text);
+  if (EVALUATE(&other, "(", text, ")/(", text, ")-1") && !may_vanish(&other))
+    fuzz_fail("'%s' over itself is not 1", text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+  int powers = 0, nested = 0;
+  for (size_t i = 0; i < size; i++) {
+    powers += data[i] == '^';
+    nested += data[i] == '^' || data[i] == '-' || data[i] == '(';
+  }
+  if (size > LONGEST || powers > MOST_POWERS || nested > FORMULA_NESTED - 4 /* the identities add some */
+      || memchr(data, '\0', size))
+    return 0;
+  char *text = fuzz_text(data, size);
+  SCOPED(series, value, untouched);
+  series_set_si(&untouched, 22);
+  series_set(&value, &untouched);
+  if (EVALUATE(&value, text)) {
+    judge_value(&value, text);
+    judge(&value, text);
+  } else if (!are_equal(&value, &untouched))
+    fuzz_fail("'%s' is refused, and something changed", text);
+  free(text);
+  return 0;
+}

@@ -1,0 +1,191 @@
+/* A gait's own numbers count as they were written: the same gait in other numbers is the same one to every digit. */
+#include "compare/answers/gaits.h"
+#include "compare/answers/point_flint.h"
+#include "model/exact/fractions.h"
+#include "tests/support/certified_balls.h"
+#include "tests/support/scratch_folder.h"
+
+enum { DIGITS = 50, WORD = 1200, TRIES = 24 };
+
+static const struct scallop_gait *gait_of(const char *text)
+{
+  struct gait_answer answer = gait_of_text(text);
+  if (!answer.gait)
+    print_error("%s\n", answer.wrong);
+  assert_non_null(answer.gait);
+  return answer.gait;
+}
+
+static struct scallop_crawler any_crawler(struct random *r)
+{
+  return random_crawler(r, random_below(r, 2) ? ORDINARY : STICK_SLIP, &scallop_gait_quadratic);
+}
+
+static void solve(struct scallop_certified_steady *s, const struct scallop_crawler *c, const struct scallop_gait *gait)
+{
+  const char *why = "";
+  SCOPED(scallop_rational, exact);
+  scallop_rational_of(&exact, c);
+  exact.gait = gait;
+  if (scallop_certified_steady(&exact, DIGITS, s, &why) != SCALLOP_OK)
+    fail_msg("%s: %s", gait->name, why);
+}
+
+/* Both gaits move a crawler alike to 50 digits; unlike: they differ, by less than rounding of their numbers can do. */
+static void compare(struct random *r, const struct scallop_gait *one, const struct scallop_gait *other, bool alike)
+{
+  struct scallop_crawler c = any_crawler(r);
+  SCOPED(scallop_certified_steady, a, b);
+  solve(&a, &c, one);
+  solve(&b, &c, other);
+  double size = c.L / c.T, far = apart(a.v_mid, b.v_mid);
+  if (alike ? !(far <= 1e-45 * size) : !(far <= 1e-9 * size && !arb_overlaps(a.v_mid, b.v_mid))) {
+    print_crawler(&c);
+    fail_msg("%s and %s: v_mid differs by %g", one->name, other->name, far);
+  }
+}
+
+/* All digits of doubles: what the doubles themselves make, by another way. */
+TEST(digits_of_doubles)
+{
+  struct random r = { 20261511 };
+  for (int i = 0; i < TRIES; i++) {
+    char text[2 * WORD];
+    double x[4];
+    for (int k = 0; k < 4; k++)
+      x[k] = random_between(&r, 0.02, i % 3 == 0 && k % 2 == 0 ? 0.7 : 0.3);
+    if (i % 2)
+      snprintf(text, sizeof text, "trapezoidal:%.70g,%.70g,%.70g,%.70g", x[0], x[1], x[2], x[3]);
+    else
+      snprintf(text, sizeof text, "skewed:%.70g,%.70g", x[0], x[1] * 3);
+    const struct scallop_gait *gait = gait_of(text), *written = written_gait(gait);
+    assert_true(written != gait && written_gait(gait) == written);
+    compare(&r, gait, written, true);
+  }
+}
+
+/* Fractions that are no doubles, by hand: 1/5 and 3/10 */
+TEST(fractions_by_hand)
+{
+  struct random r = { 20261512 };
+  struct scallop_exact_gait by_hand;
+  fmpq *x = _fmpq_vec_init(4);
+  scallop_exact_init(&by_hand);
+  for (int i = 0; i < 4; i++)
+    fmpq_set_si(x + i, i < 2 ? 1 : 3, i < 2 ? 5 : 10);
+  const struct scallop_gait *gait = gait_of("trapezoidal:0.2,0.3");
+  scallop_exact_trapezoidal(&by_hand, gait, x, x + 2);
+  compare(&r, &by_hand.gait, written_gait(gait), true);
+  compare(&r, gait, written_gait(gait), false);
+  scallop_exact_clear(&by_hand);
+  _fmpq_vec_clear(x, 4);
+}
+
+/* Coefficients times one decimal: the same gait. */
+TEST(polynomials)
+{
+  static const int shapes[4][5] = { { 0, 3, -2 }, { 0, 0, 10, -15, 6 }, { 0, 6, -8, 3 }, { 0, 0, 4, -3 } };
+  struct random r = { 20261513 };
+  for (int i = 0; i < TRIES; i++) {
+    const int *shape = shapes[i % 4];
+    char text[2][WORD] = { "polynomial:", "polynomial:" };
+    int scale = 1 + random_below(&r, 99999);
+    for (int k = 0; k < (shape[4] ? 5 : shape[3] ? 4 : 3); k++)
+      for (int j = 0; j < 2; j++)
+        snprintf(text[j] + strlen(text[j]), WORD - strlen(text[j]), j ? "%s%d" : "%s%de-5", k ? "," : "",
+                 j ? shape[k] : shape[k] * scale);
+    compare(&r, written_gait(gait_of(text[0])), written_gait(gait_of(text[1])), true);
+  }
+}
+
+/* A table in other units and from another origin, in decimals. */
+TEST(tables)
+{
+  struct random r = { 20261514 };
+  for (int i = 0; i < TRIES; i++) {
+    char text[2][4 * WORD] = { "", "" }, name[2][40];
+    int t = 0, l = 0, rows = 4 + random_below(&r, 8), top = rows / 2;
+    for (int k = 0; k <= rows; k++) {
+      snprintf(text[0] + strlen(text[0]), WORD, "%d %d\n", t, k == rows ? 0 : l);
+      snprintf(text[1] + strlen(text[1]), WORD, "%.4f %.4f\n", 0.1003 + 0.0007 * t, 0.3 + 0.0013 * (k == rows ? 0 : l));
+      t += 1 + (random_below(&r, 3) ? random_below(&r, 900) : 0);
+      l += k < top ? random_below(&r, 3) * random_below(&r, 300) + (k + 1 == top ? 100 : 0)
+                   : -random_below(&r, l / (rows - k + 1) + 1);
+    }
+    for (int j = 0; j < 2; j++) {
+      snprintf(name[j], sizeof name[j], "measured:table%d-%d.txt", i, j);
+      write_text(name[j] + strlen("measured:"), text[j]);
+    }
+    const struct scallop_gait *whole = written_gait(gait_of(name[0])), *scaled = written_gait(gait_of(name[1]));
+    assert_true(whole != gait_of(name[0]));
+    compare(&r, whole, scaled, true);
+  }
+}
+
+/* Knots and slopes that are doubles: an own way to Steffen's slopes, and to the spline. */
+TEST(a_table_of_doubles)
+{
+  struct random r = { 20261515 };
+  write_text("doubles.txt", "0 0\n1 0.25\n2 0.5\n3 0.5\n4 1\n5 0.75\n6 0.75\n7 0.5\n8 0\n");
+  const struct scallop_gait *gait = gait_of("measured:doubles.txt");
+  for (int i = 0; i < 6; i++)
+    compare(&r, gait, written_gait(gait), true);
+}
+
+/* What a table has of its own: 1/3 of the period, of 0.3. */
+TEST(own_numbers)
+{
+  struct point p = point_initial(NULL);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, wanted);
+  write_text("own.txt", "0.1 0.5\n0.15 1\n0.2 1.2\n0.3 1\n0.4 0.5\n");
+  p.crawler.gait = gait_of("measured:own.txt");
+  point_complete(&p);
+  rational_point(&exact, NULL, &p);
+  const fmpq *const own[3] = { exact.L, exact.T, exact.alpha };
+  const long numbers[3][2] = { { 7, 10 }, { 3, 10 }, { 1, 3 } };
+  for (int i = 0; i < 3; i++) {
+    fmpq_set_si(wanted, numbers[i][0], (ulong)numbers[i][1]);
+    assert_true(fmpq_equal(own[i], wanted));
+  }
+  p.crawler.alpha = 0.375;
+  rational_point(&exact, NULL, &p);
+  fmpq_set_si(wanted, 3, 8);
+  assert_true(fmpq_equal(exact.alpha, wanted));
+}
+
+/* Whose doubles stand for them */
+TEST(as_doubles)
+{
+  static const char *const texts[] = { "quadratic",
+                                       "sinusoidal",
+                                       "polynomial:0,1.5,-1.0000000000000000001",
+                                       "polynomial:0,-0.5,2,-1.25",
+                                       "measured:level.txt",
+                                       "measured:level-back.txt" };
+  /* the third length differs from the second in the decimals only: a rest in doubles, and in the fractions none */
+  write_text("level.txt", "0 0\n1 0.5\n2 0.50000000000000000001\n3 1\n4 0\n");
+  write_text("level-back.txt", "0 0\n1 1\n2 0.50000000000000000001\n3 0.5\n4 0\n");
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    assert_true(written_gait(gait_of(texts[i])) == gait_of(texts[i]));
+}
+
+/* UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so; symmetries of decimals, not of doubles. */
+TEST(edges)
+{
+  struct random r = { 20261516 };
+  for (int i = 0; i < TRIES; i++) {
+    char text[WORD], skewed[WORD];
+    double up = random_between(&r, 0.1, 0.9);
+    snprintf(text, sizeof text, "trapezoidal:%.6f,%.6f", up, 1 - up);
+    snprintf(skewed, sizeof skewed, "skewed:%.6f", up);
+    compare(&r, written_gait(gait_of(text)), written_gait(gait_of(skewed)), true);
+  }
+  const struct scallop_gait *alike = gait_of("skewed:0.3,0.3"), *nearly = gait_of("skewed:0.3,0.30000000000000000001");
+  assert_true(scallop_gait_mirrors(written_gait(alike)) && scallop_gait_mirrors(nearly));
+  assert_false(scallop_gait_mirrors(written_gait(nearly)));
+  assert_true(scallop_gait_is_reversible(written_gait(gait_of("trapezoidal:0.2,0.2"))));
+  assert_false(scallop_gait_is_reversible(written_gait(gait_of("trapezoidal:0.2,0.20000000000000000001"))));
+}
+
+int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -1,0 +1,318 @@
+/* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
+#include <float.h>
+
+#include "numerics/wide/wide.h"
+#include "tests/support/random_crawler.h"
+#include "tests/support/scoped.h"
+#include "tests/support/solved.h"
+
+enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
+
+static struct scallop_wide two_doubles(const arb_t x)
+{
+  struct scallop_wide w = { middle(x), 0 };
+  if (arb_contains_zero(x))
+    return (struct scallop_wide){ 0, 0 };
+  SCOPED(arb, rest);
+  arb_set_d(rest, w.high);
+  arb_sub(rest, x, rest, 400);
+  w.low = middle(rest);
+  return w;
+}
+
+static bool certified(const struct scallop_crawler *crawler, struct scallop_wide out[NUMBERS])
+{
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, c);
+  scallop_rational_of(&exact, crawler);
+  bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
+  const arb_struct *const numbers[NUMBERS] = { c.froude, c.v_start, c.v_mid, c.displacement, c.mean_velocity, c.multiplier };
+  for (int i = 0; solved && i < NUMBERS; i++)
+    out[i] = two_doubles(numbers[i]);
+  return solved;
+}
+
+static double apart(const struct scallop_wide *a, const struct scallop_wide *b)
+{
+  return fabs((a->high - b->high) + (a->low - b->low));
+}
+
+static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NUMBERS])
+{
+  const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,   w->period.v_mid, w->period.displacement,
+                                             w->mean_velocity, w->period.multiplier };
+  memcpy(out, all, sizeof all);
+}
+
+/* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared with. */
+TEST(near_certified)
+{
+  struct random r = { 20261201 };
+  int solved = 0;
+  double worst[2] = { 0, 0 };
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
+    struct scallop_wide exact[NUMBERS], got[NUMBERS];
+    struct scallop_wide_steady w;
+    if (!certified(&c, exact))
+      continue;
+    solved++;
+    const double unit = c.L / c.T, peak = 10 * unit * (1 / c.alpha + 1 / (1 - c.alpha));
+    const double size[NUMBERS] = { exact[0].high, peak, peak, 10 * c.L, peak, 1 };
+    for (int width = 0; width < 2; width++) {
+      int bits = scallop_width_bits((enum scallop_width)width);
+      assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &w), SCALLOP_OK);
+      list(&w, got);
+      double ulp = ldexp(1, 1 - (bits < 100 ? bits : 100)); /* two doubles hold no more */
+      for (int i = 0; i < NUMBERS; i++)
+        worst[width] = fmax(worst[width], apart(&got[i], &exact[i]) / (ulp * size[i]));
+    }
+  }
+  print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0], worst[1]);
+  assert_true(solved > CRAWLERS * 3 / 4);
+  CHECK_AT_MOST(worst[0], 1e4);
+  CHECK_AT_MOST(worst[1], 1e4);
+}
+
+static double generosity(double estimate, double got, const struct scallop_wide *exact)
+{
+  const struct scallop_wide value = { got, 0 };
+  double error = apart(&value, exact), least = 0x1p-60 * fabs(exact->high);
+  if (!(estimate >= error))
+    check_fail("estimate >= error", estimate, error, 0, "at least", __FILE__, __LINE__);
+  return estimate == 0 ? 1 : estimate / fmax(error, least);
+}
+
+/* They bound the error, and are not more than a hundred times that. */
+TEST(estimates_of_steady_states)
+{
+  struct random r = { 20261202 };
+  double most = 0;
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
+    struct scallop_wide exact[NUMBERS];
+    struct scallop_steady_error e;
+    if (!certified(&c, exact))
+      continue;
+    struct scallop_steady_result s = steady_of(&c);
+    assert_int_equal(scallop_steady_error(&c, &s, &e), SCALLOP_OK);
+    const double got[NUMBERS] = { s.froude,        s.period.v_start,   s.period.v_mid, s.period.displacement,
+                                  s.mean_velocity, s.period.multiplier };
+    const double estimate[NUMBERS] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
+    for (int i = 0; i < NUMBERS; i++)
+      if (exact[i].high != 0)
+        most = fmax(most, generosity(estimate[i], got[i], &exact[i]));
+  }
+  CHECK_AT_MOST(most, 100);
+}
+
+/* A wrong number is told so: by how much it is wrong. */
+TEST(estimate_of_a_wrong_number)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_phase_error e;
+  struct scallop_phase_result p = phase_of(&c, SCALLOP_EXTENSION, 2.5);
+  p.v_end += 1e-9;
+  p.dx1 -= 1e-3;
+  p.t1 = NAN;
+  assert_int_equal(scallop_phase_error(&c, SCALLOP_EXTENSION, 2.5, &p, &e), SCALLOP_OK);
+  CHECK_RELATIVE(e.v_end, 1e-9, 0.01);
+  CHECK_RELATIVE(e.dx1, 1e-3, 0.01);
+  CHECK_EQUAL(e.t1, NAN);
+  CHECK_AT_MOST(e.dT, 1e-16);
+}
+
+/* A period from the steady start velocity ends where it began, to what the rounding of that to a double changes. */
+TEST(period_and_steady_state_agree)
+{
+  for (int g = 0; g < 2; g++)
+    for (int width = 0; width < 2; width++) {
+      struct scallop_crawler c = with_gait(every_gait[g]);
+      struct scallop_wide_steady s;
+      struct scallop_wide_period p;
+      struct scallop_period_error e;
+      assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &s), SCALLOP_OK);
+      assert_int_equal(scallop_wide_period((enum scallop_width)width, &c, s.period.v_start.high, &p), SCALLOP_OK);
+      double rounded = -s.period.v_start.low; /* v_end - v_start = multiplier times the distance */
+      double change = (p.v_end.high - s.period.v_start.high) + (p.v_end.low - s.period.v_start.low);
+      CHECK_NEAR(change, s.period.multiplier.high * rounded,
+                 ldexp(100, width == SCALLOP_LONG_DOUBLE ? 1 - LDBL_MANT_DIG : -104));
+      CHECK_EQUAL(p.multiplier.high, s.period.multiplier.high);
+      struct scallop_period_result d = period_of(&c, 1);
+      assert_int_equal(scallop_period_error(&c, 1, &d, &e), SCALLOP_OK);
+      CHECK_AT_MOST(e.v_mid, 1e-14);
+      CHECK_AT_MOST(e.v_end, 1e-14);
+      CHECK_AT_MOST(e.displacement, 1e-14);
+      CHECK_AT_MOST(e.multiplier, 1e-14);
+    }
+}
+
+/* Modes and regime are those of the double solver where nothing is close to call. */
+TEST(modes)
+{
+  static const double T[] = { 0.5, 3, 5, 50 };
+  for (int g = 0; g < 2; g++)
+    for (int i = 0; i < 4; i++) {
+      struct scallop_crawler c = scallop_crawler_default();
+      struct scallop_wide_steady w;
+      char wide[SCALLOP_MODES_TEXT], plain[SCALLOP_MODES_TEXT];
+      c.T = T[i];
+      c.gait = every_gait[g];
+      assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &w), SCALLOP_OK);
+      struct scallop_steady_result s = steady_of(&c);
+      assert_int_equal(w.period.regime, s.period.regime);
+      for (int kind = 0; kind < 2; kind++) {
+        scallop_modes_text(&w.period.modes[kind], wide);
+        scallop_modes_text(&s.period.modes[kind], plain);
+        assert_string_equal(wide, plain);
+      }
+    }
+}
+
+/* Gaits of polynomial pieces, against the same in double. */
+TEST(polynomial_gaits)
+{
+  const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
+  for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
+    for (double T = 0.1; T < 40; T *= 3) {
+      struct scallop_crawler c = with_gait(gaits[i]);
+      struct scallop_wide_steady w;
+      c.T = T;
+      struct scallop_steady_result s = steady_of(&c);
+      assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
+      CHECK_NEAR(s.period.v_start, w.period.v_start.high, 64 * DBL_EPSILON * c.L / c.T);
+      CHECK_NEAR(s.period.displacement, w.period.displacement.high, 64 * DBL_EPSILON * c.L);
+      assert_int_equal(s.period.regime, w.period.regime);
+    }
+}
+
+TEST(refusals)
+{
+  struct scallop_crawler c = scallop_crawler_default(), small = c, jumping = c;
+  const struct scallop_steady_result steady = { 0 };
+  const struct scallop_phase_result phase = { .t1 = 0 };
+  const struct scallop_period_result period = { 0 };
+  c.m1 = -1;
+  small.T = 1e-200;
+  jumping.gait = &sawtooth_gait;
+  for (int i = 0; i < 2; i++) {
+    enum scallop_width width = i ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &c, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &c, SCALLOP_EXTENSION, 0, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_period, scallop_wide_period(width, &c, 0, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &small, &out), SCALLOP_ERANGE);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &jumping, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &small, SCALLOP_EXTENSION, NAN, &out), SCALLOP_ERANGE);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &jumping, SCALLOP_EXTENSION, NAN, &out), SCALLOP_EDOMAIN);
+  }
+  REFUSES(scallop_steady_error, scallop_steady_error(&c, &steady, &out), SCALLOP_EDOMAIN);
+  REFUSES(scallop_phase_error, scallop_phase_error(&c, SCALLOP_EXTENSION, 0, &phase, &out), SCALLOP_EDOMAIN);
+  REFUSES(scallop_period_error, scallop_period_error(&c, 0, &period, &out), SCALLOP_EDOMAIN);
+}
+
+#if defined __x86_64__ || defined __i386__
+static void set_control_word(unsigned short word) { __asm__ volatile("fldcw %0" : : "m"(word)); }
+
+/* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for digits that never
+ * come. */
+TEST(long_double_rounded_to_double)
+{
+  enum { USUAL = 0x37f, ROUNDED = 0x27f };
+  struct random r = { 20261205 };
+  struct scallop_wide_steady w;
+  set_control_word(ROUNDED);
+  int bits = scallop_width_bits(SCALLOP_LONG_DOUBLE);
+  struct scallop_crawler c = scallop_crawler_default();
+  enum scallop_status status = scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w);
+  set_control_word(USUAL);
+  assert_int_equal(bits, 0);
+  assert_int_equal(status, SCALLOP_EDOMAIN);
+  assert_int_equal(scallop_width_bits(SCALLOP_LONG_DOUBLE), LDBL_MANT_DIG);
+  for (int n = 0; n < CRAWLERS; n++) {
+    struct scallop_steady_result rounded;
+    c = random_crawler(&r, NEARLY_EQUAL_FORCES, every_gait[n % 2]);
+    struct scallop_steady_result usual = steady_of(&c);
+    set_control_word(ROUNDED);
+    status = scallop_steady(&c, &rounded);
+    set_control_word(USUAL);
+    assert_int_equal(status, SCALLOP_OK);
+    CHECK_RELATIVE(rounded.period.displacement, usual.period.displacement, 16 * DBL_EPSILON);
+  }
+}
+#endif
+
+/* One phase, or a period, in double; the largest of the numbers in *size */
+static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
+{
+  struct scallop_phase_result phase;
+  struct scallop_period_result period;
+  if (whole) {
+    enum scallop_status status = scallop_period(c, v0, &period);
+    *size = fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
+    return status;
+  }
+  enum scallop_status status = scallop_phase(c, SCALLOP_EXTENSION, v0, &phase);
+  *size = fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
+  return status;
+}
+
+static enum scallop_status solve_wide(bool whole, const struct scallop_crawler *c, double v0, bool *kept)
+{
+  union {
+    struct scallop_wide_phase phase;
+    struct scallop_wide_period period;
+    unsigned char bytes[sizeof(struct scallop_wide_phase) + sizeof(struct scallop_wide_period)];
+  } out, before;
+  memset(&out, 7, sizeof out);
+  memset(&before, 7, sizeof before);
+  enum scallop_status status = whole ? scallop_wide_period(SCALLOP_BINARY128, c, v0, &out.period)
+                                     : scallop_wide_phase(SCALLOP_BINARY128, c, SCALLOP_EXTENSION, v0, &out.phase);
+  *kept = memcmp(out.bytes, before.bytes, sizeof out.bytes) == 0;
+  return status;
+}
+
+/* The same motion in units of length that are 1/unit of before */
+static struct scallop_crawler in_unit(const struct scallop_crawler *c, double unit)
+{
+  struct scallop_crawler other = *c;
+  other.L *= unit;
+  other.F1 *= unit;
+  other.F2 *= unit;
+  return other;
+}
+
+/* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is said, and else never.
+ * With so long a period and such small masses no number is larger than the displacement. */
+TEST(beyond_the_range)
+{
+  enum { TRIES = 120, LAST = 6 };
+  struct random r = { 20261203 };
+  int beyond[2] = { 0 };
+  for (int n = 0; n < TRIES; n++) {
+    const double T = 1e3, mass = 1e-12;
+    bool whole = n % 4 < 2, kept;
+    struct scallop_crawler c = random_crawler(&r, ORDINARY, every_gait[n % 2]);
+    double shorter = c.T / T, v0 = random_between(&r, -80, 80) * c.L / T, low = 1, high = 0x1p1023, size;
+    c.m1 *= mass;
+    c.m2 *= mass;
+    c.F1 *= mass * shorter * shorter;
+    c.F2 *= mass * shorter * shorter;
+    c.T = T;
+    while (nextafter(low, high) < high) {
+      double unit = high > 4 * low ? sqrt(low) * sqrt(high) : low + (high - low) / 2;
+      struct scallop_crawler there = in_unit(&c, unit);
+      *(solve_double(whole, &there, v0 * unit, &size) == SCALLOP_OK ? &low : &high) = unit;
+    }
+    for (int i = 0; i < LAST; i++, low = nextafter(low, 0)) {
+      struct scallop_crawler there = in_unit(&c, low);
+      if (solve_double(whole, &there, v0 * low, &size) != SCALLOP_OK)
+        continue;
+      enum scallop_status status = solve_wide(whole, &there, v0 * low, &kept);
+      assert_int_equal(status, kept ? SCALLOP_ERANGE : SCALLOP_OK);
+      if (kept)
+        CHECK_AT_MOST(1 - size / DBL_MAX, 0x1p-40);
+      beyond[whole] += kept;
+    }
+  }
+  assert_true(beyond[0] > 0 && beyond[1] > 0);
+}

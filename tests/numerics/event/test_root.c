@@ -1,0 +1,157 @@
+/* The root finder of the solver: roots at the ends, and functions on which Newton's method has nothing to go by. */
+#include "tests/support/check.h"
+
+#include <float.h>
+
+#include "numerics/event/itp.h"
+#include "numerics/event/root.h"
+
+struct power { /* f = sign (u - root)^n + lift */
+  double root, sign, lift;
+  int n;
+};
+
+static double power(const void *context, double u, double *slope)
+{
+  const struct power *p = context;
+  *slope = p->sign * p->n * pow(u - p->root, p->n - 1);
+  return p->sign * pow(u - p->root, p->n) + p->lift;
+}
+
+static double between(const struct power *p, double from, double to)
+{
+  struct root_end a = { .u = from }, b = { .u = to };
+  a.f = power(p, from, &a.slope);
+  b.f = power(p, to, &b.slope);
+  return root_between(power, p, a, b);
+}
+
+TEST(at_the_ends)
+{
+  for (int n = 1; n <= 3; n += 2)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const struct power p = { 0.375, sign, 0, n };
+      CHECK_EQUAL(between(&p, 0.375, 1), 0.375);
+      CHECK_EQUAL(between(&p, 0.125, 0.375), 0.375);
+      CHECK_EQUAL(between(&p, 1, 0.375), 0.375);
+    }
+}
+
+/* Simple roots to the last digit, and from either side */
+TEST(simple_roots)
+{
+  for (int n = 1; n <= 5; n++)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const struct power p = { 0, sign, -sign * pow(0.3, n), n };
+      CHECK_RELATIVE(between(&p, 0.1, 1), 0.3, 4 * DBL_EPSILON);
+      CHECK_RELATIVE(between(&p, 1, 0.1), 0.3, 4 * DBL_EPSILON);
+    }
+}
+
+/* f' = 0 at the root: as near as f tells. */
+TEST(flat_roots)
+{
+  for (int sign = -1; sign <= 1; sign += 2) {
+    const struct power p = { 0.3, sign, 0, 3 };
+    CHECK_NEAR(between(&p, 0.1, 1), 0.3, 1e-6);
+    CHECK_NEAR(between(&p, 1, 0.1), 0.3, 1e-6);
+  }
+}
+
+struct flattened { /* f = low - u - high u^n */
+  double low, high;
+  int n;
+};
+
+static double flattened(const void *context, double u, double *slope)
+{
+  const struct flattened *p = context;
+  *slope = -1 - p->high * p->n * pow(u, p->n - 1);
+  return p->low - u - p->high * pow(u, p->n);
+}
+
+/* From the end where a high power rules a step comes a fixed part nearer to the root: more steps than there are, and the last may cross it. */
+TEST(roots_far_from_the_steep_end)
+{
+  for (int n = 2; n <= 6; n++)
+    for (int k = 1; k < 400; k++) {
+      const struct flattened p = { pow(0.93, k), 1e6, n };
+      struct root_end a = { .u = 0 }, b = { .u = 0.3 };
+      a.f = flattened(&p, a.u, &a.slope);
+      b.f = flattened(&p, b.u, &b.slope);
+      double root = root_between(flattened, &p, a, b), slope, rest = flattened(&p, root, &slope);
+      CHECK_NEAR(rest / slope, 0, 4 * DBL_EPSILON * root);
+    }
+}
+
+struct counted { /* a function that counts how often it is asked */
+  double (*value)(double u, double root);
+  double root;
+  int *count;
+};
+
+static double counted(const void *context, double u, double *slope)
+{
+  const struct counted *c = context;
+  ++*c->count;
+  *slope = NAN;
+  return c->value(u, c->root);
+}
+
+static double line(double u, double root) { return u - root; }
+static double parabola(double u, double root) { return (u - root) * (u + root); }
+static double cube(double u, double root) { return pow(u - root, 3); }
+static double flat(double u, double root) { return pow(u / root - 1, 31); }
+static double root_of_magnitude(double u, double root) { return copysign(sqrt(fabs(u - root)), u - root); }
+static double jump(double u, double root) { return u < root ? -1 : 1e300; }
+static double pole(double u, double root) { return u == root ? 1 : 1 / (root - u); }
+static double steep(double u, double root) { return expm1(300 * (u / root - 1)); }
+static double tiny(double u, double root) { return 1e-310 * (u / root - 1); }
+
+static double (*const functions[])(double,
+                                   double) = { line, parabola, cube, flat, root_of_magnitude, jump, pole, steep, tiny };
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+/* The evaluations of one search, which ends at a zero or beside a change of sign */
+static int evaluations(double (*value)(double, double), double root, double from, double to)
+{
+  int count = 0;
+  const struct counted c = { value, root, &count };
+  double u = itp_root(counted, &c, from, to);
+  assert_true(value(u, root) == 0 || (value(nextafter(u, 0), root) > 0) != (value(nextafter(u, 2 * to + from), root) > 0));
+  assert_true(count <= itp_most(from, to));
+  return count;
+}
+
+/* To the last digit, in no more evaluations than are promised, whatever the function and the bracket */
+TEST(itp_keeps_its_count)
+{
+  static const double begins[] = { 0, 1e-310, 1e-30, 0.2385 };
+  for (int f = 0; f < FUNCTIONS; f++)
+    for (int i = 0; i < 4; i++)
+      for (int k = 1; k <= 40; k++) {
+        double begin = begins[i], root = begin + (1 - begin) * pow(0.7, k);
+        evaluations(functions[f], root, begin, 1);
+        evaluations(functions[f], root, 1, begin);
+      }
+}
+
+/* And a quarter of that where the function is nearly straight */
+TEST(itp_is_fast)
+{
+  for (int k = 1; k < 200; k++)
+    assert_true(evaluations(parabola, 0.2 + 0.004 * k, 0.2, 1) <= itp_most(0.2, 1) / 4);
+}
+
+/* What is no bracket: the end that is nearer to a root. */
+TEST(itp_without_a_bracket)
+{
+  int count = 0;
+  const struct counted c = { line, 0.25, &count };
+  CHECK_EQUAL(itp_root(counted, &c, 0.5, 1), 0.5);
+  CHECK_EQUAL(itp_root(counted, &c, 0.125, 0), 0.125);
+  CHECK_EQUAL(itp_root(counted, &c, 0.25, 1), 0.25);
+  CHECK_EQUAL(itp_root(counted, &c, 0, 0.25), 0.25);
+  CHECK_EQUAL(itp_root(counted, &c, 0.5, 0.5), 0.5);
+  assert_true(count == 10 && itp_most(0.5, 0.5) == 2);
+}

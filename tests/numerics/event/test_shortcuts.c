@@ -1,0 +1,287 @@
+/* The short cuts of the solver against the long way: the closed forms of ramps.c, the roots of concave.c and the joint Newton's method of regular.c
+ * beside the walk from event to event, which a gait takes that does not say what it is (concave and ramps left false). */
+#include <float.h>
+
+#include "numerics/event/concave.h"
+#include "numerics/event/ramps.h"
+#include "tests/support/random_crawler.h"
+#include "tests/support/solved.h"
+
+enum { CRAWLERS = 4000, PHASES = 100000 };
+
+/* Two ramps of different slopes, and other ones in the contraction */
+static const struct scallop_piece skewed_extension[] = { SCALLOP_RAMP(0, 0.25, SCALLOP_FROM_START, 1, 8),
+                                                         SCALLOP_RAMP(0.75, 0, SCALLOP_FROM_END, 1, -8. / 3) };
+static const struct scallop_piece skewed_contraction[] = { SCALLOP_RAMP(0, 0.625, SCALLOP_FROM_START, -1, -3.2),
+                                                           SCALLOP_RAMP(0.375, 0, SCALLOP_FROM_END, -1, 16. / 3) };
+static const struct scallop_gait skewed_gait = { "skewed",
+                                                 { { skewed_extension, 2, 8, -8. / 3, 2, 1, true, true },
+                                                   { skewed_contraction, 2, -3.2, 16. / 3, 2, -1, true, true } } };
+
+/* The same gait, which does not say so */
+static struct scallop_gait plain(const struct scallop_gait *gait)
+{
+  struct scallop_gait copy = *gait;
+  for (int kind = 0; kind < 2; kind++)
+    copy.phase[kind].concave = copy.phase[kind].ramps = false;
+  return copy;
+}
+
+static void check_concave(const struct scallop_shape *shape)
+{
+  enum { STEPS = 64 };
+  double last = INFINITY;
+  assert_int_equal(shape->pieces[0].anchor, SCALLOP_FROM_START);
+  assert_int_equal(shape->pieces[shape->count - 1].anchor, SCALLOP_FROM_END);
+  for (int k = 0; k < shape->count; k++) {
+    const struct scallop_piece *p = &shape->pieces[k];
+    assert_false(p->jump);
+    for (int i = 0; i <= STEPS; i++) {
+      double u = p->begin + (p->end - p->begin) * i / STEPS, rate = p->direction * p->curve->acceleration(p, u);
+      assert_true(rate <= last + 4 * DBL_EPSILON * fabs(rate));
+      last = rate;
+    }
+  }
+  const struct scallop_piece *first = &shape->pieces[0], *end = &shape->pieces[shape->count - 1];
+  assert_true(first->curve->velocity(first, 0) == 0 && end->curve->velocity(end, 0) == 0);
+  CHECK_NEAR(shape->l0, first->curve->acceleration(first, 0), 0);
+  CHECK_NEAR(shape->lT, end->curve->acceleration(end, 0), 0);
+}
+
+TEST(gaits_are_what_they_say)
+{
+  int concave = 0, ramps = 0;
+  for (int i = 0; i <= ALL_GAITS; i++)
+    for (int kind = 0; kind < 2; kind++) {
+      const struct scallop_shape *shape = &(i < ALL_GAITS ? every_gait[i] : &skewed_gait)->phase[kind];
+      if (shape->concave)
+        check_concave(shape);
+      assert_true(shape->concave || !shape->ramps);
+      assert_true(!shape->ramps || (shape->count == 2 && shape->pieces[0].linear && shape->pieces[1].linear));
+      concave += shape->concave;
+      ramps += shape->ramps;
+    }
+  assert_true(concave == 8 && ramps == 4);
+}
+
+struct walked {
+  struct motion motion;
+  struct scallop_modes modes;
+};
+
+static struct walked walk(const struct motion_input *in, double c0, enum scallop_phase_kind kind)
+{
+  struct scallop_shape shape = *in->shape;
+  struct motion_input plainly = *in;
+  struct walked w;
+  shape.ramps = false;
+  plainly.shape = &shape;
+  motion_solve(&plainly, c0, &w.motion, NULL, NULL);
+  motion_modes(&w.motion, kind, &w.modes);
+  return w;
+}
+
+/* The same operations in the same order, but for the way along a curve: the same bits where slopes are powers of 2, else nearly. */
+static void check_phase(const struct motion_input *in, double c0, enum scallop_phase_kind kind)
+{
+  struct motion m;
+  struct scallop_modes modes;
+  struct walked w = walk(in, c0, kind);
+  if (!ramps_solve(in, c0, &m))
+    return;
+  trail_modes(m.trail, kind, &modes);
+  assert_int_equal(modes.count, w.modes.count);
+  assert_memory_equal(modes.kept, w.modes.kept, (size_t)modes.count * sizeof *modes.kept);
+  double roundings = in->scaled->gait == &scallop_gait_quadratic ? 0 : 16 * DBL_EPSILON;
+  CHECK_NEAR(m.c_end, w.motion.c_end, roundings * (fabs(c0) + in->eps + 2));
+  CHECK_NEAR(m.first_switch, w.motion.first_switch, roundings);
+  CHECK_NEAR(m.last_switch, w.motion.last_switch, roundings);
+  assert_true(m.forgets == w.motion.forgets && m.sticks == w.motion.sticks);
+  assert_memory_equal(m.never_moved, w.motion.never_moved, sizeof m.never_moved);
+  CHECK_NEAR(m.travel, w.motion.travel, 4 * DBL_EPSILON * (2 + fabs(c0)));
+  if (!m.forgets) {
+    CHECK_NEAR(m.extra_impulse, w.motion.extra_impulse, roundings);
+    CHECK_NEAR(m.slope, w.motion.slope, roundings * (fabs(m.slope) + in->eps * m.slope * m.slope));
+  }
+}
+
+TEST(ramps_are_the_walk)
+{
+  struct random r = { 20261122 };
+  long closed = 0;
+  for (long n = 0; n < PHASES; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES),
+                                              n % 5 ? &skewed_gait : &scallop_gait_quadratic);
+    enum scallop_phase_kind kind = n % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+    struct scallop_scaled s;
+    struct motion m;
+    if (scallop_scale(&c, &s) != SCALLOP_OK)
+      continue;
+    struct motion_input in = motion_input_of(&s, kind);
+    double c0 = n % 3 == 0 ? 0 : n % 3 == 1 ? random_between(&r, -3, 3) : random_between(&r, -1, 1) * in.eps;
+    closed += ramps_solve(&in, c0, &m);
+    check_phase(&in, c0, kind);
+  }
+  assert_true(closed > PHASES * 0.9);
+}
+
+static void many_phases(const struct scallop_gait *gait)
+{
+  struct random r = { 20261124 };
+  long solved = 0, regular = 0;
+  for (long n = 0; n < PHASES / 4; n++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), gait);
+    enum scallop_phase_kind kind = n % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+    struct scallop_scaled s;
+    struct motion m;
+    struct scallop_modes modes;
+    if (scallop_scale(&c, &s) != SCALLOP_OK)
+      continue;
+    struct motion_input in = motion_input_of(&s, kind);
+    double c0 = n % 3 == 0 ? 0 : n % 3 == 1 ? random_between(&r, -2, 2) : random_between(&r, -1, 1) * in.eps;
+    struct walked w = walk(&in, c0, kind);
+    regular += !w.motion.sticks && w.modes.count == (c0 == 0 ? 2 : 3);
+    if (!concave_solve(&in, c0, &m))
+      continue;
+    solved++;
+    trail_modes(m.trail, kind, &modes);
+    assert_int_equal(modes.count, w.modes.count);
+    assert_memory_equal(modes.kept, w.modes.kept, (size_t)modes.count * sizeof *modes.kept);
+    double size = 2 + fabs(c0) + in.eps, roundings = 16 * DBL_EPSILON;
+    CHECK_NEAR(m.c_end, w.motion.c_end, roundings * size);
+    CHECK_NEAR(m.travel, w.motion.travel, roundings * size);
+    CHECK_NEAR(m.first_switch, w.motion.first_switch, roundings);
+    CHECK_NEAR(m.last_switch, w.motion.last_switch, roundings);
+    CHECK_NEAR(m.extra_impulse, w.motion.extra_impulse, 4 * roundings);
+    CHECK_NEAR(m.slope, w.motion.slope, 1e3 * roundings * fabs(w.motion.slope));
+    assert_true(!m.forgets && !m.sticks && !m.never_moved[0] && !m.never_moved[1] && !w.motion.forgets);
+  }
+  print_message("%s: %ld of %ld\n", gait->name, solved, regular);
+  assert_true(solved > 1000 && solved > 0.8 * (double)regular);
+}
+
+TEST(concave_is_the_walk_sinusoidal) { many_phases(&scallop_gait_sinusoidal); }
+TEST(concave_is_the_walk_trapezoid) { many_phases(&trapezoid_gait); }
+TEST(concave_is_the_walk_skewed) { many_phases(&skewed_gait); }
+
+/* Exact coincidences are left to the walk: c at the curve just where it turns, c at 0 just at the end. */
+TEST(coincidences)
+{
+  struct scallop_crawler c = { 1, 1, 1, 1, 1, 1, 0.5, &scallop_gait_quadratic };
+  struct scallop_scaled s;
+  struct motion m;
+  assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
+  struct motion_input in = motion_input_of(&s, SCALLOP_EXTENSION);
+  assert_false(ramps_solve(&in, 1 + 0.5 * in.eps, &m)); /* on curve 0 at half time */
+  assert_false(ramps_solve(&in, -1 - 0.5 * in.eps, &m));
+  assert_false(ramps_solve(&in, 0, &m)); /* equal forces: c stays 0, and is 0 at the end */
+  assert_true(ramps_solve(&in, nextafter(1 + 0.5 * in.eps, 2), &m));
+}
+
+/* What relative changes of the forces, masses and times do to the velocities at the start and in the middle. */
+static void conditions(const struct scallop_crawler *c, double condition[2])
+{
+  const double step = 0x1p-26;
+  condition[0] = condition[1] = 0;
+  for (int i = 0; i < PARAMETERS; i++) {
+    struct scallop_steady_result r[2];
+    for (int up = 0; up < 2; up++) {
+      struct scallop_crawler moved = *c;
+      *parameter(&moved, i) *= up ? 1 + step : 1 - step;
+      assert_true(scallop_steady(&moved, &r[up]) >= 0);
+    }
+    condition[0] += fabs(r[1].period.v_start - r[0].period.v_start) / (2 * step);
+    condition[1] += fabs(r[1].period.v_mid - r[0].period.v_mid) / (2 * step);
+  }
+}
+
+static double worst_share;
+static long touches;
+
+static void check_steady(const struct scallop_crawler *c)
+{
+  struct scallop_gait gait = plain(c->gait);
+  struct scallop_crawler long_way = *c;
+  struct scallop_steady_result a, b;
+  long_way.gait = &gait;
+  assert_int_equal(scallop_steady(c, &a), scallop_steady(&long_way, &b));
+  double condition[2], got[2] = { a.period.v_start, a.period.v_mid }, wanted[2] = { b.period.v_start, b.period.v_mid };
+  conditions(&long_way, condition);
+  for (int i = 0; i < 2; i++) {
+    double unit = fmax(fabs(wanted[i]), condition[i]) * DBL_EPSILON;
+    worst_share = fmax(worst_share, unit > 0 ? fabs(got[i] - wanted[i]) / unit : 0);
+    CHECK_NEAR(got[i], wanted[i], 8 * unit);
+  }
+  if (!modes_alike(&a.period.modes[0], &b.period.modes[0])
+      || !modes_alike(&a.period.modes[1],
+                      &b.period.modes[1])) { /* c lies on a plateau of |l'|: every motion near it is another */
+    touches++;
+    return;
+  }
+  CHECK_NEAR(a.period.multiplier, b.period.multiplier, 64 * DBL_EPSILON);
+  assert_int_equal(a.period.regime, b.period.regime);
+}
+
+static void many_steady_states(const struct scallop_gait *gait)
+{
+  struct random r = { 20261123 };
+  long shortened = 0;
+  worst_share = 0;
+  touches = 0;
+  for (long n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, n % 2 ? ORDINARY : n % 4 ? SMALL_PERIOD : STICK_SLIP, gait);
+    struct scallop_steady_result s;
+    assert_true(scallop_steady(&c, &s) >= 0);
+    shortened += s.work.periods == 1;
+    check_steady(&c);
+  }
+  print_message("%s: %ld of %d by a short cut, worst %.1f ulp of max(value, condition)\n", gait->name, shortened, CRAWLERS,
+                worst_share);
+  assert_true(shortened > CRAWLERS / 4);
+  assert_true(touches <= (gait == &trapezoid_gait ? CRAWLERS / 100 : 0));
+}
+
+TEST(steady_states_quadratic) { many_steady_states(&scallop_gait_quadratic); }
+TEST(steady_states_sinusoidal) { many_steady_states(&scallop_gait_sinusoidal); }
+TEST(steady_states_trapezoid) { many_steady_states(&trapezoid_gait); }
+TEST(steady_states_skewed) { many_steady_states(&skewed_gait); }
+
+/* Many at once are the same as one at a time (test_batch.c has the rest). */
+TEST(skewed_batch)
+{
+  enum { MANY = 2000 };
+  static double m1[MANY], m2[MANY], F1[MANY], F2[MANY], L[MANY], T[MANY], alpha[MANY], v_start[MANY], displacement[MANY];
+  static const struct scallop_gait *gait[MANY];
+  struct random r = { 5 };
+  for (int i = 0; i < MANY; i++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), &skewed_gait);
+    m1[i] = c.m1, m2[i] = c.m2, F1[i] = c.F1, F2[i] = c.F2, L[i] = c.L, T[i] = c.T, alpha[i] = c.alpha, gait[i] = c.gait;
+  }
+  struct scallop_crawlers all = { MANY, m1, m2, F1, F2, L, T, alpha, gait };
+  struct scallop_steady_states states = { .v_start = v_start, .displacement = displacement };
+  assert_int_equal(scallop_steady_batch(&all, &states, 1), 0);
+  for (int i = 0; i < MANY; i++) {
+    struct scallop_crawler c = { m1[i], m2[i], F1[i], F2[i], L[i], T[i], alpha[i], gait[i] };
+    struct scallop_steady_result one;
+    assert_true(scallop_steady(&c, &one) >= 0);
+    CHECK_RELATIVE(v_start[i], one.period.v_start, SAME_BITS);
+    CHECK_RELATIVE(displacement[i], one.period.displacement, SAME_BITS);
+  }
+}
+
+/* The short cut is taken where it should be, and its work is counted. */
+TEST(work_is_counted)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_steady_result r = steady_of(&c);
+  assert_true(r.work.periods == 1 && r.work.events == 4 && r.work.gait_evaluations == 0 && r.work.root_iterations == 0);
+  c.gait = &scallop_gait_sinusoidal;
+  r = steady_of(&c);
+  assert_true(r.work.periods == 1 && r.work.events == 4);
+  assert_true(r.work.root_iterations >= 1 && r.work.root_iterations <= 6);
+  assert_int_equal(r.work.gait_evaluations, 4 * r.work.root_iterations);
+  struct scallop_gait gait = plain(c.gait);
+  c.gait = &gait;
+  r = steady_of(&c);
+  assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods && r.work.gait_evaluations > 20 * r.work.periods);
+}

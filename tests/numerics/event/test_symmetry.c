@@ -1,0 +1,354 @@
+/* What must be true of any solver of this model, whatever the numbers: units, mirror images, exchanged
+ * bodies, a monotone and nonexpansive period map with one fixed point.
+ *
+ * ULP below is DBL_EPSILON. Where two routes round differently the bound is BOUND ulp of the result or
+ * of its condition number (sum over the inputs p of |p dq/dp|, by differences), whichever is larger. */
+#include <float.h>
+
+#include "tests/support/random_crawler.h"
+#include "tests/support/solved.h"
+
+enum { BOUND = 8, CRAWLERS = 600 };
+#define ULP DBL_EPSILON
+
+static double velocity_unit(const struct scallop_crawler *c) { return c->L / c->T; }
+
+/* What rounding does to a steady velocity, in units of a roundoff: it is itself rounded, and it is the
+ * root of the balance, whose terms are of the size of (F1 - F2)/(F1 + F2) and, where the bodies change
+ * direction both ways, of min(1, eps). */
+static double steady_size(const struct scallop_crawler *c, const struct scallop_steady_result *s)
+{
+  double eps = crawler_eps(c), delta = fabs(c->F1 - c->F2) / (c->F1 + c->F2);
+  double v = fmax(fabs(s->period.v_start), fabs(s->period.v_mid)), step = 1e-3 * fmax(v, eps * velocity_unit(c));
+  double fall = period_of(c, s->period.v_start - step).balance - period_of(c, s->period.v_start + step).balance;
+  return fmax(v, (delta + fmin(1, eps)) * 2 * step / fall);
+}
+
+/* The same for the displacement, the integral of velocities; where a body sticks, they follow l'. */
+static double displacement_size(const struct scallop_crawler *c, const struct scallop_steady_result *s)
+{
+  return c->T * steady_size(c, s) + (s->period.regime == SCALLOP_SLIDING ? 0 : c->L);
+}
+
+static struct scallop_crawler under_test;
+
+static void name_the_culprit(void) { print_crawler(&under_test); }
+
+typedef void crawler_test(struct random *r, const struct scallop_crawler *c);
+
+/* Every family and every gait with a continuous l'. */
+static void for_crawlers(uint64_t seed, crawler_test *test)
+{
+  struct random r = { seed };
+  check_failed = name_the_culprit;
+  for (int family = 0; family < FAMILIES; family++)
+    for (int n = 0; n < check_cases(CRAWLERS); n++) {
+      under_test = random_crawler(&r, (enum family)family, every_gait[n % SMOOTH_GAITS]);
+      test(&r, &under_test);
+    }
+  check_failed = NULL;
+}
+
+/* Powers of two change no digit. */
+static void binary_units(struct random *r, const struct scallop_crawler *c)
+{
+  struct units u = { ldexp(1, random_below(r, 41) - 20), ldexp(1, random_below(r, 41) - 20),
+                     ldexp(1, random_below(r, 41) - 20) };
+  struct scallop_crawler d = in_units(c, &u);
+  double speed = u.length / u.time, v0 = random_start(r, c, SCALLOP_EXTENSION);
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_phase_result a = phase_of(c, kind, v0);
+    struct scallop_phase_result b = phase_of(&d, kind, v0 * speed);
+    CHECK_EQUAL(b.t1, a.t1 * u.time);
+    CHECK_EQUAL(b.dT, a.dT * u.time);
+    CHECK_EQUAL(b.v_end, a.v_end * speed);
+    CHECK_EQUAL(b.dx1, a.dx1 * u.length);
+    CHECK_EQUAL(b.dx2, a.dx2 * u.length);
+    CHECK_EQUAL(b.dxC, a.dxC * u.length);
+    assert_true(modes_alike(&a.modes, &b.modes));
+  }
+  struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
+  CHECK_EQUAL(b.froude, a.froude);
+  CHECK_EQUAL(b.mean_velocity, a.mean_velocity * speed);
+  CHECK_EQUAL(b.v_low, a.v_low * speed);
+  CHECK_EQUAL(b.period.v_mid, a.period.v_mid * speed);
+  CHECK_EQUAL(b.period.displacement, a.period.displacement * u.length);
+  CHECK_EQUAL(b.period.multiplier, a.period.multiplier);
+  CHECK_EQUAL(b.period.balance, a.period.balance);
+}
+
+/* v_end and dx1 of a phase, or v_start and displacement of the steady state */
+static double quantity(const struct scallop_crawler *c, double v0, int q)
+{
+  if (q < 2) {
+    struct scallop_phase_result r = phase_of(c, SCALLOP_EXTENSION, v0);
+    return q == 0 ? r.v_end : r.dx1;
+  }
+  struct scallop_steady_result s = steady_of(c);
+  return q == 2 ? s.period.v_start : s.period.displacement;
+}
+
+static double condition(const struct scallop_crawler *c, double v0, int q)
+{
+  const double step = 1e-6;
+  double sum = 0, v[2] = { v0 * (1 + step), v0 * (1 - step) };
+  for (int i = 0; i < PARAMETERS; i++) {
+    double value[2];
+    for (int side = 0; side < 2; side++) {
+      struct scallop_crawler d = *c;
+      *parameter(&d, i) *= side == 0 ? 1 + step : 1 - step;
+      value[side] = quantity(&d, v0, q);
+    }
+    sum += fabs(value[0] - value[1]) / (2 * step);
+  }
+  return sum + fabs(quantity(c, v[0], q) - quantity(c, v[1], q)) / (2 * step);
+}
+
+/* dx1 = x - (m2/M) L is a difference, and so is what the steady state balances. */
+static double least_size(const struct scallop_crawler *c, double value, int q)
+{
+  if (q < 2)
+    return q == 0 ? fabs(value) : c->m2 / (c->m1 + c->m2) * c->L;
+  struct scallop_steady_result s = steady_of(c);
+  return q == 2 ? steady_size(c, &s) : displacement_size(c, &s);
+}
+
+/* Other factors round every input, a force four times. */
+static void any_units(struct random *r, const struct scallop_crawler *c)
+{
+  struct units u = { random_decades(r, 1e-3, 1e3), random_decades(r, 1e-3, 1e3), random_decades(r, 1e-3, 1e3) };
+  struct scallop_crawler d = in_units(c, &u);
+  double speed = u.length / u.time, v0 = random_start(r, c, SCALLOP_EXTENSION);
+  for (int q = 0; q < 4; q++) {
+    double wanted = quantity(c, v0, q), unit = q % 2 == 0 ? speed : u.length;
+    CHECK_NEAR(quantity(&d, v0 * speed, q) / unit, wanted,
+               4 * BOUND * ULP * fmax(least_size(c, wanted, q), condition(c, v0, q)));
+  }
+}
+
+TEST(units_of_powers_of_two) { for_crawlers(11, binary_units); }
+
+/* EQUAL_FORCES and its like would not stay equal: the families without them, one by one. */
+TEST(units_of_any_size)
+{
+  struct random r = { 12 };
+  const enum family families[] = { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD };
+  check_failed = name_the_culprit;
+  for (int n = 0; n < check_cases(4 * CRAWLERS); n++) {
+    under_test = random_crawler(&r, families[n % 4], every_gait[n / 4 % SMOOTH_GAITS]);
+    any_units(&r, &under_test);
+  }
+  check_failed = NULL;
+}
+
+/* x -> -x makes body 1 of body 2; l stays. Negation rounds nothing. */
+static void mirrored(struct random *r, const struct scallop_crawler *c)
+{
+  struct scallop_crawler d = exchanged(c);
+  double v0 = random_start(r, c, SCALLOP_CONTRACTION);
+  for (int kind = 0; kind < 2; kind++) {
+    struct scallop_phase_result a = phase_of(c, kind, v0);
+    struct scallop_phase_result b = phase_of(&d, kind, -v0);
+    CHECK_EQUAL(b.v_end, -a.v_end);
+    CHECK_EQUAL(b.dx1, -a.dx2);
+    CHECK_EQUAL(b.dx2, -a.dx1);
+    CHECK_EQUAL(b.dxC, -a.dxC);
+    CHECK_EQUAL(b.t1, a.t1);
+    CHECK_EQUAL(b.dT, a.dT);
+    assert_int_equal(a.modes.count, b.modes.count);
+    for (int i = 0; i < a.modes.count; i++) {
+      assert_int_equal(b.modes.kept[i].s1, -a.modes.kept[i].s2);
+      assert_int_equal(b.modes.kept[i].s2, -a.modes.kept[i].s1);
+    }
+  }
+  struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
+  CHECK_NEAR(b.period.v_start, -a.period.v_start, BOUND * ULP * steady_size(c, &a));
+  CHECK_NEAR(b.period.displacement, -a.period.displacement, BOUND * ULP * displacement_size(c, &a));
+}
+
+/* Calling body 1 body 2 turns an extension into a contraction: l' -> -l'. */
+static void relabelled(struct random *r, const struct scallop_crawler *given)
+{
+  struct scallop_crawler c = *given;
+  c.alpha = (1 + random_below(r, 1023)) / 1024.; /* 1 - alpha is exact */
+  struct scallop_crawler d = exchanged(&c);
+  d.alpha = 1 - c.alpha;
+  double v0 = random_start(r, &c, SCALLOP_EXTENSION);
+  struct scallop_phase_result a = phase_of(&c, SCALLOP_EXTENSION, v0), b = phase_of(&d, SCALLOP_CONTRACTION, v0);
+  CHECK_EQUAL(b.v_end, a.v_end);
+  CHECK_EQUAL(b.dx1, a.dx2);
+  CHECK_EQUAL(b.dxC, a.dxC);
+  CHECK_EQUAL(b.t1, a.t1);
+  CHECK_EQUAL(b.dT, a.dT);
+  struct scallop_steady_result s = steady_of(&c), t = steady_of(&d);
+  CHECK_NEAR(t.period.v_mid, s.period.v_start, BOUND * ULP * steady_size(&c, &s));
+  CHECK_NEAR(t.period.displacement, s.period.displacement, BOUND * ULP * displacement_size(&c, &s));
+}
+
+TEST(mirror_image) { for_crawlers(13, mirrored); }
+TEST(bodies_exchanged) { for_crawlers(14, relabelled); }
+
+static double largest_velocity(const struct scallop_crawler *c, double v0)
+{
+  double tau = fmin(scallop_phase_duration(c, SCALLOP_EXTENSION), scallop_phase_duration(c, SCALLOP_CONTRACTION));
+  return fmax(fabs(v0), 2 * c->L / tau);
+}
+
+static void map_is_monotone_and_nonexpansive(struct random *r, const struct scallop_crawler *c)
+{
+  double a = random_start(r, c, SCALLOP_EXTENSION), b = random_start(r, c, SCALLOP_CONTRACTION);
+  double noise = BOUND * ULP * largest_velocity(c, fmax(fabs(a), fabs(b)));
+  double apart = fabs(b - a), after = (b > a ? 1 : -1) * (period_of(c, b).v_end - period_of(c, a).v_end);
+  CHECK_AT_MOST(-after, noise);
+  CHECK_AT_MOST(after, apart + noise);
+}
+
+static long differences, sharp_differences;
+
+/* The balance carries (P(v) - v)/eps without cancellation, so it is what is differenced. The difference
+ * lies between the derivatives within the step; where these differ, at a kink, the check is weak, hence
+ * the count. */
+static void multiplier_is_the_derivative(struct random *r, const struct scallop_crawler *c)
+{
+  double v0 = random_start(r, c, SCALLOP_EXTENSION), unit = velocity_unit(c), eps = crawler_eps(c);
+  double step = 1e-5 * fmax(fabs(v0), eps * unit), spread = 0;
+  v0 += copysign(3 * step, v0); /* off the kink at 0 */
+  struct scallop_period_result at = period_of(c, v0), end = period_of(c, v0 + step);
+  double slope = (end.balance - at.balance) / ((v0 + step - v0) / unit);
+  for (int k = 1; k <= 4; k++)
+    spread = fmax(spread, fabs(period_of(c, v0 + step * k / 4).multiplier - at.multiplier) / eps);
+  double terms = 1 + fabs(slope) * largest_velocity(c, v0) / unit; /* what a rounding of c does to the balance */
+  double noise = BOUND * ULP * (terms * unit / step + 1 / eps);
+  CHECK_NEAR((at.multiplier - 1) / eps, slope, 2 * spread + noise);
+  CHECK_AT_MOST(-at.multiplier, 0);
+  CHECK_AT_MOST(at.multiplier, 1);
+  differences++;
+  sharp_differences += 2 * spread + noise < 1e-3 * fmax(1, 1e-3 / eps);
+}
+
+TEST(period_map) { for_crawlers(15, map_is_monotone_and_nonexpansive); }
+
+TEST(multiplier)
+{
+  for_crawlers(16, multiplier_is_the_derivative);
+  print_message("%ld of %ld differences sharp\n", sharp_differences, differences);
+  assert_true(sharp_differences > differences / 2);
+}
+
+/* A start above every l' by more than friction takes off in a period loses all that friction takes. */
+static void fast_start(struct random *r, const struct scallop_crawler *c)
+{
+  double eps = crawler_eps(c), a = fmin(c->alpha, 1 - c->alpha);
+  double v0 = (2 / a + 2 * eps + random_between(r, 0, 1)) * velocity_unit(c);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    struct scallop_period_result p = period_of(c, sign * v0);
+    CHECK_RELATIVE(p.balance, -sign, BOUND * ULP);
+    CHECK_EQUAL(p.multiplier, 1);
+    assert_int_equal(p.regime, SCALLOP_SLIDING);
+  }
+}
+
+TEST(above_every_curve) { for_crawlers(17, fast_start); }
+
+/* At a kink: m1 = m2, F1 = F2, eps of the phase 1/16, the start such that the rear body comes to rest
+ * for an instant at the middle of the extension, where l' peaks. To the right it never turns back. */
+TEST(multiplier_at_grazing_is_the_right_one)
+{
+  struct scallop_crawler c = { 1, 1, 0.25, 0.25, 1, 1, 0.5, &scallop_gait_quadratic };
+  double v0 = 2.0625, step = 0x1p-12;
+  struct scallop_period_result at = period_of(&c, v0), right = period_of(&c, v0 + step);
+  CHECK_NEAR(at.multiplier, (right.v_end - at.v_end) / step, 64 * ULP / step);
+}
+
+static void steady_is_a_fixed_point(struct random *r, const struct scallop_crawler *c)
+{
+  (void)r;
+  struct scallop_steady_result s = steady_of(c);
+  const struct scallop_period_result *p = &s.period;
+  double v = fmax(fabs(p->v_start), fabs(p->v_mid)), eps = crawler_eps(c);
+  /* the balance changes sign within BOUND ulp of v_start, however steep it is there */
+  double before = period_of(c, p->v_start - BOUND * ULP * v).balance;
+  double behind = period_of(c, p->v_start + BOUND * ULP * v).balance;
+  CHECK_AT_MOST(-before, BOUND * ULP);
+  CHECK_AT_MOST(behind, BOUND * ULP);
+  bool steep = before - behind > 1e-3; /* a plateau of l': a rounding of v decides on much of the phase */
+  if (!steep)
+    CHECK_NEAR(p->balance, 0, before - behind + BOUND * ULP);
+  /* c is rounded to a curve at every change of mode */
+  int rounded = 1 + p->modes[0].count + p->modes[1].count;
+  CHECK_NEAR(p->v_end, p->v_start, rounded * BOUND * ULP * fmax(v, eps * velocity_unit(c)));
+  CHECK_EQUAL(s.v_low, s.v_high);
+  CHECK_EQUAL(s.v_low, p->v_start);
+  CHECK_RELATIVE(s.froude, 1 / eps, BOUND * ULP);
+  CHECK_RELATIVE(s.mean_velocity, p->displacement / c->T, BOUND * ULP);
+  struct scallop_period_result again = period_of(c, p->v_start);
+  CHECK_NEAR(again.v_mid, p->v_mid, BOUND * ULP * v);
+  /* the same operations both ways, so that no condition number comes in, unless they are contracted (tests/support/check.h) */
+  CHECK_NEAR(again.displacement, p->displacement, (BOUND * ULP + SAME_BITS) * (v * c->T + fabs(p->displacement)));
+}
+
+/* Whatever the start, the iteration of the map ends there: uniqueness, and the map and the balance
+ * agree. n is such that multiplier^n is below an ulp. */
+static void steady_is_reached(struct random *r, const struct scallop_crawler *given)
+{
+  struct scallop_crawler c = *given;
+  c.alpha = fmin(fmax(c.alpha, 0.02), 0.98);
+  set_eps(&c, random_decades(r, 0.3, 60));
+  struct scallop_steady_result s = steady_of(&c);
+  double far = 3 * largest_velocity(&c, 0) + crawler_eps(&c) * velocity_unit(&c);
+  const double starts[] = { 0, -far, far, random_between(r, -far, far) };
+  double settled = 1 - s.period.multiplier;
+  for (int k = 0; k < 4; k++) {
+    double v = starts[k];
+    long limit = 2000 + (long)(40 / settled), n = 0;
+    bool at_rest = false; /* but for a velocity that scaling will soon refuse, as too small to keep its digits */
+    for (double old = INFINITY; n < limit && v != old && !at_rest; n++) {
+      old = v;
+      v = period_of(&c, v).v_end;
+      at_rest = v != 0 && fabs(v) < 1e-300 * far;
+    }
+    CHECK_NEAR(v, s.period.v_start, BOUND * ULP * largest_velocity(&c, 0) / settled);
+  }
+}
+
+/* alpha = 1/2: half a period later all is reversed, v(t + T/2) = -v(t). F1 = F2: c = 0 solves it. */
+static void symmetric_goes_nowhere(struct random *r, const struct scallop_crawler *given)
+{
+  (void)r;
+  struct scallop_crawler c = *given;
+  c.alpha = 0.5;
+  struct scallop_steady_result s = steady_of(&c);
+  CHECK_NEAR(s.period.v_mid, -s.period.v_start, BOUND * ULP * steady_size(&c, &s));
+  CHECK_NEAR(s.period.displacement, 0, BOUND * ULP * displacement_size(&c, &s));
+  c = *given;
+  c.F2 = c.F1;
+  s = steady_of(&c);
+  CHECK_EQUAL(s.period.v_start, 0);
+  CHECK_EQUAL(s.period.v_mid, 0);
+  CHECK_EQUAL(s.period.displacement, 0);
+  assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+}
+
+/* Where a root finder that keeps its bracket badly has gone wrong: Newton's method jumps between the two
+ * ends of the bracket (the balance is piecewise linear), or is thrown off a root it has found. */
+TEST(awkward_fixed_points)
+{
+  const struct scallop_crawler awkward[] = {
+    { 0.8600653530882657, 0.091638556541162694, 0.14221223671773683, 0.6712699065680231, 15.404457108972549,
+      1.6337619364041711, 0.64779187280096906, &trapezoid_gait },
+    { 2.0207504562843486, 0.24696599292836602, 1.4616632709221586, 4.8513944284664561, 10.847848234780091,
+      0.00018661733411097476, 0.757337499771089, &trapezoid_gait },
+    { 1.005555104355869, 0.34464279269686077, 0.20340021387305435, 1.9351561748532251, 6.2489810736853961,
+      0.00042542337761461294, 0.13370486197499587, &scallop_gait_sinusoidal },
+  };
+  check_failed = name_the_culprit;
+  for (size_t k = 0; k < sizeof awkward / sizeof *awkward; k++) {
+    under_test = awkward[k];
+    steady_is_a_fixed_point(NULL, &under_test);
+  }
+  check_failed = NULL;
+}
+
+TEST(fixed_point) { for_crawlers(18, steady_is_a_fixed_point); }
+TEST(reached_from_anywhere) { for_crawlers(19, steady_is_reached); }
+TEST(no_displacement) { for_crawlers(20, symmetric_goes_nowhere); }

@@ -1,0 +1,348 @@
+/* GSL's integrators and CVODE against the exact solver. They share the model and nothing else, so each checks the other: over seeded
+ * crawlers of every regime they agree to the tolerance.
+ *
+ * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the displacement.
+ * Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps add up and no more; Adams's
+ * method takes the more of them. The largest share of the bound that was seen is printed. */
+#include <stdio.h>
+#include <unistd.h>
+
+#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/odeiv.h"
+#include "tests/support/rivals.h"
+
+enum { CRAWLERS = 200, EACH = 40, CVODE = 3, METHODS = 4 }; /* the others are steppers of numerics/rivals/odeiv.h */
+static const double bound_of[METHODS] = { 32, 32, 512, 512 };
+
+/* All that this program was built with */
+static int methods(void) { return scallop_has_cvode() ? METHODS : CVODE; }
+
+static struct scallop_rival *make(int method, double tolerance)
+{
+  return method == CVODE ? scallop_cvode_rival(tolerance)
+                         : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
+}
+
+static struct scallop_rival_period solved(const struct scallop_crawler *c, double v0, int method, double tolerance)
+{
+  RIVAL(rival, make(method, tolerance));
+  return rival_period(rival, c, v0);
+}
+
+static struct scallop_rival_period compare(const struct scallop_crawler *c, double v0,
+                                           const struct scallop_period_result *exact, int method, double tolerance)
+{
+  struct scallop_rival_period p = solved(c, v0, method, tolerance);
+  check_period(&p, c, v0, exact, bound_of[method] * tolerance);
+  return p;
+}
+
+/* Both orders of the forces and of the masses, both signs of 2 alpha - 1, eps from 1e-3 to 1e3. */
+static struct scallop_crawler any_crawler(struct random *r, const struct scallop_gait *gait)
+{
+  struct scallop_crawler c = { .m1 = random_decades(r, 0.2, 5),
+                               .m2 = random_decades(r, 0.2, 5),
+                               .F1 = random_decades(r, 0.2, 5),
+                               .F2 = random_decades(r, 0.2, 5),
+                               .L = random_decades(r, 0.01, 100),
+                               .alpha = random_between(r, 0.05, 0.95),
+                               .gait = gait };
+  c.T = sqrt(random_decades(r, 1e-3, 1e3) * (c.m1 + c.m2) * c.L / (c.F1 + c.F2));
+  return c;
+}
+
+/* From rest, anything, the steady velocity, and that the wrong way round. */
+static double any_start(struct random *r, const struct scallop_crawler *c, int i)
+{
+  struct scallop_steady_result steady;
+  if (i % 4 == 0)
+    return 0;
+  if (i % 4 == 1)
+    return random_between(r, -2, 2) * c->L / c->T;
+  assert_true(scallop_steady(c, &steady) >= 0);
+  return i % 4 == 2 ? steady.period.v_start : -steady.period.v_start;
+}
+
+/* Every regime and both directions of travel must have been among the crawlers. */
+static void agrees_for(const struct scallop_gait *gait)
+{
+  int regimes[3] = { 0 }, backward = 0, reversed = 0;
+  struct random r = { 20130311 };
+  worst_share = 0;
+  for (int i = 0; i < CRAWLERS; i++) {
+    struct scallop_crawler c = any_crawler(&r, gait);
+    double v0 = any_start(&r, &c, i);
+    struct scallop_period_result exact = period_of(&c, v0);
+    for (int digits = 6; digits <= 12; digits += 3)
+      for (int method = 0; method < CVODE; method++)
+        compare(&c, v0, &exact, method, pow(10, -digits));
+    regimes[exact.regime]++;
+    backward += exact.displacement < 0;
+    reversed += v0 * exact.v_end < 0;
+  }
+  print_message("%s: %d sliding, %d stick-slip, %d at rest; %d backward, %d turned round; worst %.2g of the bound\n",
+                gait->name, regimes[0], regimes[1], regimes[2], backward, reversed, worst_share);
+  for (int i = 0; i < 3; i++)
+    assert_true(regimes[i] >= 10);
+  assert_true(backward >= 20 && reversed >= 10);
+}
+
+TEST(agrees_quadratic) { agrees_for(&scallop_gait_quadratic); }
+TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
+
+/* Gaits with plateaus, with l'' = 0 at both ends of a phase and with a jump of l', and crawlers of every family. */
+TEST(other_gaits)
+{
+  struct random r = { 1311 };
+  long events[CVODE] = { 0 };
+  worst_share = 0;
+  for (int family = 0; family < FAMILIES; family++)
+    for (int i = 0; i < EACH * ALL_GAITS; i++) {
+      struct scallop_crawler c = random_crawler(&r, (enum family)family, every_gait[i % ALL_GAITS]);
+      double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
+      struct scallop_period_result exact = period_of(&c, v0);
+      for (int method = 0; method < CVODE; method++)
+        events[method] += compare(&c, v0, &exact, method, 1e-8).events;
+    }
+  /* what the steps of Adams's method are off by must not look like a body that stops again and again */
+  CHECK_NEAR((double)events[SCALLOP_ODEIV_RKF45], (double)events[SCALLOP_ODEIV_RK8PD], 0.01 * (double)events[0]);
+  CHECK_NEAR((double)events[SCALLOP_ODEIV_MSADAMS], (double)events[SCALLOP_ODEIV_RK8PD], 0.01 * (double)events[0]);
+  print_message("other gaits: worst %.2g of the bound\n", worst_share);
+}
+
+/* Every family of crawlers and gait; every regime, and bodies that are let go and stopped again, must have been among them. */
+TEST(cvode_agrees)
+{
+  struct random r = { 20130311 };
+  int regimes[3] = { 0 }, held = 0;
+  if (!scallop_has_cvode())
+    skip();
+  worst_share = 0;
+  for (int family = 0; family < FAMILIES; family++)
+    for (int i = 0; i < 30 * ALL_GAITS; i++) {
+      struct scallop_crawler c = random_crawler(&r, (enum family)family, every_gait[i % ALL_GAITS]);
+      double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
+      if (family == STICK_SLIP && i % 2)
+        set_eps(&c, random_decades(&r, 60, 1e4));
+      struct scallop_period_result exact = period_of(&c, v0);
+      compare(&c, v0, &exact, CVODE, i % 3 ? 1e-6 : 1e-10);
+      const struct scallop_modes *m = exact.modes;
+      regimes[exact.regime]++;
+      for (int k = 0; k + 2 < m[0].count && k + 2 < SCALLOP_MODES_KEPT; k++)
+        held += m[0].kept[k].s1 * m[0].kept[k].s2 == 0 && m[0].kept[k + 1].s1 * m[0].kept[k + 1].s2 != 0;
+    }
+  print_message("%d sliding, %d stick-slip, %d at rest; %d let go and stopped again; worst %.2g of the bound\n", regimes[0],
+                regimes[1], regimes[2], held, worst_share);
+  for (int i = 0; i < 3; i++)
+    assert_true(regimes[i] >= 10);
+  assert_true(held >= 10);
+}
+
+/* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then neither can
+ * hold the other. */
+TEST(parted_from_rest)
+{
+  struct scallop_crawler c = { 3.2, 0.28, 0.024, 0.024, 12.6, 1.45, 0.4, &minimum_jerk_gait };
+  for (int method = 0; method < methods(); method++) {
+    struct scallop_rival_period p = solved(&c, 0, method, 1e-10);
+    CHECK_NEAR(p.v_mid, 0, bound_of[method] * 1e-10 * c.L / (c.T * c.alpha));
+    CHECK_NEAR(p.v_end, 0, bound_of[method] * 1e-10 * c.L / (c.T * c.alpha));
+  }
+}
+
+/* No tolerance bounds the error from below: tightening it must pay. */
+TEST(tolerance_controls_error)
+{
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  struct scallop_period_result exact = period_of(&c, 1.317);
+  for (int method = 0; method < methods(); method++) {
+    double last = INFINITY;
+    for (int digits = method == CVODE ? 2 : 4; digits <= 14; digits += 4) {
+      double error = fabs(solved(&c, 1.317, method, pow(10, -digits)).v_end - exact.v_end);
+      CHECK_AT_MOST(error, 1e-2 * last);
+      last = error;
+    }
+  }
+}
+
+/* Body 1 comes to zero and is off again within one step, which begins and ends with it moving forward: only a look inside the step can
+ * tell, and CVODE must stop where it turns. */
+TEST(dip_within_a_step)
+{
+  struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
+  struct scallop_period_result exact = period_of(&c, 1.32);
+  modes_are(&exact.modes[0], "++ 0+ ++");
+  for (int method = 0; method < methods(); method++)
+    for (int digits = method == CVODE ? 2 : 4; digits <= 8; digits++)
+      assert_true(compare(&c, 1.32, &exact, method, pow(10, -digits)).events >= 2);
+}
+
+/* One body 1e17 times lighter: its acceleration cannot be had as a difference from the other's, or locating its events takes over a
+ * hundred steps. A crawler from a random search. */
+TEST(light_body)
+{
+  const struct scallop_crawler c = {
+    330326390.34026927, 1.1252853324524996e-09, 234226.26838151389,      280.42533842860473, 1,
+    92.04635526320547,  0.78442465681124307,    &scallop_gait_sinusoidal
+  };
+  const double v0 = -0.02662866572576535;
+  struct scallop_period_result exact = period_of(&c, v0);
+  for (int method = 0; method < methods(); method++)
+    assert_true(compare(&c, v0, &exact, method, 1e-9).steps < (method < SCALLOP_ODEIV_MSADAMS ? 50 : 500));
+}
+
+/* A stuck body needs no integration. */
+TEST(at_rest)
+{
+  for (int method = 0; method < methods(); method++)
+    for (int i = 0; scallop_gait_name(i); i++)
+      for (int heavy = 1; heavy <= 2; heavy++) {
+        RIVAL(rival, make(method, 1e-10));
+        struct scallop_rival_period p = check_rest(rival, scallop_gait_named(scallop_gait_name(i)), heavy);
+        CHECK_NEAR(p.displacement, 0, 4 * DBL_EPSILON * scallop_crawler_default().L);
+        assert_int_equal(p.evaluations, 0);
+      }
+}
+
+TEST(any_units)
+{
+  for (int method = 0; method < methods(); method++) {
+    RIVAL(rival, make(method, 1e-9));
+    check_units(rival);
+  }
+}
+
+/* A workspace used before, with another tolerance, gives what a new one gives. */
+TEST(workspace_forgets)
+{
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  struct scallop_crawler other;
+  other = c;
+  other.T = 37;
+  for (int k = 0; k < CVODE; k++) {
+    enum scallop_odeiv_stepper stepper = (enum scallop_odeiv_stepper)k;
+    struct scallop_odeiv *odeiv = scallop_odeiv_make(stepper);
+    struct scallop_rival_period first, again;
+    assert_non_null(odeiv);
+    assert_int_equal(scallop_odeiv_period(&c, 2.385, stepper, 1e-11, &first), SCALLOP_OK);
+    assert_int_equal(scallop_odeiv_run(odeiv, &other, -3.1, 1e-5, &again), SCALLOP_OK);
+    assert_int_equal(scallop_odeiv_run(odeiv, &c, 2.385, 1e-11, &again), SCALLOP_OK);
+    assert_memory_equal(&again, &first, sizeof again); /* doubles and longs, no padding */
+    scallop_odeiv_destroy(odeiv);
+  }
+}
+
+TEST(steady_state)
+{
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  for (int method = 0; method < methods(); method++) {
+    RIVAL(rival, make(method, 1e-10));
+    check_steady(rival, &c, 0, 1e-10, 512 * 1e-10 * c.L / c.T / (1 - steady_of(&c).period.multiplier));
+  }
+}
+
+static void refused(double tolerance, int stepper)
+{
+  struct scallop_crawler good = scallop_crawler_default();
+  struct scallop_rival_period p = { .v_end = 7 };
+  assert_int_equal(scallop_odeiv_period(&good, 1, (enum scallop_odeiv_stepper)stepper, tolerance, &p), SCALLOP_EDOMAIN);
+  CHECK_EQUAL(p.v_end, 7);
+  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance));
+}
+
+TEST(bad_input)
+{
+  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY };
+  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++) {
+    refused(bad_tolerances[i], SCALLOP_ODEIV_RKF45);
+    assert_null(scallop_cvode_rival(bad_tolerances[i]));
+  }
+  refused(1e-9, CVODE);
+  refused(1e-9, -1);
+  assert_null(scallop_odeiv_make((enum scallop_odeiv_stepper)CVODE));
+  scallop_odeiv_destroy(NULL);
+  for (int method = 0; method < methods(); method++) {
+    RIVAL(rival, make(method, 1e-9));
+    check_refusals(rival);
+  }
+}
+
+TEST(patience_ends)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  for (int method = 0; method < methods(); method++)
+    for (long most = 0; most < (method == CVODE ? 20 : 5); most++) {
+      long left = most;
+      PATIENCE(patience, left);
+      RIVAL(rival, make(method, 1e-9));
+      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+      assert_int_equal(left, -1);
+    }
+}
+
+/* A gait that breaks its promise to be smooth: no step across the jump is short enough. */
+static double rough(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? 1 : 1e20; }
+
+/* Or to be monotone: no end of steps. */
+static double restless(const struct scallop_piece *p, double u) { return (void)p, 1e6 * sin(1e8 * u); }
+
+static void no_convergence(int method, double (*acceleration)(const struct scallop_piece *, double), double velocity)
+{
+  struct odd_piece odd;
+  struct scallop_crawler c = with_gait(odd_gait(&odd, NULL, acceleration));
+  RIVAL(rival, make(method, 1e-9));
+  odd.piece.velocity = velocity;
+  check_refused(rival, &c, 100, NULL, SCALLOP_ECONVERGE);
+}
+
+TEST(integrators_of_gsl_fail)
+{
+  for (int method = 0; method < CVODE; method++)
+    no_convergence(method, rough, 1);
+  no_convergence(SCALLOP_ODEIV_RKF45, restless, 1);
+}
+
+/* Not smooth, and then no numbers: it fails, and in silence. */
+TEST(cvode_fails_in_silence)
+{
+  if (!scallop_has_cvode())
+    skip();
+  FILE *said = tmpfile();
+  int stderr_kept = dup(STDERR_FILENO), stdout_kept = dup(STDOUT_FILENO);
+  assert_non_null(said);
+  assert_true(fflush(stdout) == 0 && stderr_kept >= 0 && stdout_kept >= 0);
+  assert_true(dup2(fileno(said), STDERR_FILENO) >= 0 && dup2(fileno(said), STDOUT_FILENO) >= 0);
+  no_convergence(CVODE, rough, 1);
+  no_convergence(CVODE, rough, NAN);
+  assert_true(fflush(stdout) == 0 && dup2(stderr_kept, STDERR_FILENO) >= 0 && dup2(stdout_kept, STDOUT_FILENO) >= 0);
+  assert_int_equal(lseek(fileno(said), 0, SEEK_END), 0);
+  assert_true(fclose(said) == 0 && close(stderr_kept) == 0 && close(stdout_kept) == 0);
+}
+
+/* Whatever the crawler, there is an answer that agrees, and never an endless run. */
+TEST(extremes_end)
+{
+  struct random r = { 1736 };
+  worst_share = 0;
+  for (int i = 0; i < 2000; i++) {
+    struct scallop_crawler c = { .m1 = random_decades(&r, 1e-9, 1e9),
+                                 .m2 = random_decades(&r, 1e-9, 1e9),
+                                 .F1 = random_decades(&r, 1e-9, 1e9),
+                                 .F2 = random_decades(&r, 1e-9, 1e9),
+                                 .L = 1,
+                                 .T = random_decades(&r, 1e-12, 1e12),
+                                 .alpha = i % 3 ? random_between(&r, 0, 1) : random_decades(&r, 1e-9, 1e-3),
+                                 .gait = scallop_gait_named(scallop_gait_name(i % 2)) };
+    double v0 = i % 5 ? random_between(&r, -1, 1) * random_decades(&r, 1e-9, 1e9) / c.T : 0;
+    struct scallop_period_result exact = period_of(&c, v0);
+    compare(&c, v0, &exact, i / 6 % CVODE, 1e-8);
+    if (i % 4 == 0 && scallop_has_cvode()) {
+      c.gait = every_gait[i / 4 % SMOOTH_GAITS];
+      exact = period_of(&c, v0);
+      compare(&c, v0, &exact, CVODE, 1e-8);
+    }
+  }
+  print_message("extremes: worst %.2g of the bound\n", worst_share);
+}
+
+TEST(cvode_is_there_or_left_out) { assert_int_equal(make(CVODE, 1e-9) != NULL, scallop_has_cvode()); }

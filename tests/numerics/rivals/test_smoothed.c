@@ -1,0 +1,394 @@
+/* Friction smoothed and integrated by stiff solvers, against the exact period. What smoothing does is measured with a
+ * tolerance far below delta: an error at most proportional to delta, but for a logarithm in stick-slip, that falls
+ * with every decade of delta for every crawler. What the solvers do is measured at one delta, against the tightest
+ * tolerance. */
+#include <gsl/gsl_errno.h>
+
+#include "numerics/rivals/smoothed.h"
+#include "tests/support/rivals.h"
+
+enum { CRAWLERS = 40, DECADES = 5, STEPPERS = 3 };
+
+static enum scallop_smoothed_stepper stepper_of(int i) { return (enum scallop_smoothed_stepper)i; }
+
+static struct scallop_rival *make(int stepper, double delta, double tolerance)
+{
+  return scallop_smoothed_rival(stepper_of(stepper), delta, tolerance);
+}
+
+static struct scallop_rival_period smoothed(const struct scallop_crawler *c, double v0, int stepper, double delta,
+                                            double tolerance)
+{
+  RIVAL(rival, make(stepper, delta, tolerance));
+  struct scallop_rival_period p = rival_period(rival, c, v0);
+  assert_true(p.steps > 0 && p.evaluations > p.steps && p.events == 0);
+  return p;
+}
+
+static struct scallop_period_result steady_period(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result steady;
+  assert_true(scallop_steady(c, &steady) >= 0);
+  struct scallop_period_result exact = period_of(c, steady.period.v_start);
+  return exact;
+}
+
+/* Of one crawler, delta by delta; the errors over delta are raised to the worst. */
+static void errors_of(const struct scallop_crawler *c, double worst[3][DECADES])
+{
+  struct scallop_period_result exact = steady_period(c);
+  double before = INFINITY;
+  for (int i = 0; i < DECADES; i++) {
+    double delta = pow(10, -2 - i);
+    struct scallop_rival_period p = smoothed(c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, delta, 1e-6 * delta);
+    double error = distance(c, &p, exact.v_end, exact.displacement);
+    worst[exact.regime][i] = fmax(worst[exact.regime][i], error);
+    CHECK_AT_MOST(error, (exact.regime == SCALLOP_SLIDING ? 4 : 1.5 + 0.25 * log(1 / delta)) * delta);
+    CHECK_AT_MOST(error, 0.3 * before + 0.02 * delta);
+    before = error;
+  }
+}
+
+static void first_order_in_delta(const struct scallop_gait *gait)
+{
+  double worst[3][DECADES] = { { 0 } };
+  struct random r = { 20130311 };
+  for (int i = 0; i < CRAWLERS; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, gait);
+    if (i % 8 == 7)
+      set_eps(&c, 3e3);
+    errors_of(&c, worst);
+  }
+  for (int regime = 0; regime < 3; regime++) {
+    print_message("%s, %s: worst/delta", gait->name, scallop_regime_text((enum scallop_regime)regime));
+    for (int i = 0; i < DECADES; i++)
+      print_message(" %.3g", worst[regime][i] * pow(10, 2 + i));
+    print_message(", order %.3f\n", observed_order(worst[regime], DECADES, 10));
+    CHECK_NEAR(observed_order(worst[regime], DECADES, 10), 1, 0.1);
+  }
+}
+
+TEST(first_order_quadratic) { first_order_in_delta(&scallop_gait_quadratic); }
+TEST(first_order_sinusoidal) { first_order_in_delta(&scallop_gait_sinusoidal); }
+
+/* A body that sticks and is released goes (delta/4) ln(1/delta) ahead of the exact one, and here nothing in the rest
+ * of the phase takes that away: the slope of error/delta against ln(1/delta) is 1/4. */
+TEST(logarithm_of_a_release)
+{
+  struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
+  struct scallop_period_result exact = period_of(&c, 1.32);
+  modes_are(&exact.modes[0], "++ 0+ ++");
+  double before = NAN;
+  for (int digits = 3; digits <= 7; digits++) {
+    double delta = pow(10, -digits);
+    struct scallop_rival_period p = smoothed(&c, 1.32, SCALLOP_SMOOTHED_MSBDF, delta, 1e-7 * delta);
+    double now = (p.v_mid - exact.v_mid) * c.T / c.L / delta;
+    if (digits > 3)
+      CHECK_NEAR((now - before) / log(10), 0.25, 3 * sqrt(delta));
+    before = now;
+  }
+}
+
+TEST(tolerance_controls_error)
+{
+  const double tolerances[] = { 1e-4, 1e-6, 1e-8, 1e-10 }, bounds[STEPPERS] = { 1000, 200, 40 };
+  double worst[STEPPERS][4] = { { 0 } };
+  struct random r = { 31 };
+  for (int i = 0; i < 12; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i % ALL_GAITS]);
+    struct scallop_period_result exact = steady_period(&c);
+    struct scallop_rival_period best = smoothed(&c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, 0.05, 1e-13);
+    for (int stepper = 0; stepper < STEPPERS; stepper++)
+      for (int j = 0; j < 4; j++) {
+        struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 0.05, tolerances[j]);
+        worst[stepper][j] = fmax(worst[stepper][j], distance(&c, &p, best.v_end, best.displacement));
+      }
+  }
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    print_message("stepper %d: worst/tolerance", stepper);
+    for (int j = 0; j < 4; j++) {
+      print_message(" %.2g", worst[stepper][j] / tolerances[j]);
+      CHECK_AT_MOST(worst[stepper][j], bounds[stepper] * tolerances[j]);
+      if (j >= 2) /* before, bsimp's longest step is short enough for any tolerance */
+        CHECK_AT_MOST(worst[stepper][j], 0.2 * worst[stepper][j - 1]);
+    }
+    print_message("\n");
+  }
+}
+
+/* The header says that bsimp and rk4imp leap over crossings where delta is small, whatever the tolerance, and that
+ * msbdf does not. */
+TEST(blind_steps)
+{
+  const double delta = 1e-6;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  double error[STEPPERS];
+  struct scallop_period_result exact = steady_period(&c);
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, delta, 1e-12);
+    error[stepper] = distance(&c, &p, exact.v_end, exact.displacement);
+  }
+  CHECK_AT_MOST(error[SCALLOP_SMOOTHED_MSBDF], 0.1 * delta);
+  CHECK_AT_MOST(10 * delta, error[SCALLOP_SMOOTHED_RK4IMP]);
+}
+
+/* With a wrong Jacobian the implicit steps do not converge, or only short ones do. Body 1 sticks, then body 2. */
+TEST(jacobian_pays)
+{
+  const long most[STEPPERS] = { 750, 160, 5500 };
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  c.T = 5;
+  for (int stuck = 1; stuck <= 2; stuck++) {
+    c.F1 = stuck == 1 ? 4 : 1;
+    c.F2 = stuck == 1 ? 1 : 4;
+    struct scallop_period_result exact = steady_period(&c);
+    assert_int_equal(exact.regime, SCALLOP_STICK_SLIP);
+    for (int stepper = 0; stepper < STEPPERS; stepper++) {
+      struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 1e-4, 1e-8);
+      print_message("stepper %d: %ld steps, %ld evaluations\n", stepper, p.steps, p.evaluations);
+      assert_true(p.steps <= most[stepper]);
+    }
+  }
+}
+
+TEST(units_and_handles)
+{
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    RIVAL(rival, make(stepper, 1e-3, 1e-7));
+    check_units(rival);
+  }
+}
+
+/* Smoothed beyond recognition, friction does nothing; far above its layer, it is what it is without one. */
+TEST(large_arguments)
+{
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+  const double v0 = 1013.7;
+  struct scallop_period_result exact = period_of(&c, v0);
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e300, 1e-9).v_end, v0, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
+    CHECK_RELATIVE(smoothed(&c, 1e150, stepper, 1e-3, 1e-9).v_end, 1e150, 1e-9);
+  }
+}
+
+static void refused(const struct scallop_crawler *c, double v0, double delta, enum scallop_status wanted)
+{
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    RIVAL(rival, make(stepper, delta, 1e-6));
+    check_refused(rival, c, v0, NULL, wanted);
+  }
+}
+
+TEST(bad_arguments)
+{
+  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY }, bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
+  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
+    assert_null(make(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
+  for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
+    assert_null(make(SCALLOP_SMOOTHED_BSIMP, bad_deltas[i], 1e-6));
+  assert_null(make(STEPPERS, 1e-3, 1e-6));
+  assert_null(make(-1, 1e-3, 1e-6));
+}
+
+TEST(bad_input)
+{
+  const struct scallop_gait *g = &scallop_gait_quadratic;
+  const struct scallop_crawler c = scallop_crawler_default(), stiff = { 1, 1, 4, 1, 10, 1e10, 0.75, g };
+  const struct scallop_crawler far = { 1, 1, 4e298, 1e298, 1e300, 10, 0.75, g };
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    RIVAL(rival, make(stepper, 1e-3, 1e-6));
+    check_refusals(rival);
+  }
+  refused(&c, 1, DBL_MIN, SCALLOP_ERANGE);    /* alpha of it is below DBL_MIN */
+  refused(&stiff, 1, 1e-300, SCALLOP_ERANGE); /* the stiffness overflows */
+  refused(&far, 1e308, 1e-3, SCALLOP_ERANGE); /* the displacement overflows */
+}
+
+/* A gait that breaks its promises: no step into the hole is short enough. */
+static double hole(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? u : NAN; }
+
+TEST(no_convergence)
+{
+  struct odd_piece odd;
+  struct scallop_crawler c = with_gait(odd_gait(&odd, hole, NULL));
+  odd.piece.velocity = 0;
+  odd.piece.acceleration = 1;
+  refused(&c, 1, 1e-3, SCALLOP_ECONVERGE);
+}
+
+TEST(patience_ends)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  for (int stepper = 0; stepper < STEPPERS; stepper++) {
+    RIVAL(rival, make(stepper, 1e-2, 1e-6));
+    for (long left, questions = 0; questions <= 40; questions += 10) {
+      left = questions;
+      PATIENCE(patience, left);
+      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+      assert_int_equal(left, -1); /* it ended at once */
+    }
+    long left = 100000;
+    PATIENCE(patience, left);
+    struct scallop_rival_period patient, alone = smoothed(&c, 1, stepper, 1e-2, 1e-6);
+    assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
+    assert_true(100000 - left <= patient.steps);
+    CHECK_EQUAL(patient.v_end, alone.v_end);
+    CHECK_EQUAL(patient.displacement, alone.displacement);
+  }
+}
+
+/* Whatever the crawler, delta and tolerance: an answer or a status, soon. */
+TEST(extremes_end)
+{
+  int failed = 0, answered = 0, impatient = 0;
+  struct random r = { 1736 };
+  for (int i = 0; i < 600; i++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
+    double v0 = random_start(&r, &c, SCALLOP_EXTENSION), delta = random_decades(&r, 1e-12, 1e3);
+    RIVAL(rival, make(i % STEPPERS, delta, random_decades(&r, 1e-15, 0.1)));
+    long left = 2000;
+    PATIENCE(patience, left);
+    struct scallop_rival_period p = { NAN, NAN, NAN, 0, 0, 0 };
+    enum scallop_status status = rival->period(rival, &c, v0, &patience, &p);
+    if (status == SCALLOP_OK)
+      answered += isfinite(p.v_mid) && isfinite(p.v_end) && isfinite(p.displacement);
+    else if (status == SCALLOP_ESTOPPED)
+      impatient++;
+    else
+      failed += status == SCALLOP_ECONVERGE;
+  }
+  print_message("%d answered, %d failed, %d took over 2000 steps\n", answered, failed, impatient);
+  assert_int_equal(answered + failed + impatient, 600);
+  assert_true(answered >= 400);
+}
+
+/* Inside a phase: against the period of the same solver, and against the exact motion */
+enum { LOOKS = 41 };
+struct look {
+  struct scallop_sample samples[LOOKS];
+  int count, wanted; /* wanted: after so many it has seen enough */
+};
+
+static bool note(void *context, const struct scallop_sample *sample)
+{
+  struct look *look = context;
+  look->samples[look->count++] = *sample;
+  return look->count < look->wanted;
+}
+
+static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, int stepper,
+                                   double delta, const double *times, int count, struct look *look)
+{
+  RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), delta, 1e-8 * delta));
+  look->count = 0;
+  look->wanted = look->wanted > 0 ? look->wanted : count + 1;
+  return scallop_smoothed_phase(rival, c, kind, v0, NULL, times, count, note, look);
+}
+
+/* Looked at only at its ends, an extension is the very one of the period; a contraction begins with another step. */
+TEST(phase_is_that_of_the_period)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  for (int i = 0; i < ALL_GAITS; i++)
+    for (int stepper = 0; stepper < STEPPERS; stepper++) {
+      c.gait = every_gait[i];
+      RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), 0x1p-4, 1e-8 * 0x1p-4));
+      struct scallop_rival_period p = rival_period(rival, &c, 3.1);
+      struct look first = { .count = 0 }, second = first;
+      const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
+                                  { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
+      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 3.1, stepper, 0x1p-4, ends[0], 2, &first), SCALLOP_OK);
+      assert_int_equal(look_at(&c, SCALLOP_CONTRACTION, p.v_mid, stepper, 0x1p-4, ends[1], 2, &second), SCALLOP_OK);
+      assert_true(first.count == 2 && second.count == 2);
+      const struct scallop_sample *a = first.samples, *b = second.samples;
+      CHECK_EQUAL(a[0].x1, 0);
+      CHECK_EQUAL(a[0].l, 0);
+      CHECK_EQUAL(b[0].x1, 0);
+      CHECK_EQUAL(b[0].x2, c.L);
+      CHECK_RELATIVE(a[1].x2 - a[1].x1, c.L, 4 * DBL_EPSILON);
+      CHECK_EQUAL(b[1].t, ends[1][1]);
+      CHECK_NEAR(b[1].l, 0, 4 * DBL_EPSILON * c.L);
+      CHECK_NEAR(a[1].xC - a[0].xC + b[1].xC - b[0].xC, p.displacement, 1e-7 * c.L);
+      if (!c.gait->phase[0].pieces[0].jump) { /* else the bodies begin and end with velocities of their own */
+        CHECK_RELATIVE(a[0].v1, 3.1, 4 * DBL_EPSILON);
+        CHECK_NEAR(a[1].v1, p.v_mid, 1e-13 * c.L / c.T);
+        CHECK_NEAR(a[1].v2, p.v_mid, 1e-13 * c.L / c.T);
+        CHECK_NEAR(b[1].v2, p.v_end, 1e-7 * c.L / c.T);
+      }
+    }
+}
+
+/* Against the exact motion, at times of all sorts; two may be the same. */
+static bool compare_with(void *context, const struct scallop_sample *exact)
+{
+  struct look *look = context;
+  const struct scallop_sample *s = &look->samples[look->count++];
+  CHECK_RELATIVE(s->t, exact->t, 4 * DBL_EPSILON);
+  CHECK_NEAR(s->l, exact->l, 1e-14 * 10);
+  CHECK_NEAR(s->x1, exact->x1, 1e-6);
+  CHECK_NEAR(s->x2, exact->x2, 1e-6);
+  CHECK_NEAR(s->xC, exact->xC, 1e-6);
+  CHECK_NEAR(s->v1, exact->v1, 1e-5);
+  CHECK_NEAR(s->v2, exact->v2, 1e-5);
+  return look->count < look->wanted;
+}
+
+TEST(samples_follow_the_exact_motion)
+{
+  struct scallop_crawler c = scallop_crawler_default();
+  for (int i = 0; i < 2; i++)
+    for (int stuck = 0; stuck < 2; stuck++) {
+      c.gait = i == 0 ? &scallop_gait_quadratic : &scallop_gait_sinusoidal;
+      c.T = stuck ? 4 : 1;
+      double times[LOOKS];
+      for (int k = 0; k < LOOKS; k++)
+        times[k] = k * c.T / 64;
+      struct look look = { .count = 0 };
+      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, SCALLOP_SMOOTHED_MSBDF, 1e-7, times, LOOKS, &look), SCALLOP_OK);
+      assert_int_equal(look.count, LOOKS);
+      look.wanted = LOOKS;
+      look.count = 0;
+      assert_int_equal(scallop_trajectory(&c, 1.3, 1, 64, compare_with, &look), SCALLOP_STOPPED);
+      const double twice[] = { 0.3, 0.3, nextafter(0.3, 1), 0.375, 0.375 };
+      struct look again = { .count = 0 };
+      for (int stepper = 0; stepper < STEPPERS; stepper++) {
+        assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, stepper, 1e-3, twice, 5, &again), SCALLOP_OK);
+        assert_int_equal(again.count, 5);
+        CHECK_EQUAL(again.samples[0].v1, again.samples[1].v1);
+        CHECK_EQUAL(again.samples[3].x1, again.samples[4].x1);
+      }
+    }
+}
+
+TEST(looks_that_end)
+{
+  const double good[] = { 0, 0.2, 0.4 };
+  const double bad[][2] = { { -1e-9, 0.1 }, { 0.2, 0.1 }, { 0.1, 0.8 }, { NAN, 0.1 }, { 0.1, NAN }, { 0.1, INFINITY } };
+  struct scallop_crawler c = scallop_crawler_default();
+  struct look look = { .count = 0 };
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, bad[i], 2, &look), SCALLOP_EDOMAIN);
+    assert_int_equal(look.count, 0);
+  }
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, 3, &look), SCALLOP_EDOMAIN);
+  for (int wanted = 1; wanted <= 2; wanted++) {
+    look.wanted = wanted;
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, 3, &look), SCALLOP_STOPPED);
+    assert_int_equal(look.count, wanted);
+  }
+  RIVAL(rival, scallop_smoothed_rival(SCALLOP_SMOOTHED_BSIMP, 1e-3, 1e-9));
+  long left = 0;
+  PATIENCE(none, left);
+  look = (struct look){ .wanted = 9 };
+  assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, 1, &none, good, 3, note, &look), SCALLOP_ESTOPPED);
+  assert_int_equal(look.count, 1); /* of the start */
+}
+
+int main(void)
+{
+  gsl_set_error_handler_off();
+  return check_run(NULL, NULL);
+}

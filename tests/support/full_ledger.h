@@ -1,0 +1,75 @@
+/* The whole ledger of one crawler, for tests of its rows. */
+#ifndef SCALLOP_TESTS_FULL_LEDGER_H
+#define SCALLOP_TESTS_FULL_LEDGER_H
+
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/claims/claims.h"
+#include "compare/answers/point_flint.h"
+#include "tests/support/random_crawler.h"
+#include "tests/support/scoped.h"
+#include "tests/support/solved.h"
+
+static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawler *crawler, bool orders)
+{
+  SCOPED(scallop_rational, exact);
+  rational_crawler(&exact, crawler);
+  if (orders)
+    ledger_add_orders(ledger, &exact, NULL, NULL);
+  ledger_add_words(ledger, crawler, NULL);
+}
+
+/* The one that the tests of a program look at, and its end */
+static struct ledger ledger;
+static inline int empty(void **state) { return (void)state, ledger_free(&ledger), 0; }
+
+/* Filled for the tests' crawler, with or without the claims about orders */
+static inline int fill(bool orders)
+{
+  fill_ledger(&ledger, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic }, orders);
+  return 0;
+}
+
+/* Its row about every_gait[g]. conditions: all of them, or NULL for any */
+static inline const struct claim_row *find(const char *claim, int g, const char *conditions, bool inside)
+{
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0 && row->inside == inside
+        && (!conditions || strcmp(row->conditions, conditions) == 0))
+      return row;
+  fail_msg("no row %s, %s", claim, every_gait[g]->name);
+  return ledger.rows;
+}
+
+/* ... whose conditions hold the text */
+static inline const struct claim_row *row_of(const char *claim, int g, const char *conditions)
+{
+  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0 && strstr(row->conditions, conditions))
+      return row;
+  fail_msg("no row %s, %s, %s", claim, every_gait[g]->name, conditions);
+  return ledger.rows;
+}
+
+/* The numbers behind a text in what was measured: as many as sscanf is to read */
+#define READ_NUMBERS(row, text, count, ...) assert_int_equal(sscanf(behind(row, text), __VA_ARGS__), count)
+static inline const char *behind(const struct claim_row *row, const char *text)
+{
+  const char *at = strstr(row->measured, text);
+  if (!at)
+    fail_msg("%s: no '%s' in '%s'", row->claim, text, row->measured);
+  return at ? at + strlen(text) : "";
+}
+
+static inline double number_after(const struct claim_row *row, const char *text)
+{
+  double x = NAN;
+  READ_NUMBERS(row, text, 1, "%lf", &x);
+  return x;
+}
+
+/* The paper's crawler */
+static inline struct scallop_crawler paper(int g) { return with_gait(every_gait[g]); }
+
+#endif

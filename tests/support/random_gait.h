@@ -1,0 +1,121 @@
+/* Gaits made to measure (model/gaits.h) with random parameters. Header-only; knows public headers only. */
+#ifndef RANDOM_GAIT_H
+#define RANDOM_GAIT_H
+
+#include "model/gaits.h"
+#include "tests/support/random_crawler.h"
+
+enum random_gait_kind { TRAPEZOIDAL, SKEWED, POLYNOMIAL, SPLINE, TURNING_POLYNOMIAL, TURNING_SPLINE, RANDOM_GAITS };
+enum { STRAIGHT_OR_POLYNOMIAL = 3, WITHOUT_TURN = 4 }; /* the first of them */
+
+enum { MOST_KNOTS = 40, MOST_SPLINE_PIECES = 2 * MOST_KNOTS };
+
+struct random_gait {
+  struct scallop_straight straight;
+  struct scallop_polynomial polynomial;
+  struct scallop_spline spline;
+  struct scallop_piece pieces[MOST_SPLINE_PIECES];
+  struct scallop_law laws[MOST_SPLINE_PIECES];
+};
+
+/* Often where 1 - x is no double */
+static inline double random_part(struct random *r, double most)
+{
+  return random_below(r, 4) ? random_between(r, 0.02, most) : random_decades(r, 1e-3, most);
+}
+
+static inline const struct scallop_gait *random_straight(struct random *r, bool skewed, struct scallop_straight *g)
+{
+  double x[4];
+  for (int kind = 0; kind < 2; kind++) {
+    x[kind] = random_part(r, 0.97);
+    x[2 + kind] = random_below(r, 5) ? random_part(r, 1 - x[kind]) : 1 - x[kind];
+  }
+  enum scallop_status made = skewed ? scallop_make_skewed(g, "skewed", x)
+                                    : scallop_make_trapezoidal(g, "trapezoidal", x, x + 2);
+  if (made != SCALLOP_OK) /* a sum beyond 1 by rounding */
+    return random_straight(r, skewed, g);
+  return &g->gait;
+}
+
+/* l' = s^p (1 - s)^q times a random polynomial, which is positive or, turning, has one or two roots. */
+static inline const struct scallop_gait *random_polynomial(struct random *r, bool turning, struct scallop_polynomial *g)
+{
+  enum { DEGREE = 8 };
+  double slope[DEGREE + 1] = { 0 }, c[DEGREE + 2] = { 0 },
+                        roots[2] = { random_between(r, 0.05, 0.45), random_between(r, 0.55, 0.95) };
+  int rising = 1 + random_below(r, 2), falling = 1 + random_below(r, 2), degree = rising;
+  slope[rising] = 1;
+  int factors = falling + (turning ? 1 + random_below(r, 2) : random_below(r, 3));
+  for (int i = 0; i < factors; i++) { /* times a + b s */
+    double a = i < falling ? 1 : turning ? -roots[i - falling] : random_between(r, 0.2, 1);
+    double b = i < falling ? -1 : turning ? 1 : random_between(r, -0.9, 3) * a;
+    for (int k = ++degree; k >= 0; k--)
+      slope[k] = slope[k] * a + (k > 0 ? slope[k - 1] * b : 0);
+  }
+  double sum = 0;
+  for (int k = 0; k <= degree; k++) {
+    c[k + 1] = slope[k] / (k + 1);
+    sum += c[k + 1];
+  }
+  for (int k = 1; k <= degree + 1; k++)
+    c[k] = sum < 0 ? -c[k] : c[k];
+  if (scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) != SCALLOP_OK)
+    return random_polynomial(r, turning, g);
+  return &g->gait;
+}
+
+/* Steffen's slope at the middle one of three knots */
+static inline double steffen(const struct scallop_knot *k)
+{
+  double h = k[0].time - k[-1].time, g = k[1].time - k[0].time;
+  double s = (k[0].length - k[-1].length) / h, t = (k[1].length - k[0].length) / g;
+  if (s * t <= 0)
+    return 0;
+  return copysign(fmin(fmin(2 * fabs(s), 2 * fabs(t)), fabs(s * g + t * h) / (g + h)), s);
+}
+
+/* turning: l goes back and forth, and rests now and then */
+static inline int random_knots(struct random *r, bool turning, int kind, struct scallop_knot *knots)
+{
+  int count = 2 + random_below(r, MOST_KNOTS - 1);
+  double time = 0, way = 0;
+  for (int i = 0; i < count; i++) {
+    knots[i] = (struct scallop_knot){ time, way, 0 };
+    time += random_between(r, 0.2, 1);
+    way += random_between(r, 0.05, 1);
+  }
+  for (int i = 0; i < count; i++) {
+    double l = knots[i].length / knots[count - 1].length;
+    if (turning && i > 0 && i < count - 1)
+      l = random_below(r, 3) ? random_between(r, 0.01, 0.99) : kind == 0 ? knots[i - 1].length : 1 - knots[i - 1].length;
+    knots[i].time = scallop_knot_round(knots[i].time / knots[count - 1].time);
+    knots[i].length = scallop_knot_round(kind == 0 ? l : 1 - l);
+  }
+  for (int i = 1; i + 1 < count; i++)
+    knots[i].slope = steffen(&knots[i]);
+  return count;
+}
+
+static inline const struct scallop_gait *random_spline(struct random *r, bool turning, struct random_gait *g)
+{
+  struct scallop_knot knots[2][MOST_KNOTS];
+  int count[2];
+  for (int kind = 0; kind < 2; kind++)
+    count[kind] = random_knots(r, turning, kind, knots[kind]);
+  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws };
+  const struct scallop_knot *const phases[2] = { knots[0], knots[1] };
+  assert_int_equal(scallop_make_spline(&g->spline, "spline", phases, count), SCALLOP_OK);
+  return &g->spline.gait;
+}
+
+static inline const struct scallop_gait *random_gait(struct random *r, enum random_gait_kind kind, struct random_gait *g)
+{
+  if (kind == TRAPEZOIDAL || kind == SKEWED)
+    return random_straight(r, kind == SKEWED, &g->straight);
+  if (kind == POLYNOMIAL || kind == TURNING_POLYNOMIAL)
+    return random_polynomial(r, kind == TURNING_POLYNOMIAL, &g->polynomial);
+  return random_spline(r, kind == TURNING_SPLINE, g);
+}
+
+#endif
