@@ -47,7 +47,12 @@ static void put(struct table *t, const char *text, size_t size)
 }
 
 static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
-static void put_char(struct table *t, char c) { put(t, &c, 1); }
+static void put_char(struct table *t, char c)
+{
+  if (t->used == TABLE_PART)
+    hand_on(t);
+  t->part[t->used++] = c;
+}
 
 void table_note(struct table *t, const char *format, ...)
 {
@@ -127,16 +132,23 @@ void table_rounded(struct table *t, double value, const char *format)
 /* Bytes that are no plain characters, in a message, must not make the table unreadable. */
 void table_text(struct table *t, const char *text)
 {
+  const bool json = is_json(t);
   begin_cell(t);
-  if (is_json(t))
+  if (json)
     put_char(t, '"');
-  for (; *text; text++) {
-    unsigned char c = (unsigned char)*text;
-    if (is_json(t) && (c == '"' || c == '\\'))
+  while (*text) {
+    size_t plain = 0;
+    while (text[plain] >= 0x20 && text[plain] <= 0x7e && !(json && (text[plain] == '"' || text[plain] == '\\')))
+      plain++;
+    put(t, text, plain);
+    text += plain;
+    if (*text == '"' || *text == '\\')
       put_char(t, '\\');
-    put_char(t, c < 0x20 ? ' ' : c > 0x7e ? '?' : *text);
+    if (*text)
+      put_char(t, *text == '"' || *text == '\\' ? *text : (unsigned char)*text < 0x20 ? ' ' : '?');
+    text += *text != '\0';
   }
-  if (is_json(t))
+  if (json)
     put_char(t, '"');
   end_cell(t);
 }
