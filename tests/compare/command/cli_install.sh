@@ -83,6 +83,12 @@ for name in scallop-core scallop; do
   ! readelf -d static | grep -q 'NEEDED.*libscallop' || note "loads the shared library"
   agrees static "a program with lib$name, static"
 done
+sed -n '/^```c$/,/^```$/{/^```/!p}' "$root/docs/library.md" >example.c
+# shellcheck disable=SC2046
+quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example example.c $(flags --cflags --libs scallop-core)
+LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1
+grep -q -F "It prints \`$(cat got)\`." "$root/docs/library.md" || note "it prints: $(cat got)"
+finish "the example of docs/library.md"
 if command -v c++ >/dev/null 2>&1; then
   printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_text_steady_xC(&c) > 0); }\n' >main.cc
   # shellcheck disable=SC2046
