@@ -113,12 +113,8 @@ TEST(jump_of_the_slope)
     double low = i ? 5 : 30, high = i ? 9 : 40, m[2], slope[2], fg[2], g[2], h = 1e-7;
     boundary_between(&low, &high, &c, i);
     for (int after = 0; after < 2; after++) {
-      struct scallop_steady_result near, far;
-      double sign = after ? 1 : -1;
-      for (int twice = 0; twice < 2; twice++) {
-        double x = (after ? high : low) * (1 + sign * (1 + twice) * h);
-        *(twice ? &far : &near) = steady_at(x, c, i);
-      }
+      double sign = after ? 1 : -1, x = after ? high : low;
+      struct scallop_steady_result near = steady_at(x * (1 + sign * h), c, i), far = steady_at(x * (1 + sign * 2 * h), c, i);
       c.F2 = i ? (after ? high : low) : 1;
       c.F1 = i ? 4 * c.F2 : after ? high : low;
       double beta = (c.F1 - c.F2) / (c.F1 + c.F2), eps = c.T * c.T * (c.F1 + c.F2) / ((c.m1 + c.m2) * c.L);
