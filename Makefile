@@ -136,7 +136,7 @@ instructions: $(B)/scallop-bench
 ## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
 asan fuzz matrix coverage:
-	+@MAKE="$(MAKE)" sh scripts/dev/$@.sh $(B)
+	+@MAKE="$(MAKE)" sh scripts/dev/$@.sh $(B)/$@
 fuzz-programs: $(fuzz)
 
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
