@@ -9,7 +9,8 @@
  *
  * Each header begins with what it is for. In libscallop-core, which needs C's library only, and in libscallop:
  *     model/model.h               crawlers, gaits, phases; scallop_status, which every call that can fail returns
- *     model/gaits.h               gaits made to measure: trapezoidal, skewed, polynomial, splines through data
+ *     model/gaits.h               gaits made to measure, and splines through data
+ *     model/families.h            the families of gaits, by name
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
  *     asymptotics/asymptotics.h   the formulas of the paper as published
@@ -29,6 +30,7 @@ extern "C" {
 #endif
 
 #include "asymptotics/asymptotics.h"
+#include "model/families.h"
 #include "model/gaits.h"
 #include "model/model.h"
 #include "model/version.h"

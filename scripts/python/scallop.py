@@ -34,23 +34,55 @@ import numpy
 import scallop_library as c
 from scallop_library import load
 
-__all__ = ["Gait", "Phase", "Steady", "Trajectory", "formulas", "load", "minimum_jerk", "phase", "polynomial", "published",
-           "skewed", "steady", "trapezoidal", "trajectory"]
+__all__ = ["Gait", "Phase", "Steady", "Trajectory", "formulas", "gait_of", "gaits", "load", "minimum_jerk", "phase",
+           "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
 
 KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
 
 
 class Gait:
-    """A gait made by trapezoidal(), skewed(), polynomial() or minimum_jerk(): a value for the parameter gait. Its
-    name is what the option --gait of the command calls it."""
+    """A gait made by gait_of(): a value for the parameter gait. Its name is what the option --gait of the command calls
+    it."""
 
     __slots__ = ("name", "_bytes", "_memory")
 
-    def __init__(self, name, memory):
-        self.name, self._bytes, self._memory = name, name.encode(), memory
+    def __init__(self, name):
+        self.name, self._bytes = name, name.encode()
+        self._memory = ctypes.create_string_buffer(ctypes.c_size_t.in_dll(c.library(), "scallop_made_gait_size").value)
 
     def __repr__(self):
         return f"<Gait {self.name}>"
+
+
+def _families():
+    entries = (c.library().scallop_gait_family(i) for i in itertools.count())
+    return {entry[0].name.decode(): entry for entry in itertools.takewhile(bool, entries)}
+
+
+def gaits():
+    """{name: (numbers, usual, sentence)} of the families of gaits: what gait_of() takes, the numbers that hold where none
+    are given, and what the gait is. numbers and usual are '' where there are none."""
+    return {name: tuple((text or b"").decode() for text in (entry[0].numbers, entry[0].usual, entry[0].sentence))
+            for name, entry in _families().items()}
+
+
+def gait_of(family, *numbers):
+    """A gait of a family that gaits() lists, of the numbers that --gait takes after its name: gait_of('skewed', 0.3) is
+    --gait skewed:0.3. Those of one phase hold for both, unless those of the contraction follow."""
+    known = {name: entry for name, entry in _families().items() if not entry[0].fixed}
+    if family not in known:
+        raise ValueError(f"family = {family!r}: {', '.join(known)}")
+    row, given = known[family][0], [float(x) for x in _column("numbers", numbers)]
+    if len(given) == 2 * row.each and given[:row.each] == given[row.each:]:
+        given = given[:row.each]
+    gait, why = Gait(family + (":" + _numbers_text(given) if given else "")), ctypes.c_char_p()
+    if given and not row.numbers or not given and not row.usual:
+        raise ValueError(f"numbers = {given}: {(row.allowed or b'none').decode()}")
+    given = given or [float(text) for text in row.usual.split(b",")]
+    array = (ctypes.c_double * len(given))(*given)
+    if c.library().scallop_make_gait(gait._memory, row, gait._bytes, array, len(given), why) < 0:
+        raise ValueError(f"numbers = {given}: {(why.value or row.allowed).decode()}")
+    return gait
 
 
 def _numbers_text(numbers):
@@ -66,45 +98,27 @@ def _pair(name, value):
 
 
 def trapezoidal(up=0.25, down=0.25):
-    """|l'| rises for a fraction `up` of the phase, stays, and falls for `down`: from 2^-100, up + down at most 1.
-    Each is a number, or a pair for extension and contraction."""
+    """gait_of('trapezoidal', ...): each number may be a pair for extension and contraction."""
     up, down = _pair("up", up), _pair("down", down)
-    numbers = [up[0], down[0], up[1], down[1]]
-    gait = Gait("trapezoidal:" + _numbers_text(numbers[:2] if numbers[:2] == numbers[2:] else numbers), c.Straight())
-    two = ctypes.c_double * 2
-    if c.library().scallop_make_trapezoidal(ctypes.byref(gait._memory), gait._bytes, two(*up), two(*down)) < 0:
-        raise ValueError(f"up = {up}, down = {down}: from 2^-100, and up + down at most 1 in both phases")
-    return gait
+    return gait_of("trapezoidal", up[0], down[0], up[1], down[1])
 
 
 def skewed(beta=0.25):
-    """|l'| rises for a fraction `beta` of the phase and falls for the rest: from 2^-100, below 1. A number, or a pair
-    for extension and contraction."""
-    beta = _pair("beta", beta)
-    gait = Gait("skewed:" + _numbers_text(beta[:1] if beta[0] == beta[1] else beta), c.Straight())
-    if c.library().scallop_make_skewed(ctypes.byref(gait._memory), gait._bytes, (ctypes.c_double * 2)(*beta)) < 0:
-        raise ValueError(f"beta = {beta}: from 2^-100, below 1")
-    return gait
+    """gait_of('skewed', ...): a number, or a pair for extension and contraction."""
+    return gait_of("skewed", *_pair("beta", beta))
 
 
 def polynomial(coefficients):
-    """l/L = (C1 s + C2 s^2 + ...)/(C1 + C2 + ...), s being the part of the extension that has passed, and the same
-    backward in the contraction. coefficients: C1, C2, ..., Cn with n from 3 to 16, such that l' = 0 at both ends."""
+    """gait_of('polynomial', *coefficients): C1, C2, ..., Cn with n from 3 to 16, such that l' = 0 at both ends."""
     numbers = _column("coefficients", coefficients)
-    if numbers.ndim != 1 or not 3 <= numbers.size <= c.DEGREE:
-        raise ValueError(f"coefficients: a sequence of 3 to {c.DEGREE} numbers, not {reprlib.repr(coefficients)}")
-    gait, why = Gait("polynomial:" + _numbers_text(numbers), c.Polynomial()), ctypes.c_char_p()
-    padded = (ctypes.c_double * (numbers.size + 1))(0, *numbers)
-    if c.library().scallop_make_polynomial(ctypes.byref(gait._memory), gait._bytes, padded, numbers.size, why) < 0:
-        raise ValueError(f"coefficients = {numbers.tolist()}: {(why.value or b'no gait').decode()}")
-    return gait
+    if numbers.ndim != 1 or not 3 <= numbers.size <= c.MOST_NUMBERS:
+        raise ValueError(f"coefficients: a sequence of 3 to {c.MOST_NUMBERS} numbers, not {reprlib.repr(coefficients)}")
+    return gait_of("polynomial", *numbers)
 
 
 def minimum_jerk():
-    """polynomial([0, 0, 10, -15, 6])"""
-    gait = polynomial([0, 0, 10, -15, 6])
-    gait.name = "minimum-jerk"
-    return gait
+    """gait_of('minimum-jerk')"""
+    return gait_of("minimum-jerk")
 
 
 def _address(gait):
@@ -118,8 +132,7 @@ def _address(gait):
 
 
 def _no_gait(gait):
-    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by trapezoidal(), skewed(), "
-                      "polynomial() or minimum_jerk()")
+    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by gait_of()")
 
 
 def _addresses(gait):

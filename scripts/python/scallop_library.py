@@ -21,22 +21,12 @@ def _structure(name, *fields):
 _double, _int, _pointer, _text = ctypes.c_double, ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p
 
 # model/model.h
-DEGREE = 16  # SCALLOP_POLYNOMIAL_DEGREE
-BernsteinLaw = _structure("scallop_bernstein_law", (_double * DEGREE, "b"), (_double, "near far way"), (_int, "implied more_count"),
-                          (_pointer, "more"))
-Law = _structure("scallop_law", (_int, "kind degree"), (BernsteinLaw, "bernstein"), (_double, "base"))  # of its union the largest
-Piece = _structure("scallop_piece", (_double, "begin end"), (_int, "anchor direction"), (ctypes.c_bool, "jump linear"),
-                   (_double, "velocity acceleration"), (_pointer, "curve law exact"))
-Shape = _structure("scallop_shape", (_pointer, "pieces"), (_int, "count"), (_double, "l0 lT peak net"),
-                   (ctypes.c_bool, "concave ramps"))
-Gait = _structure("scallop_gait", (_pointer, "name"), (Shape * 2, "phase"))
 Crawler = _structure("scallop_crawler", (_double, "m1 m2 F1 F2 L T alpha"), (_pointer, "gait"))
 Complaint = _structure("scallop_complaint", (_text, "name"), (_double, "given"), (_text, "allowed"))
-# model/gaits.h
-Straight = _structure("scallop_straight", (Gait, "gait"), (Piece * 4 * 2, "pieces"), (Law * 4 * 2, "laws"))
-_PIECES = 2 * DEGREE
-Polynomial = _structure("scallop_polynomial", (Gait, "gait"), (Piece * _PIECES * 2, "pieces"), (Law * _PIECES, "laws"),
-                        (_double * _PIECES, "ways"))
+# model/families.h
+MOST_NUMBERS = 16  # SCALLOP_GAIT_NUMBERS
+Family = _structure("scallop_gait_family", (_text, "name numbers usual allowed sentence sample"), (_int, "each"),
+                    (_pointer, "fixed make"))
 # numerics/numerics.h
 MODES_KEPT = 24
 Modes = _structure("scallop_modes", (_int, "count"), (ctypes.c_byte * 2 * MODES_KEPT, "kept"))
@@ -61,9 +51,8 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_modes_text": (None, _pointer, _text),
     "scallop_gait_named": (_pointer, _text),
     "scallop_crawler_check": (_int, ctypes.POINTER(Crawler), ctypes.POINTER(Complaint)),
-    "scallop_make_trapezoidal": (_int, _pointer, _text, _double * 2, _double * 2),
-    "scallop_make_skewed": (_int, _pointer, _text, _double * 2),
-    "scallop_make_polynomial": (_int, _pointer, _text, ctypes.POINTER(_double), _int, ctypes.POINTER(_text)),
+    "scallop_gait_family": (ctypes.POINTER(Family), _int),
+    "scallop_make_gait": (_int, _pointer, ctypes.POINTER(Family), _text, ctypes.POINTER(_double), _int, ctypes.POINTER(_text)),
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
     "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),

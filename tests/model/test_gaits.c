@@ -186,6 +186,36 @@ TEST(bad_straight_gaits)
   assert_int_equal(scallop_make_trapezoidal(&g, "", much, more), SCALLOP_EDOMAIN);
 }
 
+/* Every family: its sample is one of its gaits; how many numbers it takes, and that those of the extension hold for the contraction. */
+TEST(families)
+{
+  static union scallop_made_gait one, two;
+  const struct scallop_gait_family *family;
+  const double x[SCALLOP_GAIT_NUMBERS + 1] = { 0.125, 0.25, 0.375, 0.0625 };
+  const char *why;
+  assert_null(scallop_gait_family(-1));
+  assert_true(scallop_made_gait_size == sizeof one);
+  for (int i = 0; (family = scallop_gait_family(i)) != NULL; i++) {
+    const struct scallop_gait *sample = gait_of_text(family->sample).gait;
+    int each = family->each;
+    assert_non_null(sample);
+    assert_int_equal(strncmp(family->sample, family->name, strlen(family->name)), 0);
+    assert_true(family->sentence && !family->numbers == !family->allowed && !family->fixed == (family->make != NULL));
+    assert_true(!family->fixed || family->fixed == sample);
+    for (int count = 0; count <= SCALLOP_GAIT_NUMBERS + 1; count++)
+      if (each == 0 || (count != each && count != 2 * each))
+        assert_int_equal(scallop_make_gait(&one, family, "", x, count, &why), SCALLOP_EDOMAIN);
+    if (each == 0)
+      continue;
+    const double twice[4] = { x[0], x[1 % each], x[0], x[1 % each] };
+    assert_int_equal(scallop_make_gait(&one, family, "one", x, each, &why), SCALLOP_OK);
+    assert_int_equal(scallop_make_gait(&two, family, "two", twice, 2 * each, &why), SCALLOP_OK);
+    check_same_motions(&one.gait, &two.gait, 0);
+    assert_int_equal(scallop_make_gait(&two, family, "two", x, 2 * each, &why), SCALLOP_OK);
+    assert_false(scallop_gait_mirrors(&two.gait));
+  }
+}
+
 TEST(bad_polynomials)
 {
   static const struct {

@@ -1,5 +1,6 @@
 #!/bin/sh
 # --gait: gaits with parameters and measured ones, on every command that takes one.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 . tests/support/common.sh
 
 refuse() { # CODE PATTERN ARGUMENT...: nothing on standard output, and this on standard error
@@ -23,6 +24,15 @@ half=$(cells out v_start displacement multiplier modes)
 run 0 steady
 [ "$(cells out v_start displacement multiplier modes)" = "$half" ] || note "trapezoidal:0.5,0.5 is not quadratic: $half"
 finish "gaits read back what they print"
+
+# ---- the families that --help lists are those of the README ----
+run 0 steady --help
+families=$(sed -n '/^Gaits/,/^$/s/^  \([a-z-]*\).*/\1/p' out)
+[ "$(echo "$families" | wc -l)" -ge 7 ] || note "families: $families"
+for family in $families; do
+  grep -q "\`$family" "$root/README.md" || note "README.md has no $family"
+done
+finish "the README has every gait of --help"
 
 # ---- refused ----
 refuse 2 "did you mean 'trapezoidal'" steady --gait trapezodal

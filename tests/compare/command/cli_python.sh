@@ -44,7 +44,7 @@ END
 # ---- the same as the command ----
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/gaits.h"\n#include "numerics/numerics.h"')
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
 def fact(text, value):
     print('_Static_assert(%s == %d, "");' % (text, value))
 fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
@@ -58,7 +58,7 @@ for each in [each for each in vars(scallop).values() if isinstance(each, type) a
         fact(f"sizeof(((struct {each.__name__} *)0)->{name})", getattr(each, name).size)
 END
 /usr/bin/python3 layout.py >layout.c || note "no layout"
-[ "$(grep -c _Static_assert layout.c)" -gt 200 ] || note "$(grep -c _Static_assert layout.c) facts"
+[ "$(grep -c _Static_assert layout.c)" -gt 150 ] || note "$(grep -c _Static_assert layout.c) facts"
 cc -std=c11 -I"$root" -fsyntax-only layout.c 2>err || note "$(head -n 3 err)"
 finish "structures are those of the headers"
 
@@ -268,13 +268,27 @@ for name, gait in GAITS.items():
 END
 finish "gaits live as long as they are needed, with the names of --gait"
 
+run 0 steady --help
+python out <<'END'
+lines = open(sys.argv[1]).read().split("\nGaits")[1].split("\n\n")[0].split("\n")[1:]
+listed = {line.split()[0].split(":")[0].rstrip("["): line[2:].split("  ", 1)[1].strip() for line in lines}
+if list(listed) != [*scallop.gaits(), "measured"]:
+    bad("families:", list(listed), list(scallop.gaits()))
+for name, (numbers, usual, sentence) in scallop.gaits().items():
+    if listed[name] != sentence + (f" ({usual})" if numbers and usual else ""):
+        bad(name, listed[name], "is not", numbers, usual, sentence)
+END
+finish "gaits() are those of --help"
+
 # ---- bad input ----
 python <<'END'
 import reprlib
 nan, inf = math.nan, math.inf
 grid = numpy.ones((2, 3))
 grid[1, 2] = -2
-none = "'quadratic', 'sinusoidal', or a Gait made by trapezoidal(), skewed(), polynomial() or minimum_jerk()"
+allowed = {name: entry[0].allowed.decode() for name, entry in scallop._families().items() if entry[0].allowed}
+families = ", ".join(name for name in scallop.gaits() if name not in ("quadratic", "sinusoidal"))
+none = "'quadratic', 'sinusoidal', or a Gait made by gait_of()"
 for call, wanted in {
     (lambda: scallop.steady(F1=-3)): "F1 = -3.0: a finite number > 0",
     (lambda: scallop.steady(F1=[1, -3, -4], T=[1, 1, 0])): "row 1: F1 = -3.0: a finite number > 0",
@@ -296,10 +310,18 @@ for call, wanted in {
     (lambda: scallop.steady(threads=0)): "threads = 0: a whole number from 1 to 2147483647",
     (lambda: scallop.steady(threads=1.5)): "threads = 1.5: a whole number from 1 to 2147483647",
     (lambda: scallop.trapezoidal(0.7, 0.4)): 
-        "up = [0.7, 0.7], down = [0.4, 0.4]: from 2^-100, and up + down at most 1 in both phases",
+        "numbers = [0.7, 0.4]: trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction "
+        "in which |l'| rises and falls: from 2^-100, UP + DOWN at most 1",
     (lambda: scallop.trapezoidal([1, 2, 3])): "up: one number, or two for extension and contraction, not [1, 2, 3]",
-    (lambda: scallop.skewed(1)): "beta = [1.0, 1.0]: from 2^-100, below 1",
-    (lambda: scallop.polynomial([1, 2, 3])): "coefficients = [1.0, 2.0, 3.0]: C1 is not 0, and so l' not at the start",
+    (lambda: scallop.skewed(1)): "numbers = [1.0]: skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: "
+        "from 2^-100, below 1",
+    (lambda: scallop.gait_of("trapezoidal", 0.1)): "numbers = [0.1]: " + allowed["trapezoidal"],
+    (lambda: scallop.gait_of("minimum-jerk", 0.1)): "numbers = [0.1]: none",
+    (lambda: scallop.gait_of("polynomial")): "numbers = []: " + allowed["polynomial"],
+    (lambda: scallop.gait_of("quadratic")): "family = 'quadratic': " + families,
+    (lambda: scallop.gait_of("walk", 1)): "family = 'walk': " + families,
+    (lambda: scallop.gait_of("skewed", "1")): "numbers: real numbers are wanted, not ('1',)",
+    (lambda: scallop.polynomial([1, 2, 3])): "numbers = [1.0, 2.0, 3.0]: C1 is not 0, and so l' not at the start",
     (lambda: scallop.polynomial([0, 1])): "coefficients: a sequence of 3 to 16 numbers, not [0, 1]",
     (lambda: scallop.trajectory(periods=0)): "periods = 0: a whole number from 1 to 2147483647",
     (lambda: scallop.trajectory(T=[1, 2])): "a trajectory is that of one crawler: its parameters are numbers",
