@@ -20,6 +20,7 @@ extern "C" {
   ROW(sinusoidal, NULL) \
   ROW(trapezoidal, exact_trapezoidal) \
   ROW(skewed, exact_skewed) \
+  ROW(constant, exact_constant) \
   ROW(minimum_jerk, exact_polynomial) \
   ROW(polynomial, exact_polynomial)
 

@@ -109,8 +109,8 @@ struct scallop_steady_result {
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period
  * vanishes. The balance falls monotonically with the start velocity, so a root is always bracketed
- * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others the roots
- * can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
+ * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others (constant:0) the
+ * roots can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 

@@ -100,7 +100,8 @@ static void set_straight(struct scallop_fractions *f, const struct scallop_shape
   fmpq_zero(f->least);
   if (here == STAYS || here == FALLS_FROM_START)
     fmpq_set(f->least, is_from_start(&shape->pieces[i]) ? up : down);
-  fmpq_div(steep, height, here == RISES ? up : down);
+  if (here != STAYS)
+    fmpq_div(steep, height, here == RISES ? up : down);
   if (here == STAYS)
     fmpq_poly_set_coeff_fmpq(f->speed, 0, height);
   else if (here == FALLS_FROM_START) {
@@ -194,6 +195,12 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   fmpq_clear(sum);
   fmpq_clear(at_end);
   return right;
+}
+
+static bool exact_constant(struct scallop_exact_gait *e, const fmpq *x, int count)
+{
+  set_straights(e, x, x, count / 2);
+  return true;
 }
 
 /* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are no fractions. */

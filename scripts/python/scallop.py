@@ -34,7 +34,7 @@ import numpy
 import scallop_library as c
 from scallop_library import load
 
-__all__ = ["Gait", "Phase", "Steady", "Trajectory", "formulas", "gait_of", "gaits", "load", "minimum_jerk", "phase",
+__all__ = ["Gait", "Phase", "Steady", "Trajectory", "constant", "formulas", "gait_of", "gaits", "load", "minimum_jerk", "phase",
            "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
 
 KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
@@ -106,6 +106,12 @@ def trapezoidal(up=0.25, down=0.25):
 def skewed(beta=0.25):
     """gait_of('skewed', ...): a number, or a pair for extension and contraction."""
     return gait_of("skewed", *_pair("beta", beta))
+
+
+def constant(ramp=0):
+    """gait_of('constant', ...): a number, or a pair for extension and contraction. With 0, l' jumps, and a steady state
+    can be one of an interval: v_low to v_high."""
+    return gait_of("constant", *_pair("ramp", ramp))
 
 
 def polynomial(coefficients):

@@ -171,6 +171,39 @@ TEST(pieces_begin_at_doubles)
   assert_int_equal(g.gait.phase[1].count, 3);
 }
 
+/* Ramps of R are a trapezoid of R and R; R = 0 is |l'| = 1 with jumps, in one phase or in both. */
+TEST(constant_gaits)
+{
+  struct scallop_straight constant, trapezoid;
+  const double ramp[2] = { 0.125, 0.5 }, bad[] = { -0.1, 0x1p-101, 0.5 + 0x1p-53, 1, NAN, INFINITY };
+  assert_int_equal(scallop_make_constant(&constant, "constant", ramp), SCALLOP_OK);
+  assert_int_equal(scallop_make_trapezoidal(&trapezoid, "trapezoidal", ramp, ramp), SCALLOP_OK);
+  check_same_motions(&constant.gait, &trapezoid.gait, 0);
+  for (int which = 1; which < 4; which++) {
+    const double some[2] = { which & 1 ? 0 : 0.25, which & 2 ? 0 : 0.5 };
+    assert_int_equal(scallop_make_constant(&constant, "constant", some), SCALLOP_OK);
+    for (int kind = 0; kind < 2; kind++) {
+      const struct scallop_shape *shape = &constant.gait.phase[kind];
+      double sign = kind == SCALLOP_EXTENSION ? 1 : -1;
+      assert_true(shape->pieces[0].jump && !shape->pieces[1].jump && !shape->concave && !shape->ramps);
+      CHECK_EQUAL(shape->net, sign);
+      CHECK_EQUAL(shape->peak, some[kind] == 0 ? 1 : 1 / (1 - some[kind]));
+      for (int i = 0; i <= 8; i++) {
+        double s = i / 8., length, velocity;
+        scallop_gait_at(&constant.gait, (enum scallop_phase_kind)kind, s, &length, &velocity, NULL);
+        if (some[kind] != 0)
+          continue;
+        CHECK_EQUAL(length, kind == SCALLOP_EXTENSION ? s : 1 - s);
+        CHECK_EQUAL(velocity, sign);
+      }
+    }
+  }
+  for (size_t i = 0; i < 2 * sizeof bad / sizeof *bad; i++) {
+    const double some[2] = { i % 2 ? 0 : bad[i / 2], i % 2 ? bad[i / 2] : 0.25 };
+    assert_int_equal(scallop_make_constant(&constant, "", some), SCALLOP_EDOMAIN);
+  }
+}
+
 TEST(bad_straight_gaits)
 {
   static const double bad[] = { 0, -0.1, 1, 1.5, 0x1p-101, NAN, INFINITY };

@@ -25,7 +25,8 @@ PARAMETERS = ("m1", "m2", "F1", "F2", "L", "T", "alpha")
 GAITS = {"quadratic": "quadratic", "sinusoidal": "sinusoidal", "trapezoidal:0.2,0.3": scallop.trapezoidal(0.2, 0.3),
          "trapezoidal:0.1,0.9,0.25,0.5": scallop.trapezoidal((0.1, 0.25), (0.9, 0.5)), "skewed:0.3": scallop.skewed(0.3),
          "skewed:0.25,1e-05": scallop.skewed([0.25, 1e-5]), "minimum-jerk": scallop.minimum_jerk(),
-         "polynomial:0,3,-2": scallop.polynomial([0, 3, -2])}
+         "polynomial:0,3,-2": scallop.polynomial([0, 3, -2]), "constant:0": scallop.constant(),
+         "constant:0.1,0.25": scallop.constant([0.1, 0.25])}
 def columns(rows, *names):
     return {name: numpy.array([float(row[name]) for row in rows]) for name in names}
 def crawlers(rows):
@@ -265,6 +266,11 @@ if not same(got, wanted) or len(set(wanted)) < 50:
 for name, gait in GAITS.items():
     if not isinstance(gait, str) and gait.name != name:
         bad(gait, "is not called", name)
+many = scallop.steady(gait=scallop.constant(), alpha=[0.5, 0.75])
+if not same(many.v_low, [-10, many.v_start[1]]) or not same(many.v_high, [9.25, many.v_start[1]]):
+    bad("intervals:", many.v_low, many.v_high)
+if many.status.tolist() != ["interval of steady states", "ok"]:
+    bad("intervals:", many.status)
 END
 finish "gaits live as long as they are needed, with the names of --gait"
 
@@ -315,6 +321,8 @@ for call, wanted in {
     (lambda: scallop.trapezoidal([1, 2, 3])): "up: one number, or two for extension and contraction, not [1, 2, 3]",
     (lambda: scallop.skewed(1)): "numbers = [1.0]: skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: "
         "from 2^-100, below 1",
+    (lambda: scallop.constant(0.6)): "numbers = [0.6]: " + allowed["constant"],
+    (lambda: scallop.gait_of("constant")): "numbers = []: " + allowed["constant"],
     (lambda: scallop.gait_of("trapezoidal", 0.1)): "numbers = [0.1]: " + allowed["trapezoidal"],
     (lambda: scallop.gait_of("minimum-jerk", 0.1)): "numbers = [0.1]: none",
     (lambda: scallop.gait_of("polynomial")): "numbers = []: " + allowed["polynomial"],

@@ -82,6 +82,21 @@ TEST(fractions_by_hand)
   _fmpq_vec_clear(x, 4);
 }
 
+/* Ramps of a decimal are those of the trapezoid, and R = 0 is a limit of R to more digits than doubles have. */
+TEST(constant_speeds)
+{
+  struct random r = { 20261517 };
+  for (int i = 0; i < 6; i++) {
+    compare(&r, written_gait(gait_of("constant:0.1")), written_gait(gait_of("trapezoidal:0.1,0.1")), true);
+    compare(&r, written_gait(gait_of("constant:0.1,0.3")), written_gait(gait_of("trapezoidal:0.1,0.1,0.3,0.3")), true);
+  }
+  struct scallop_crawler c = { 1, 2, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
+  SCOPED(scallop_certified_steady, s, near);
+  solve(&s, &c, written_gait(gait_of("constant:0")));
+  solve(&near, &c, written_gait(gait_of("constant:1e-30")));
+  assert_true(apart(s.v_mid, near.v_mid) < 1e-28 && !arb_overlaps(s.v_mid, near.v_mid));
+}
+
 /* A family without numbers: the doubles stand for it, as for any without a law. */
 TEST(without_a_law)
 {
