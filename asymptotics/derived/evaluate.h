@@ -8,30 +8,8 @@
 #include "model/exact/ball.h"
 
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
-enum scallop_symbol {
-  SYMBOL_m1,
-  SYMBOL_m2,
-  SYMBOL_F1,
-  SYMBOL_F2,
-  SYMBOL_M,
-  SYMBOL_L,
-  SYMBOL_L_kin,
-  SYMBOL_alpha,
-  SYMBOL_T,
-  SYMBOL_l0,
-  SYMBOL_lT,
-  SYMBOL_k0,
-  SYMBOL_kT,
-  SYMBOL_l_start,
-  SYMBOL_l_end,
-  SYMBOL_v0,
-  SYMBOL_t1,
-  SYMBOL_dT,
-  SYMBOL_x_switch,
-  SYMBOLS
-};
 struct scallop_symbols {
-  struct series value[SYMBOLS];
+  struct series value[SCALLOP_SYMBOLS];
 };
 void scallop_symbols_init(struct scallop_symbols *s);
 void scallop_symbols_clear(struct scallop_symbols *s);

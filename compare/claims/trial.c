@@ -238,12 +238,12 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
   scallop_symbols_init(&symbols);
   series_init(&value);
   scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, e->has_pi_squared ? e->pi_squared : NULL, &ring);
-  series_set(&symbols.value[SYMBOL_t1], &e->phase.t1);
-  series_set(&symbols.value[SYMBOL_dT], &e->phase.dT);
-  series_set(&symbols.value[SYMBOL_x_switch], &e->phase.at_last);
+  series_set(&symbols.value[SCALLOP_SYMBOL_t1], &e->phase.t1);
+  series_set(&symbols.value[SCALLOP_SYMBOL_dT], &e->phase.dT);
+  series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &e->phase.at_last);
   bool expanded = scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring);
   if (f->quantity == SCALLOP_VELOCITY_CHANGE) /* the series is that of the velocity */
-    series_add(&value, &value, &symbols.value[SYMBOL_v0], &ring);
+    series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
   series_sub(difference, series_of(e, m, f->quantity), &value, &ring);
   scallop_symbols_clear(&symbols);
   series_clear(&value);

@@ -4,6 +4,7 @@
 
 #include "numerics/numerics.h"
 #include "compare/answers/answer.h"
+#include "compare/answers/book.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
@@ -67,17 +68,16 @@ static enum scallop_status solve(const struct point *p, double published[MOST_FO
   for (int i = 0, n = list_uses(uses); i < n; i++) {
     const struct scallop_formula *f = uses[i].formula;
     if (uses[i].of == PERIOD) {
-      published[i] = finite(f->steady(c));
+      published[i] = finite(published_value(f, &period, NULL));
       exact[i] = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
       continue;
     }
     enum scallop_phase_kind kind = (enum scallop_phase_kind)uses[i].of;
     double start = p->has_v0 ? p->v0 : steady.value[kind == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
     const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : start };
-    struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
     if (!answer_in_double(&phase, &m) || !answer_turnings(&phase, &m))
       return phase.status;
-    published[i] = finite(published_value(f, &point, &m, &phase));
+    published[i] = finite(published_value(f, &m, &phase));
     exact[i] = phase.value[quantity_of_formula(f, kind)].high;
   }
   return SCALLOP_OK;

@@ -21,7 +21,7 @@ static const char *near_to(void *scene, const char *name)
 static const char *read_formula(const struct reading *r, struct formula *formula, const char *text)
 {
   static char message[FORMULA_MESSAGE];
-  const struct formula_names names = { place_of, near_to, r->scene };
+  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = r->scene };
   return formula_read(formula, text, &names, message);
 }
 

@@ -45,7 +45,8 @@ static void release_balls(void *memory)
 /* The paper's formulas */
 static enum scallop_status solve_published(struct setting *s, struct setting_answer *answer)
 {
-  answer->value[place(s->formula)] = s->formula->steady(&s->reference->crawler);
+  const struct motion m = { OF_STEADY, s->reference->crawler, SCALLOP_EXTENSION, NAN };
+  answer->value[place(s->formula)] = published_value(s->formula, &m, NULL);
   return SCALLOP_OK;
 }
 

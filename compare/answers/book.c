@@ -1,0 +1,57 @@
+#include "compare/answers/book.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int count_of(const struct scallop_formula *list)
+{
+  int count = 0;
+  while (list[count].name)
+    count++;
+  return count;
+}
+
+const struct scallop_formula *formula_at(int i)
+{
+  int published = count_of(scallop_published), corrected = count_of(scallop_corrected);
+  return i < published ? &scallop_published[i] : i < published + corrected ? &scallop_corrected[i - published] : NULL;
+}
+
+const struct scallop_formula *formula_named(const char *name) { return scallop_formula_named(name); }
+
+struct kept {
+  const struct kept *next;
+  const struct scallop_formula *formula;
+  struct formula read;
+};
+static _Atomic(const struct kept *) all;
+
+const struct formula *formula_read_once(const struct scallop_formula *formula)
+{
+  char message[FORMULA_MESSAGE];
+  const struct kept *first = atomic_load(&all);
+  for (const struct kept *k = first; k; k = k->next)
+    if (k->formula == formula)
+      return &k->read;
+  struct kept *made = malloc(sizeof *made);
+  if (!made || scallop_formula_text(&made->read, formula, message)) {
+    free(made);
+    return NULL;
+  }
+  made->formula = formula;
+  made->next = first;
+  while (!atomic_compare_exchange_weak(&all, &made->next, made))
+    ;
+  return &made->read;
+}
+
+bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol)
+{
+  const struct formula *read = formula_read_once(formula);
+  int places[FORMULA_STEPS];
+  bool takes = false;
+  for (int i = read ? formula_places(read, places) : 0; i-- > 0;)
+    takes = takes || places[i] == (int)symbol;
+  return takes;
+}
