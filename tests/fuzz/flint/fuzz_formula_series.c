@@ -13,7 +13,7 @@ static const struct ring ring = { .length = 6, .precision = 100 };
 
 /* x is the variable, h is 1/2, b a ball */
 static const char symbols[] = "xhb";
-enum { SCALLOP_SYMBOLS = sizeof symbols - 1 };
+enum { SYMBOLS = sizeof symbols - 1 };
 
 static int place_of(void *context, const char *name)
 {
@@ -27,10 +27,10 @@ static bool evaluate_text(struct series *value, const char *text)
   static const struct formula_names names = { .place = place_of };
   struct formula formula;
   char message[FORMULA_MESSAGE];
-  struct series values[SCALLOP_SYMBOLS];
+  struct series values[SYMBOLS];
   if (formula_read(&formula, text, &names, message))
     return false;
-  for (int i = 0; i < SCALLOP_SYMBOLS; i++)
+  for (int i = 0; i < SYMBOLS; i++)
     series_init(&values[i]);
   SCOPED(fmpq, half);
   SCOPED(arb, pi);
@@ -40,7 +40,7 @@ static bool evaluate_text(struct series *value, const char *text)
   series_set_rational(&values[1], half);
   series_set_ball(&values[2], pi);
   bool evaluated = !formula_series(value, &formula, values, &ring, message);
-  for (int i = 0; i < SCALLOP_SYMBOLS; i++)
+  for (int i = 0; i < SYMBOLS; i++)
     series_clear(&values[i]);
   return evaluated;
 }
