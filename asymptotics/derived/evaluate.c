@@ -131,7 +131,7 @@ bool scallop_formula_expand(struct series *value, const struct scallop_formula *
   struct formula formula;
   char message[FORMULA_MESSAGE];
   int places[FORMULA_STEPS];
-  if (scallop_formula_text(&formula, f, message))
+  if (scallop_formula_text(&formula, f, NULL, message))
     return false;
   struct scallop_symbols meant;
   scallop_symbols_init(&meant);

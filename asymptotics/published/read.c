@@ -2,7 +2,6 @@
 #include "asymptotics/published/read.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,6 +17,11 @@ const struct scallop_formula *scallop_formula_named(const char *name)
   return NULL;
 }
 
+struct asked {
+  const struct scallop_formula *formula;
+  near_name *near_to;
+};
+
 static int place_of(void *context, const char *name)
 {
   (void)context;
@@ -29,23 +33,31 @@ static int place_of(void *context, const char *name)
 
 static const char *part_of(void *context, const char *name)
 {
-  const struct scallop_formula *formula = context;
-  for (const struct scallop_part *p = formula->parts; p && p->name; p++)
+  const struct asked *asked = context;
+  for (const struct scallop_part *p = asked->formula->parts; p && p->name; p++)
     if (strcmp(p->name, name) == 0)
       return p->text;
   return NULL;
 }
 
-static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,
-                             char message[FORMULA_MESSAGE])
+static const char *nearest_to(void *context, const char *name)
 {
-  const struct formula_names names = { .place = place_of, .part = part_of, .context = (void *)(uintptr_t)formula };
+  const struct asked *asked = context;
+  return asked->near_to ? asked->near_to(asked->formula, name) : NULL;
+}
+
+static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,
+                             near_name *near_to, char message[FORMULA_MESSAGE])
+{
+  struct asked asked = { formula, near_to };
+  const struct formula_names names = { place_of, nearest_to, part_of, &asked };
   return formula_read(read, text, &names, message);
 }
 
-const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, char message[FORMULA_MESSAGE])
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+                                 char message[FORMULA_MESSAGE])
 {
-  return read_text(read, formula->text, formula, message);
+  return read_text(read, formula->text, formula, near_to, message);
 }
 
 bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind)
@@ -74,7 +86,7 @@ double scallop_published_value(const struct scallop_formula *formula, const stru
   values.of[SCALLOP_SYMBOL_t1] = t1;
   values.of[SCALLOP_SYMBOL_dT] = dT;
   values.of[SCALLOP_SYMBOL_x_switch] = x_switch;
-  return scallop_formula_text(&read, formula, message) ? NAN : scallop_formula_value(&read, formula, kind, &values);
+  return scallop_formula_text(&read, formula, NULL, message) ? NAN : scallop_formula_value(&read, formula, kind, &values);
 }
 
 const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
@@ -91,10 +103,10 @@ const char *scallop_condition_value(double *left, char *sign, double *right, con
   *sign = condition[length];
   memcpy(text, condition, length);
   text[length] = '\0';
-  if (read_text(&side, text, formula, message))
+  if (read_text(&side, text, formula, NULL, message))
     return message;
   *left = formula_double(&side, values->of);
-  if (read_text(&side, condition + length + 1, formula, message))
+  if (read_text(&side, condition + length + 1, formula, NULL, message))
     return message;
   *right = formula_double(&side, values->of);
   return NULL;

@@ -5,9 +5,11 @@
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/formula.h"
 
-/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. Returns NULL, or `message`
- * (formula_read). */
-const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, char message[FORMULA_MESSAGE]);
+/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to, which may be NULL: the name
+ * that an unknown one resembles, or NULL. Returns NULL, or `message` (formula_read). */
+typedef const char *near_name(const struct scallop_formula *formula, const char *name);
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+                                 char message[FORMULA_MESSAGE]);
 
 /* Is the formula, for a phase of this kind, that of the other kind, with the bodies exchanged? */
 bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind);

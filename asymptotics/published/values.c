@@ -6,6 +6,8 @@
 
 #define SYMBOL_NAME(name) #name,
 const char *const scallop_symbol_names[SCALLOP_SYMBOLS] = { SCALLOP_SYMBOL_LIST(SYMBOL_NAME) };
+#define QUANTITY_WORD(word, name) #word,
+const char *const scallop_quantity_words[SCALLOP_QUANTITIES] = { SCALLOP_QUANTITY_LIST(QUANTITY_WORD) };
 
 /* l'' and l'''' at the ends, and L_kin */
 static void set_shape(double *of, const struct scallop_crawler *c, enum scallop_phase_kind kind)

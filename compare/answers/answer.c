@@ -1,5 +1,5 @@
 #include "compare/answers/answer.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 
 #include <math.h>
 #include <stddef.h>

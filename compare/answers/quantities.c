@@ -1,5 +1,5 @@
 #include "compare/answers/quantities.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 
 #include "asymptotics/derived/formula_flint.h"
 #include "compare/answers/point_flint.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
 #include "compare/text/table.h"

@@ -6,7 +6,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/answers/answer.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 #include "compare/claims/evidence.h"
 #include "compare/claims/ledger.h"
 #include "compare/claims/samples.h"

@@ -4,7 +4,7 @@
 
 #include "numerics/numerics.h"
 #include "compare/answers/answer.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"

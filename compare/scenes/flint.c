@@ -7,7 +7,7 @@
 
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
 #include "numerics/certified/certified.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/answers/counts.h"
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 
 bool state_init(struct scene_state *s, const struct scene *scene, struct tally *tally)

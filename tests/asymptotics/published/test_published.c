@@ -171,7 +171,7 @@ static double value_of(const char *name, const struct scallop_values *values)
   char message[FORMULA_MESSAGE];
   const struct scallop_formula *f = scallop_formula_named(name);
   assert_non_null(f);
-  assert_null(scallop_formula_text(&read, f, message));
+  assert_null(scallop_formula_text(&read, f, NULL, message));
   return formula_double(&read, values->of);
 }
 

@@ -1,24 +1,29 @@
-#include "compare/answers/book.h"
+#include "compare/book/book.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int count_of(const struct scallop_formula *list)
-{
-  int count = 0;
-  while (list[count].name)
-    count++;
-  return count;
-}
-
 const struct scallop_formula *formula_at(int i)
 {
-  int published = count_of(scallop_published), corrected = count_of(scallop_corrected);
-  return i < published ? &scallop_published[i] : i < published + corrected ? &scallop_corrected[i - published] : NULL;
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
+  for (int k = 0; book_formula(k); k++)
+    if (i-- == 0)
+      return book_formula(k);
+  for (int k = 0; k < 2; k++)
+    for (const struct scallop_formula *f = lists[k]; f->name; f++)
+      if (i-- == 0)
+        return f;
+  return NULL;
 }
 
-const struct scallop_formula *formula_named(const char *name) { return scallop_formula_named(name); }
+const struct scallop_formula *formula_named(const char *name)
+{
+  for (int i = 0; book_formula(i); i++)
+    if (strcmp(book_formula(i)->name, name) == 0)
+      return book_formula(i);
+  return scallop_formula_named(name);
+}
 
 struct kept {
   const struct kept *next;
@@ -35,7 +40,7 @@ const struct formula *formula_read_once(const struct scallop_formula *formula)
     if (k->formula == formula)
       return &k->read;
   struct kept *made = malloc(sizeof *made);
-  if (!made || scallop_formula_text(&made->read, formula, message)) {
+  if (!made || scallop_formula_text(&made->read, formula, NULL, message)) {
     free(made);
     return NULL;
   }
