@@ -125,19 +125,18 @@ static void set_meant(struct series *value, const struct scallop_symbols *s, int
     series_neg(value, value);
 }
 
-bool scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
-                            enum scallop_phase_kind kind, const struct ring *ring)
+const char *scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
+                                   enum scallop_phase_kind kind, const struct ring *ring, char message[FORMULA_MESSAGE])
 {
   struct formula formula;
-  char message[FORMULA_MESSAGE];
   int places[FORMULA_STEPS];
   if (scallop_formula_text(&formula, f, NULL, message))
-    return false;
+    return message;
   struct scallop_symbols meant;
   scallop_symbols_init(&meant);
   for (int i = 0, count = formula_places(&formula, places); i < count; i++)
     set_meant(&meant.value[places[i]], s, places[i], scallop_formula_is_exchanged(f, kind));
-  bool expanded = !formula_series(value, &formula, meant.value, ring, message);
+  const char *wrong = formula_series(value, &formula, meant.value, ring, message);
   scallop_symbols_clear(&meant);
-  return expanded;
+  return wrong;
 }

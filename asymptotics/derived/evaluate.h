@@ -5,6 +5,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
+#include "asymptotics/formula.h"
 #include "model/exact/ball.h"
 
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
@@ -24,8 +25,9 @@ void scallop_speed_series(struct series *speed, const struct scallop_piece *piec
                           const struct ring *ring);
 
 /* The formula for that phase. One that is printed for an extension is carried to a contraction by exchanging the bodies.
- * False: the text has an unknown name, or divides by something that may be 0. */
-bool scallop_formula_expand(struct series *value, const struct scallop_formula *formula, const struct scallop_symbols *s,
-                            enum scallop_phase_kind kind, const struct ring *ring);
+ * Returns NULL, or `message`: what a series cannot do and where in the text, or what is wrong with that. */
+const char *scallop_formula_expand(struct series *value, const struct scallop_formula *formula,
+                                   const struct scallop_symbols *s, enum scallop_phase_kind kind, const struct ring *ring,
+                                   char message[FORMULA_MESSAGE]);
 
 #endif

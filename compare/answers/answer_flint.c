@@ -167,7 +167,8 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
     series_set_ball(&symbols.value[SCALLOP_SYMBOL_dT], given->phase.dT);
     series_set_ball(&symbols.value[SCALLOP_SYMBOL_x_switch], given->phase.at_last);
   }
-  bool found = scallop_formula_expand(&sum, f, &symbols, kind, &ring);
+  char message[FORMULA_MESSAGE];
+  bool found = !scallop_formula_expand(&sum, f, &symbols, kind, &ring, message);
   if (found)
     series_coefficient(value, &sum, 0, precision);
   series_clear(&sum);

@@ -4,17 +4,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The formula at place i of a list, or NULL; of the list behind it the place is then *i */
+static const struct scallop_formula *in_list(const struct scallop_formula *list, int *i)
+{
+  for (; list->name; list++)
+    if ((*i)-- == 0)
+      return list;
+  return NULL;
+}
+
+static const struct scallop_formula *in_books(int *i)
+{
+  const struct scallop_formula *f;
+  for (int k = 0; (f = book_formula(k)); k++)
+    if ((*i)-- == 0)
+      return f;
+  return NULL;
+}
+
+const struct scallop_formula *listed_formula(int i)
+{
+  const struct scallop_formula *f = in_books(&i), *list = scallop_published;
+  for (; !f && list->name; list++)
+    if (!list->when && i-- == 0)
+      f = list;
+  return f;
+}
+
 const struct scallop_formula *formula_at(int i)
 {
-  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
-  for (int k = 0; book_formula(k); k++)
-    if (i-- == 0)
-      return book_formula(k);
-  for (int k = 0; k < 2; k++)
-    for (const struct scallop_formula *f = lists[k]; f->name; f++)
-      if (i-- == 0)
-        return f;
-  return NULL;
+  const struct scallop_formula *f = in_books(&i);
+  f = f ? f : in_list(scallop_published, &i);
+  return f ? f : in_list(scallop_corrected, &i);
 }
 
 const struct scallop_formula *formula_named(const char *name)

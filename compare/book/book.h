@@ -8,7 +8,7 @@
 #include "asymptotics/published/read.h"
 #include "compare/text/message.h"
 
-/* Reads a book; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. */
+/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. */
 enum exit_code book_read(const char *command, const char *path);
 
 /* A formula by itself, as the texts of the members that a book would give it; NULL where it would not. name is "formula". */
@@ -17,10 +17,10 @@ struct formula_given {
 };
 enum exit_code book_add(const char *command, const struct formula_given *given);
 
-/* The formula of the books that were read at place i, or NULL: there are no more. */
+/* The formula at place i, or NULL, there are no more: of those of the books that were read; of these and those of the paper's that
+ * are claimed under no other condition than their start; of all. */
 const struct scallop_formula *book_formula(int i);
-
-/* The formula at place i of all, those of the books that were read first, or NULL: there are no more. */
+const struct scallop_formula *listed_formula(int i);
 const struct scallop_formula *formula_at(int i);
 /* The first of this name, or NULL. */
 const struct scallop_formula *formula_named(const char *name);

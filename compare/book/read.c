@@ -16,6 +16,7 @@ struct entry {
   struct scallop_part parts[MOST_PARTS + 1];
   const char *when[MOST_CONDITIONS + 1];
   int conditions, start, phase, of;
+  const char *path;
 };
 
 /* The books that were read, in the order of reading. The texts of a formula are those of its file. */
@@ -131,12 +132,16 @@ static void set_meaning(struct entry *e)
   e->formula.when = e->conditions > 0 ? e->when : NULL;
 }
 
-static bool is_of_steady(int of)
+/* Is the word that of a quantity of the steady state? */
+static bool is_steady_word(const char *word)
 {
-  int first = 0;
-  while (strcmp(words[first], first_steady) != 0)
-    first++;
-  return of >= first;
+  bool is_steady = false;
+  for (int i = 0; word && words[i]; i++) {
+    is_steady = is_steady || strcmp(words[i], first_steady) == 0;
+    if (strcmp(words[i], word) == 0)
+      return is_steady;
+  }
+  return false;
 }
 
 /* Does the text, and do the conditions, have a meaning? */
@@ -175,9 +180,12 @@ static bool check_entry(struct config *c, const config_setting_t *group, const s
   for (int i = 0; i < count; i++)
     if (strcmp(entries[i]->formula.name, f->name) == 0)
       return refuse_at(c, group, "there is a formula '%s' already", f->name);
-  if (is_of_steady(e->of) != (e->start == FROM_STEADY))
+  if (e->start == FROM_REST && e->phase == SCALLOP_CONTRACTION)
+    return refuse_at(c, group, "from rest a formula is for an extension: a contraction is one with the bodies exchanged");
+  if (is_steady_word(words[e->of]) != (e->start == FROM_STEADY))
     return refuse_at(c, group, "%s is a quantity of %s", words[e->of],
-                     is_of_steady(e->of) ? "the steady state: start = \"steady\"" : "one phase: start = \"rest\" or \"v0\"");
+                     is_steady_word(words[e->of]) ? "the steady state: start = \"steady\""
+                                                  : "one phase: start = \"rest\" or \"v0\"");
   return true;
 }
 
@@ -197,6 +205,7 @@ static bool read_entry(struct config *c, const config_setting_t *group)
   if (!e)
     return refuse_at(c, group, "out of memory");
   e->of = -1;
+  e->path = c->path;
   e->formula.equation = "-";
   bool good = config_setting_is_group(group)
                   ? read_members(c, group, members, e, "a formula", NULL)
@@ -250,7 +259,13 @@ static enum exit_code read_config(const char *command, const char *path, const c
   return code;
 }
 
-enum exit_code book_read(const char *command, const char *path) { return read_config(command, path, NULL); }
+enum exit_code book_read(const char *command, const char *path)
+{
+  for (int i = 0; i < count; i++)
+    if (strcmp(entries[i]->path, path) == 0)
+      return EXIT_DONE;
+  return read_config(command, path, NULL);
+}
 
 /* name = "value"; as libconfig reads it */
 static void write_member(FILE *text, const char *name, const char *value)
@@ -276,7 +291,7 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
   fprintf(file, "formulas = ( { name = \"formula\";");
   write_member(file, "text", given->text);
   write_member(file, "of", given->of);
-  write_member(file, "start", given->start);
+  write_member(file, "start", given->start ? given->start : is_steady_word(given->of) ? "steady" : NULL);
   write_member(file, "phase", given->phase);
   write_member(file, "claimed", given->claimed);
   fprintf(file, " } );");

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/point_flint.h"
+#include "compare/answers/quantities.h"
 #include "compare/book/book.h"
 #include "compare/claims/evidence.h"
 #include "compare/claims/ledger.h"
@@ -34,22 +35,45 @@ static void write_conditions(struct claim_row *row, const struct condition *cond
     used += (size_t)snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", *when);
 }
 
-static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const struct scallop_formula *f)
+/* The numbers of the crawler that the conditions have changed, as "F1=3/2 F2=1/2" */
+static void write_change(struct claim_row *row, const struct scallop_rational_crawler *now,
+                         const struct scallop_rational_crawler *before)
+{
+  const fmpq *const numbers[][2] = { { now->m1, before->m1 }, { now->m2, before->m2 }, { now->F1, before->F1 },
+                                     { now->F2, before->F2 }, { now->L, before->L },   { now->alpha, before->alpha } };
+  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "alpha" };
+  size_t used = 0;
+  for (int i = 0; i < 6; i++)
+    if (!fmpq_equal(numbers[i][0], numbers[i][1])) {
+      char *text = fmpq_get_str(NULL, 10, numbers[i][0]);
+      used += (size_t)snprintf(row->measured + used, sizeof row->measured - used, "%s%s=%s", used > 0 ? " " : "", names[i],
+                               text);
+      flint_free(text);
+    }
+}
+
+static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                    const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
   struct claim_row row = { .equation = f->equation,
                            .quantity = formula_quantity_text(f, condition.kind),
                            .gait = crawler->gait->name,
-                           .source = "book",
+                           .source = OF_BOOK,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
                            .slope = NAN };
+  struct scallop_rational_crawler fitted;
   struct trial trial;
   struct proof proof;
   snprintf(row.claim, sizeof row.claim, "%s", f->name);
   snprintf(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
   write_conditions(&row, &condition);
-  bool expands = trial_init(&trial, crawler, &condition, false);
-  row.inside = expands && condition_allows(&condition, &trial.crawler);
+  scallop_rational_init(&fitted);
+  scallop_rational_copy(&fitted, crawler);
+  row.inside = is_given ? condition_allows(&condition, &fitted) : condition_fit(&condition, &fitted);
+  if (!is_given)
+    write_change(&row, &fitted, crawler);
+  bool expands = trial_init(&trial, &fitted, &condition, false);
   trial.samples = expands ? samples_take(&trial) : NULL;
   proof_init(&proof);
   if (expands && trial_prove(&proof, &trial, f)) {
@@ -63,9 +87,11 @@ static void add_row(struct ledger *ledger, const struct scallop_rational_crawler
   samples_free(trial.samples);
   trial_clear(&trial);
   proof_clear(&proof);
+  scallop_rational_clear(&fitted);
 }
 
-void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const struct scallop_gait *gait)
+void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                     const struct scallop_gait *gait, const char *only)
 {
   const struct scallop_formula *f;
   struct scallop_rational_crawler c;
@@ -74,8 +100,8 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
   for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; (f = book_formula(i)); i++)
-      if (f->remainder != 0)
-        add_row(ledger, &c, f);
+      if (f->remainder != 0 && (!only || claim_is_listed(only, f->name)))
+        add_row(ledger, &c, is_given, f);
   }
   scallop_rational_clear(&c);
 }

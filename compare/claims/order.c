@@ -164,7 +164,7 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
   struct claim_row row = { .equation = f->equation,
                            .gait = part->crawler->gait->name,
                            .inside = condition->inside,
-                           .ours = claimed.ours || claimed.mirrored,
+                           .source = claimed.ours || claimed.mirrored ? OF_CORRECTED : OF_PAPER,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
                            .slope = NAN };
   /* seen in a mirror the other body is the one that turns */
@@ -301,7 +301,7 @@ static void add_ends(struct part *part)
                              .gait = gait->name,
                              .conditions = "h -> 0 at T = 1",
                              .inside = true,
-                             .ours = claim->ours,
+                             .source = claim->ours ? OF_CORRECTED : OF_PAPER,
                              .claimed_order = claim->order };
     snprintf(row.claim, sizeof row.claim, "%s", claim->name);
     snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);

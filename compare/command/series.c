@@ -21,6 +21,7 @@ static const struct option options_of_series[] = {
   OPTION_WORD("source", "SOURCE", "published, derived or limit", NULL, series_options, source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
+  OPTION_BOOK("the formulas of this book too, before the paper's"),
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
@@ -42,7 +43,8 @@ struct use {
 static int list_uses(struct use uses[MOST_FORMULAS])
 {
   int n = 0;
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+  const struct scallop_formula *f;
+  for (int i = 0; (f = listed_formula(i)) && n <= MOST_FORMULAS - 2; i++) {
     if (f->setting == SCALLOP_STEADY)
       uses[n++] = (struct use){ f, PERIOD };
     if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)

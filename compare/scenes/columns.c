@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/book/book.h"
 #include "compare/scenes/parts.h"
 #include "compare/text/values.h"
 
@@ -161,9 +162,10 @@ static bool is_about_phase(const struct reading *r)
 static bool usual_series(const struct reading *r, struct scene_want *w)
 {
   const struct scene *s = r->scene;
+  const struct scallop_formula *f;
   bool of_phase = is_about_phase(r), moving = s->start != START_REST || s->varies_v0;
   if (w->source == PUBLISHED) {
-    for (const struct scallop_formula *f = scallop_published; f->name && w->series < SCENE_COLUMNS; f++)
+    for (int i = 0; (f = listed_formula(i)) && w->series < SCENE_COLUMNS; i++)
       if ((f->setting != SCALLOP_STEADY) == of_phase && (!of_phase || moving || f->setting == SCALLOP_AT_REST_START)
           && !other_start(s, f->setting) && !(of_phase && formula_takes_given(f)))
         w->series_name[w->series++] = f->name;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/book/book.h"
 #include "compare/scenes/parts.h"
 
 static bool read_parameter(const struct reading *r, const config_setting_t *at)
@@ -68,12 +69,16 @@ static bool read_root(const struct reading *r, const config_setting_t *root)
                                            MEMBER(TEXTS, "notes", scene, note, .high = SCENE_NOTES,
                                                   .count = offsetof(struct scene, notes)),
                                            MEMBER(WORD, "phase", scene, phase, .words = phases),
+                                           MEMBER(TEXT, "book", scene, book, ),
                                            OTHER("crawler"),
                                            OTHER("start"),
                                            OTHER("vary"),
                                            OTHER("want"),
                                            { .name = NULL } };
   if (!read_members(r->config, root, members, r->scene, "a scene", NULL) || !are_lines(r, root))
+    return false;
+  const char *book = r->scene->book ? path_beside(r->config, r->scene->book) : NULL;
+  if (r->scene->book && (!book || book_read(r->config->command, book) != EXIT_DONE))
     return false;
   return read_crawler(r, config_setting_get_member(root, "crawler"))
          && read_start(r, config_setting_get_member(root, "start")) && read_vary(r, config_setting_get_member(root, "vary"))

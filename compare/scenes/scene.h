@@ -97,6 +97,7 @@ struct scene {
   char *name;        /* of the file, without folder and .cfg */
   const char *path;  /* of the file, NULL: it comes with the tool, or from standard input */
   const char *title; /* or NULL */
+  const char *book;  /* whose formulas are quantities too, or NULL */
   int notes;
   const char *note[SCENE_NOTES];
   struct point base; /* the crawler where nothing varies */
