@@ -35,7 +35,7 @@ SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvec
 
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
-all_parts := $(basename $(wildcard $(rooms:=/*.c)))
+all_parts := $(basename $(wildcard $(rooms:=/*.c))) asymptotics/published/paper
 in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
 flint     := $(filter $(in_flint) %flint,$(all_parts))
 cvode     := numerics/rivals/cvode
@@ -76,7 +76,7 @@ $(B)/%.o: %.c Makefile config.mk
 	$(compile)
 $(B)/threads/%.o: %.c Makefile config.mk
 	$(compile)
-$(B)/shipped_%.o: $(B)/shipped_%.c
+$(B)/%.o: $(B)/%.c
 	$(compile)
 $(call object,$(flint) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
 # Who judges rounds the same way whatever CFLAGS allow the judged.
@@ -92,6 +92,8 @@ $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
 $(B)/shipped_scripts.c: $(plot_scripts)
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
+$(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
+	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 

@@ -10,7 +10,9 @@
 #include <string.h>
 
 struct parser {
-  const char *at; /* what is to be read next */
+  const char *text; /* of the formula, or of the part that is read                               */
+  const char *part; /* its name, or NULL                                                          */
+  const char *at;   /* what is to be read next */
   struct formula made;
   const struct formula_names *names;
   int nested;
@@ -27,7 +29,8 @@ static bool fail(const struct parser *p, const char *at, const char *format, ...
 static bool fail(const struct parser *p, const char *at, const char *format, ...)
 {
   va_list arguments;
-  int used = snprintf(p->message, FORMULA_MESSAGE, "character %ld: ", (long)(at - p->made.text) + 1);
+  int used = p->part ? snprintf(p->message, FORMULA_MESSAGE, "%s, ", p->part) : 0;
+  used += snprintf(p->message + used, FORMULA_MESSAGE - (size_t)used, "character %ld: ", (long)(at - p->text) + 1);
   va_start(arguments, format);
   vsnprintf(p->message + used, FORMULA_MESSAGE - (size_t)used, format, arguments);
   va_end(arguments);
@@ -52,7 +55,8 @@ static bool add_step(struct parser *p, const char *at, struct formula_step step)
 {
   if (p->made.count == FORMULA_STEPS)
     return fail(p, at, "the formula is too long: it may have %d numbers, names and operations", FORMULA_STEPS);
-  step.at = (int)(at - p->made.text);
+  step.text = p->text;
+  step.at = (int)(at - p->text);
   p->made.steps[p->made.count++] = step;
   return true;
 }
@@ -155,6 +159,21 @@ static bool fail_name(const struct parser *p, const char *start, const char *nam
               near ? "'?" : "");
 }
 
+static bool read_all(struct parser *p);
+
+/* The text of a part in the place of its name */
+static bool read_part(struct parser *p, const char *name, const char *text)
+{
+  const struct parser outside = *p;
+  p->text = p->at = text;
+  p->part = name;
+  bool read = read_all(p);
+  p->text = outside.text;
+  p->part = outside.part;
+  p->at = outside.at;
+  return read;
+}
+
 static bool read_name(struct parser *p)
 {
   const char *start = p->at;
@@ -174,6 +193,9 @@ static bool read_name(struct parser *p)
   int place = p->names->place(p->names->context, name);
   if (place >= 0)
     return add_step(p, start, (struct formula_step){ .operation = FORMULA_QUANTITY, .place = place });
+  const char *text = p->names->part ? p->names->part(p->names->context, name) : NULL;
+  if (text)
+    return read_part(p, name, text);
   return strcmp(name, "pi") == 0 ? add(p, start, FORMULA_PI) : fail_name(p, start, name);
 }
 
@@ -245,7 +267,7 @@ static bool read_all(struct parser *p)
 const char *formula_read(struct formula *formula, const char *text, const struct formula_names *names,
                          char message[FORMULA_MESSAGE])
 {
-  struct parser p = { .at = text, .made.text = text, .names = names, .message = message };
+  struct parser p = { .text = text, .at = text, .names = names, .message = message };
   if (!read_all(&p))
     return message;
   *formula = p.made;

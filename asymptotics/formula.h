@@ -9,7 +9,8 @@
  * So -2^2 = -4, 2^3^2 = 2^9, 2^-3 = 1/8 and 1/2/2 = 1/4. Numbers are decimal (12, .5 or 1.25e-3) and in the range of doubles; they
  * are kept as text, so that balls and series take 0.1 for 1/10. Names begin with a letter and go on with letters, digits, _ . and :.
  * A name before a parenthesis is that of a function: abs sqrt exp log log10 sin cos asin, of one argument, min and max, of two or
- * more. Any other name means what the caller says, or else, if it is pi, that number. Blanks and tabs may stand between all of these.
+ * more. Any other name means what the caller says: a quantity, or a part, whose text is read in its place as if in parentheses; or else, if
+ * it is pi, that number. Blanks and tabs may stand between all of these.
  *
  *                   double                     ball                            series in T
  *     number        the nearest double         enclosed                        exact
@@ -61,11 +62,12 @@ enum formula_operation {
 
 /* A formula that was read: its operations after their operands. */
 struct formula {
-  const char *text; /* the caller's, not copied: formula_ball and formula_series read its numbers again */
   int count;
   struct formula_step {
     enum formula_operation operation;
-    int at;        /* where it stands in text, from 0                       */
+    const char *
+        text; /* of the formula, or of the part; the caller's, not copied: formula_ball and formula_series read its numbers again */
+    int at;        /* where it stands in text, from 0                    */
     int length;    /* of a number, there                                    */
     int place;     /* of a quantity, as formula_names says                  */
     double number; /* of a number, the nearest double                       */
@@ -77,10 +79,12 @@ struct formula_names {
   int (*place)(void *context, const char *name); /* of a quantity among the values, or < 0 where the name is unknown  */
   const char *(*nearest)(void *context,
                          const char *name); /* the known name that an unknown one resembles, or NULL; may be NULL */
+  const char *(*part)(void *context, const char *name); /* the text of a part, or NULL; may be NULL                       */
   void *context;
 };
 
-/* Reads text. Returns NULL, or `message`: what is wrong and at which character, counted from 1; *formula is then unchanged. */
+/* Reads text. Returns NULL, or `message`: what is wrong and at which character, counted from 1, of the text or of the part that the message
+ * names; *formula is then unchanged. A part that uses itself is found by the limit FORMULA_NESTED. */
 const char *formula_read(struct formula *formula, const char *text, const struct formula_names *names,
                          char message[FORMULA_MESSAGE]);
 

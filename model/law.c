@@ -99,6 +99,49 @@ static void bernstein_rates(const struct scallop_piece *p, double u, double *vel
   *acceleration = (double)(p->direction * sense(p) * slope(&at));
 }
 
+static long double bernstein_third(const struct scallop_law *law, double u)
+{
+  struct place at = place_at(law, u);
+  struct bernstein d = at.of;
+  long double factor = 1;
+  if (d.degree < 3)
+    return 0;
+  for (int k = 0; k < 3; k++) {
+    factor *= d.degree / (at.of.far - at.of.near);
+    differences(&d);
+  }
+  return factor * law_bernstein(d.b, d.degree, at.x, at.y);
+}
+
+static long double polynomial_third(const struct scallop_law *law, double u)
+{
+  long double sum = 0;
+  for (int k = law->degree; k >= 3; k--)
+    sum = sum * u + (long double)law->polynomial.c[k] * k * (k - 1) * (k - 2);
+  return sum / law->polynomial.denominator;
+}
+
+/* d^3 |l'|/du^3 at offset u; nan where there is no law */
+static double third_derivative(const struct scallop_piece *p, double u)
+{
+  const long double pi = 3.14159265358979323846264338327950288L;
+  if (!p->law)
+    return p->linear ? 0 : NAN;
+  switch (p->law->kind) {
+  case SCALLOP_LAW_POLYNOMIAL: return (double)polynomial_third(p->law, u);
+  case SCALLOP_LAW_SINE: return (double)(-pi * pi * pi * pi / 2 * cosl(pi * u));
+  case SCALLOP_LAW_BERNSTEIN: return (double)bernstein_third(p->law, u);
+  case SCALLOP_LAW_RAMP: break;
+  }
+  return 0;
+}
+
+double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
+{
+  const struct scallop_piece *piece = &shape->pieces[at_end ? shape->count - 1 : 0];
+  return piece->direction * sense(piece) * third_derivative(piece, at_end ? piece->end : piece->begin);
+}
+
 /* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
  * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of u and the root is many orders of magnitude
  * below hi, that would only double lo: the logarithm of u is halved then. */

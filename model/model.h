@@ -191,6 +191,9 @@ enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct 
  * L for the quadratic gait, pi^2 L / 8 for the sinusoidal one. */
 double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L);
 
+/* l'''' at the start, or at the end, of a phase, in units where it lasts 1 and the amplitude is 1; nan where the gait has no exact law. */
+double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end);
+
 #ifdef __cplusplus
 }
 #endif

@@ -359,15 +359,18 @@ const struct series *scallop_phase_quantity(const struct scallop_phase_expansion
   case SCALLOP_VELOCITY_CHANGE: return &e->v_end;
   case SCALLOP_VELOCITY_AT_FIRST:
   case SCALLOP_VELOCITY_AT_LAST: return &e->turning_velocity;
-  case SCALLOP_STEADY_VELOCITY:
-  case SCALLOP_STEADY_DISPLACEMENT: break;
+  default: return NULL;
   }
-  return NULL;
 }
 
 const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity)
 {
-  return quantity == SCALLOP_STEADY_VELOCITY       ? &e->v_start
-         : quantity == SCALLOP_STEADY_DISPLACEMENT ? &e->displacement
-                                                   : NULL;
+  switch (quantity) {
+  case SCALLOP_STEADY_VELOCITY: return &e->v_start;
+  case SCALLOP_STEADY_V_MID: return &e->v_mid;
+  case SCALLOP_STEADY_DISPLACEMENT: return &e->displacement;
+  case SCALLOP_STEADY_MEAN_VELOCITY: return &e->mean_velocity;
+  case SCALLOP_STEADY_FRICTION_WORK: return &e->friction_work;
+  default: return NULL;
+  }
 }

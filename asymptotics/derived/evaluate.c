@@ -1,22 +1,18 @@
 /* The texts of the formulas as series in T: values for their symbols, and what a formula leaves out. */
 #include "asymptotics/derived/evaluate.h"
 
-#include <string.h>
-
 #include "asymptotics/derived/formula_flint.h"
-
-static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
-                                            "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };
+#include "asymptotics/published/read.h"
 
 void scallop_symbols_init(struct scallop_symbols *s)
 {
-  for (int i = 0; i < SYMBOLS; i++)
+  for (int i = 0; i < SCALLOP_SYMBOLS; i++)
     series_init(&s->value[i]);
 }
 
 void scallop_symbols_clear(struct scallop_symbols *s)
 {
-  for (int i = 0; i < SYMBOLS; i++)
+  for (int i = 0; i < SCALLOP_SYMBOLS; i++)
     series_clear(&s->value[i]);
 }
 
@@ -75,9 +71,9 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
   for (int i = 0; i < 2; i++) {
     scallop_speed_series(&speed, ends[i], pi_squared, &four);
     fmpq_mul_si(factor, L, ends[i]->direction);
-    set_constant(&value[i == 0 ? SYMBOL_l0 : SYMBOL_lT], &speed, 1, factor, ring);
+    set_constant(&value[i == 0 ? SCALLOP_SYMBOL_l0 : SCALLOP_SYMBOL_lT], &speed, 1, factor, ring);
     fmpq_mul_si(factor, factor, 6);
-    set_constant(&value[i == 0 ? SYMBOL_k0 : SYMBOL_kT], &speed, 3, factor, ring);
+    set_constant(&value[i == 0 ? SCALLOP_SYMBOL_k0 : SCALLOP_SYMBOL_kT], &speed, 3, factor, ring);
   }
   series_clear(&speed);
   fmpq_clear(factor);
@@ -86,12 +82,12 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
 /* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said of it */
 static void set_kinematic_length(struct series *value, enum scallop_phase_kind kind, const struct ring *ring)
 {
-  struct series *L_kin = &value[SYMBOL_L_kin];
+  struct series *L_kin = &value[SCALLOP_SYMBOL_L_kin];
   struct series difference;
   series_init(&difference);
-  series_sub(&difference, &value[SYMBOL_lT], &value[SYMBOL_l0], ring);
+  series_sub(&difference, &value[SCALLOP_SYMBOL_lT], &value[SCALLOP_SYMBOL_l0], ring);
   series_scale_si(&difference, &difference, kind == SCALLOP_EXTENSION ? 2 : -2, ring);
-  series_mul(L_kin, &value[SYMBOL_l0], &value[SYMBOL_lT], ring);
+  series_mul(L_kin, &value[SCALLOP_SYMBOL_l0], &value[SCALLOP_SYMBOL_lT], ring);
   if (!series_div(L_kin, L_kin, &difference, ring))
     series_set_si(L_kin, 0);
   series_clear(&difference);
@@ -102,66 +98,45 @@ void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rationa
 {
   struct series *v = s->value;
   bool extension = kind == SCALLOP_EXTENSION;
-  series_set_rational(&v[SYMBOL_m1], c->m1);
-  series_set_rational(&v[SYMBOL_m2], c->m2);
-  series_set_rational(&v[SYMBOL_F1], c->F1);
-  series_set_rational(&v[SYMBOL_F2], c->F2);
-  series_set_rational(&v[SYMBOL_L], c->L);
-  series_set_rational(&v[SYMBOL_alpha], c->alpha);
-  series_add(&v[SYMBOL_M], &v[SYMBOL_m1], &v[SYMBOL_m2], ring);
-  series_set_x(&v[SYMBOL_T]);
-  series_set_si(&v[SYMBOL_l_start], 0);
-  series_set(&v[extension ? SYMBOL_l_end : SYMBOL_l_start], &v[SYMBOL_L]);
-  series_set_si(&v[extension ? SYMBOL_l_start : SYMBOL_l_end], 0);
-  series_set_si(&v[SYMBOL_v0], 0);
+  series_set_rational(&v[SCALLOP_SYMBOL_m1], c->m1);
+  series_set_rational(&v[SCALLOP_SYMBOL_m2], c->m2);
+  series_set_rational(&v[SCALLOP_SYMBOL_F1], c->F1);
+  series_set_rational(&v[SCALLOP_SYMBOL_F2], c->F2);
+  series_set_rational(&v[SCALLOP_SYMBOL_L], c->L);
+  series_set_rational(&v[SCALLOP_SYMBOL_alpha], c->alpha);
+  series_add(&v[SCALLOP_SYMBOL_M], &v[SCALLOP_SYMBOL_m1], &v[SCALLOP_SYMBOL_m2], ring);
+  series_set_x(&v[SCALLOP_SYMBOL_T]);
+  series_set_si(&v[SCALLOP_SYMBOL_l_start], 0);
+  series_set(&v[extension ? SCALLOP_SYMBOL_l_end : SCALLOP_SYMBOL_l_start], &v[SCALLOP_SYMBOL_L]);
+  series_set_si(&v[extension ? SCALLOP_SYMBOL_l_start : SCALLOP_SYMBOL_l_end], 0);
+  series_set_si(&v[SCALLOP_SYMBOL_v0], 0);
   if (v0)
-    series_set_rational(&v[SYMBOL_v0], v0);
+    series_set_rational(&v[SCALLOP_SYMBOL_v0], v0);
   set_shape(v, &c->gait->phase[kind], c->L, pi_squared, ring);
   set_kinematic_length(v, kind, ring);
-}
-
-static int partner(int symbol)
-{
-  static const int pairs[][2] = { { SYMBOL_m1, SYMBOL_m2 }, { SYMBOL_F1, SYMBOL_F2 }, { SYMBOL_l_start, SYMBOL_l_end } };
-  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
-    if (symbol == pairs[i][0] || symbol == pairs[i][1])
-      return pairs[i][0] + pairs[i][1] - symbol;
-  return symbol;
-}
-
-static int place_of(void *context, const char *name)
-{
-  (void)context;
-  for (int i = 0; i < SYMBOLS; i++)
-    if (strcmp(names[i], name) == 0)
-      return i;
-  return -1;
 }
 
 /* The symbol as the formula means it. exchanged: the bodies, and with them the sign of l */
 static void set_meant(struct series *value, const struct scallop_symbols *s, int symbol, bool exchanged)
 {
-  bool turns = symbol == SYMBOL_l0 || symbol == SYMBOL_lT || symbol == SYMBOL_k0 || symbol == SYMBOL_kT;
-  series_set(value, &s->value[exchanged ? partner(symbol) : symbol]);
-  if (exchanged && turns)
+  int sign = 1;
+  series_set(value, &s->value[exchanged ? (int)scallop_symbol_exchanged((enum scallop_symbol)symbol, &sign) : symbol]);
+  if (sign < 0)
     series_neg(value, value);
 }
 
-bool scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
-                            enum scallop_phase_kind kind, const struct ring *ring)
+const char *scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
+                                   enum scallop_phase_kind kind, const struct ring *ring, char message[FORMULA_MESSAGE])
 {
-  static const struct formula_names symbols = { .place = place_of };
-  bool of_contraction = f->setting == SCALLOP_MOVING_CONTRACTION || f->setting == SCALLOP_STEADY;
   struct formula formula;
-  char message[FORMULA_MESSAGE];
   int places[FORMULA_STEPS];
-  if (formula_read(&formula, f->text, &symbols, message))
-    return false;
+  if (scallop_formula_text(&formula, f, NULL, message))
+    return message;
   struct scallop_symbols meant;
   scallop_symbols_init(&meant);
   for (int i = 0, count = formula_places(&formula, places); i < count; i++)
-    set_meant(&meant.value[places[i]], s, places[i], !of_contraction && kind == SCALLOP_CONTRACTION);
-  bool expanded = !formula_series(value, &formula, meant.value, ring, message);
+    set_meant(&meant.value[places[i]], s, places[i], scallop_formula_is_exchanged(f, kind));
+  const char *wrong = formula_series(value, &formula, meant.value, ring, message);
   scallop_symbols_clear(&meant);
-  return expanded;
+  return wrong;
 }

@@ -5,33 +5,12 @@
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
+#include "asymptotics/formula.h"
 #include "model/exact/ball.h"
 
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
-enum scallop_symbol {
-  SYMBOL_m1,
-  SYMBOL_m2,
-  SYMBOL_F1,
-  SYMBOL_F2,
-  SYMBOL_M,
-  SYMBOL_L,
-  SYMBOL_L_kin,
-  SYMBOL_alpha,
-  SYMBOL_T,
-  SYMBOL_l0,
-  SYMBOL_lT,
-  SYMBOL_k0,
-  SYMBOL_kT,
-  SYMBOL_l_start,
-  SYMBOL_l_end,
-  SYMBOL_v0,
-  SYMBOL_t1,
-  SYMBOL_dT,
-  SYMBOL_x_switch,
-  SYMBOLS
-};
 struct scallop_symbols {
-  struct series value[SYMBOLS];
+  struct series value[SCALLOP_SYMBOLS];
 };
 void scallop_symbols_init(struct scallop_symbols *s);
 void scallop_symbols_clear(struct scallop_symbols *s);
@@ -46,8 +25,9 @@ void scallop_speed_series(struct series *speed, const struct scallop_piece *piec
                           const struct ring *ring);
 
 /* The formula for that phase. One that is printed for an extension is carried to a contraction by exchanging the bodies.
- * False: the text has an unknown name, or divides by something that may be 0. */
-bool scallop_formula_expand(struct series *value, const struct scallop_formula *formula, const struct scallop_symbols *s,
-                            enum scallop_phase_kind kind, const struct ring *ring);
+ * Returns NULL, or `message`: what a series cannot do and where in the text, or what is wrong with that. */
+const char *scallop_formula_expand(struct series *value, const struct scallop_formula *formula,
+                                   const struct scallop_symbols *s, enum scallop_phase_kind kind, const struct ring *ring,
+                                   char message[FORMULA_MESSAGE]);
 
 #endif

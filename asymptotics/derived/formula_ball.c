@@ -27,17 +27,16 @@ static void (*const of_two[])(arb_t, const arb_t, const arb_t, slong) = {
   [FORMULA_POWER] = arb_pow, [FORMULA_MIN] = arb_min,      [FORMULA_MAX] = arb_max,
 };
 
-void formula_number(fmpq_t number, const struct formula *formula, const struct formula_step *step)
+void formula_number(fmpq_t number, const struct formula_step *step)
 {
   char text[FORMULA_DIGITS];
-  memcpy(text, formula->text + step->at, (size_t)step->length);
+  memcpy(text, step->text + step->at, (size_t)step->length);
   text[step->length] = '\0';
   if (step->number == 0 || !scallop_rational_parse(number, text)) /* 0, with an exponent that is too large */
     fmpq_zero(number);
 }
 
-static void set_operand(arb_t value, const struct formula *formula, const struct formula_step *s, arb_srcptr values,
-                        slong precision)
+static void set_operand(arb_t value, const struct formula_step *s, arb_srcptr values, slong precision)
 {
   if (s->operation == FORMULA_QUANTITY)
     arb_set(value, values + s->place);
@@ -46,7 +45,7 @@ static void set_operand(arb_t value, const struct formula *formula, const struct
   else {
     fmpq_t number;
     fmpq_init(number);
-    formula_number(number, formula, s);
+    formula_number(number, s);
     arb_set_fmpq(value, number, precision);
     fmpq_clear(number);
   }
@@ -57,7 +56,7 @@ void formula_ball(arb_t value, const struct formula *formula, arb_srcptr values,
   arb_ptr stack = _arb_vec_init(FORMULA_DEPTH), top = stack; /* the last value is at top - 1 */
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end; s++) {
     if (s->operation < FORMULA_NEGATE)
-      set_operand(top++, formula, s, values, precision);
+      set_operand(top++, s, values, precision);
     else if (s->operation < FORMULA_ADD)
       of_one[s->operation](top - 1, top - 1, precision);
     else {

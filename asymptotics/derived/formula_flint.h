@@ -7,8 +7,8 @@
 
 enum { FORMULA_SERIES_POWER = 64 };
 
-/* A number of the formula, exactly as it is written */
-void formula_number(fmpq_t number, const struct formula *formula, const struct formula_step *step);
+/* A number of a formula, exactly as it is written */
+void formula_number(fmpq_t number, const struct formula_step *step);
 
 /* The value, where values + place is that of the quantity at a place; value is none of them. */
 void formula_ball(arb_t value, const struct formula *formula, arb_srcptr values, slong precision);

@@ -10,8 +10,8 @@ static const char *refuse(char message[FORMULA_MESSAGE], const struct formula_st
   return message;
 }
 
-static void set_operand(struct series *value, const struct formula *formula, const struct formula_step *s,
-                        const struct series *values, const struct ring *ring)
+static void set_operand(struct series *value, const struct formula_step *s, const struct series *values,
+                        const struct ring *ring)
 {
   if (s->operation == FORMULA_QUANTITY)
     series_set(value, &values[s->place]);
@@ -24,7 +24,7 @@ static void set_operand(struct series *value, const struct formula *formula, con
   } else {
     fmpq_t number;
     fmpq_init(number);
-    formula_number(number, formula, s);
+    formula_number(number, s);
     series_set_rational(value, number);
     fmpq_clear(number);
   }
@@ -89,7 +89,7 @@ const char *formula_series(struct series *value, const struct formula *formula, 
     series_init(&stack[i]);
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end && !wrong; s++) {
     if (s->operation < FORMULA_NEGATE)
-      set_operand(top++, formula, s, values, ring);
+      set_operand(top++, s, values, ring);
     else if (s->operation == FORMULA_NEGATE)
       series_neg(&top[-1], &top[-1]);
     else if (s->operation < FORMULA_ADD)

@@ -1,4 +1,5 @@
 #include "compare/answers/answer.h"
+#include "compare/book/book.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -162,16 +163,18 @@ enum scallop_status answer_friction(struct answer *a, const struct motion *m)
   return SCALLOP_OK;
 }
 
-double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,
-                       const struct motion *motion, const struct answer *given)
+double published_value(const struct scallop_formula *formula, const struct motion *motion, const struct answer *given)
 {
-  struct scallop_phase_point p = *point;
-  p.t1 = given->value[Q_T1].high;
-  p.dT = given->value[Q_DT].high;
-  p.x_switch = given->value[Q_AT_LAST].high;
-  if (formula->setting == SCALLOP_AT_REST_START && motion->phase == SCALLOP_CONTRACTION)
-    p = scallop_exchanged(&p);
-  return formula->phase(&p);
+  const struct formula *read = formula_read_once(formula);
+  bool steady = formula->setting == SCALLOP_STEADY;
+  struct scallop_values values = steady ? scallop_steady_values(&motion->crawler)
+                                        : scallop_phase_values(&motion->crawler, motion->phase, motion->v0);
+  if (given) {
+    values.of[SCALLOP_SYMBOL_t1] = given->value[Q_T1].high;
+    values.of[SCALLOP_SYMBOL_dT] = given->value[Q_DT].high;
+    values.of[SCALLOP_SYMBOL_x_switch] = given->value[Q_AT_LAST].high;
+  }
+  return read ? scallop_formula_value(read, formula, motion->phase, &values) : NAN;
 }
 
 bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])

@@ -46,10 +46,9 @@ void decimals_free(char *texts[QUANTITIES]);
 /* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The crawler's T is not used. */
 double sticking_onset(const struct scallop_crawler *crawler);
 
-/* A formula of one phase at the point of that phase. What it takes as given comes from the answer; a formula from rest is carried to a
- * contraction by exchanging the bodies. */
-double published_value(const struct scallop_formula *formula, const struct scallop_phase_point *point,
-                       const struct motion *motion, const struct answer *given);
+/* A formula, in double, for the motion: its steady state, or its phase. What the formula takes as given comes from the answer, which may be NULL
+ * where it takes nothing; a formula that is printed for an extension is carried to a contraction by exchanging the bodies. */
+double published_value(const struct scallop_formula *formula, const struct motion *motion, const struct answer *given);
 
 /* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
 enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };

@@ -161,13 +161,14 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
   scallop_symbols_init(&symbols);
   series_init(&sum);
   scallop_symbols_set(&symbols, crawler, kind, steady ? NULL : v0, NULL, &ring);
-  series_set_rational(&symbols.value[SYMBOL_T], T);
+  series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], T);
   if (given) {
-    series_set_ball(&symbols.value[SYMBOL_t1], given->phase.t1);
-    series_set_ball(&symbols.value[SYMBOL_dT], given->phase.dT);
-    series_set_ball(&symbols.value[SYMBOL_x_switch], given->phase.at_last);
+    series_set_ball(&symbols.value[SCALLOP_SYMBOL_t1], given->phase.t1);
+    series_set_ball(&symbols.value[SCALLOP_SYMBOL_dT], given->phase.dT);
+    series_set_ball(&symbols.value[SCALLOP_SYMBOL_x_switch], given->phase.at_last);
   }
-  bool found = scallop_formula_expand(&sum, f, &symbols, kind, &ring);
+  char message[FORMULA_MESSAGE];
+  bool found = !scallop_formula_expand(&sum, f, &symbols, kind, &ring, message);
   if (found)
     series_coefficient(value, &sum, 0, precision);
   series_clear(&sum);

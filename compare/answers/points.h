@@ -12,6 +12,7 @@ struct request {
   struct style style;
   struct point point;
   const char *points; /* file name, "-" for standard input, or NULL */
+  const char *book;   /* file name of a book of formulas, or NULL     */
 };
 
 /* What a command does with one point: adds one row to the table. refused is NULL, or why the point could

@@ -1,4 +1,5 @@
 #include "compare/answers/quantities.h"
+#include "compare/book/book.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,7 +56,10 @@ static const struct {
   [SCALLOP_VELOCITY_AT_END] = { { Q_V_END, Q_V_END }, { "v(T)", "v(T)" } },
   [SCALLOP_VELOCITY_CHANGE] = { { Q_CHANGE, Q_CHANGE }, { "v(T)-v0", "v(T)-v0" } },
   [SCALLOP_STEADY_VELOCITY] = { { Q_V_START, Q_V_START }, { "v_start", "v_start" } },
+  [SCALLOP_STEADY_V_MID] = { { Q_V_MID, Q_V_MID }, { "v_mid", "v_mid" } },
   [SCALLOP_STEADY_DISPLACEMENT] = { { Q_DISPLACEMENT, Q_DISPLACEMENT }, { "displacement", "displacement" } },
+  [SCALLOP_STEADY_MEAN_VELOCITY] = { { Q_MEAN_VELOCITY, Q_MEAN_VELOCITY }, { "mean_velocity", "mean_velocity" } },
+  [SCALLOP_STEADY_FRICTION_WORK] = { { Q_FRICTION_WORK, Q_FRICTION_WORK }, { "friction_work", "friction_work" } },
   [SCALLOP_VELOCITY_AT_FIRST] = { { Q_TURNING, Q_TURNING }, { "v(t1)", "v(t1)" } },
   [SCALLOP_VELOCITY_AT_LAST] = { { Q_TURNING, Q_TURNING }, { "v(T-dT)", "v(T-dT)" } },
 };
@@ -72,7 +76,8 @@ const char *formula_quantity_text(const struct scallop_formula *f, enum scallop_
 
 bool formula_takes_given(const struct scallop_formula *f)
 {
-  return strstr(f->text, "t1") || strstr(f->text, "dT") || strstr(f->text, "x_switch");
+  return formula_takes(f, SCALLOP_SYMBOL_t1) || formula_takes(f, SCALLOP_SYMBOL_dT)
+         || formula_takes(f, SCALLOP_SYMBOL_x_switch);
 }
 
 enum { MOST_ORDER = 1000, MOST_NAMES = 160 };
@@ -128,7 +133,7 @@ static const char *name_at(const struct quantities *all, int i, struct quantity 
   case 2: return all->label[i];
   case 3: return quantity_samples[i];
   case 4: return quantity_rows[i].name;
-  default: q->formula = &scallop_published[i]; return q->formula->name;
+  default: q->formula = formula_at(i); return q->formula ? q->formula->name : NULL;
   }
 }
 

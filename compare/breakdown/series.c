@@ -1,4 +1,5 @@
 #include "compare/breakdown/series.h"
+#include "compare/book/book.h"
 
 #include "compare/answers/gaits.h"
 
@@ -56,7 +57,8 @@ int series_items(struct series_item items[MOST_ITEMS], const struct expansions *
 {
   const struct series *s = expansions_of(e, quantity);
   int count = 0;
-  for (const struct scallop_formula *f = scallop_published; f->name && count < MOST_ITEMS - 2; f++)
+  const struct scallop_formula *f;
+  for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
     if (is_about(f, e->motion, quantity))
       items[count++] = (struct series_item){ FROM_PUBLISHED, quantity, f->name, .formula = f };
   if (s) {

@@ -17,6 +17,7 @@
 #ifndef SCALLOP_CLAIMS_H
 #define SCALLOP_CLAIMS_H
 
+#include "compare/book/book.h"
 #include "compare/answers/points.h"
 #include "compare/text/values.h"
 #include <stdbool.h>
@@ -31,12 +32,15 @@ const char *claim_verdict_text(enum claim_verdict verdict);
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 
+/* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
+enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
+
 struct claim_row {
   char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
   char conditions[160]; /* under which it was tested                                            */
   bool inside;          /* these are the conditions that the paper assumes                  */
-  bool ours;            /* not a claim of the paper's, but one of the formulas that hold where it does not */
+  enum claim_source source;
   double claimed_order; /* nan: not a claim about an order                                  */
   bool proven;          /* derived_order and coefficient are there                          */
   bool exact;           /* every coefficient that was looked at vanishes                    */
@@ -66,6 +70,11 @@ void ledger_free(struct ledger *ledger);
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
+/* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where it is not given, changed so that the
+ * conditions of each formula hold. */
+void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                     const struct scallop_gait *gait, const char *only);
+
 /* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
 void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait);
 
@@ -78,6 +87,7 @@ struct claims_options {
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */
   bool check;
+  struct formula_given formula; /* its claim, instead of the paper's, as those of request.book */
 };
 enum exit_code claims_table(const struct claims_options *options);
 /* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */

@@ -150,7 +150,7 @@ void ledger_enter(struct ledger *ledger, struct claim_row *row)
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
   /* the corrections are for the gaits of the paper: with others there may be none */
-  else if (!*row->corrected && scallop_gait_named(row->gait))
+  else if (!*row->corrected && row->source != OF_BOOK && scallop_gait_named(row->gait))
     contradict(ledger, row, "refuted, and nothing is named that holds");
   ledger_add(ledger, row);
 }

@@ -6,6 +6,7 @@
 
 #include "asymptotics/derived/formula_flint.h"
 #include "compare/answers/point_flint.h"
+#include "compare/book/book.h"
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
 #include "compare/text/table.h"
@@ -100,17 +101,15 @@ static void law_before_end(arb_t x, const struct moved *m, const arb_t part, boo
 /* A formula of the paper, or a name in its formulas */
 static void published(arb_t x, const struct moved *m, const char *name)
 {
-  const struct scallop_formula *const books[] = { scallop_equal_forces, scallop_published };
   struct scallop_formula formula = { .text = name, .setting = SCALLOP_STEADY };
   fmpq_t T, v0;
   fmpq_init(T);
   fmpq_init(v0);
   if (m->of == OF_PHASE)
     formula.setting = m->kind == SCALLOP_EXTENSION ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION;
-  for (int i = 0; i < 2; i++)
-    for (const struct scallop_formula *f = books[i]; f->name; f++)
-      if (strcmp(f->name, name) == 0)
-        formula = *f;
+  const struct scallop_formula *known = formula_named(name);
+  if (known)
+    formula = *known;
   duration_of(T, m);
   arf_get_fmpq(v0, arb_midref(m->v0));
   arb_indeterminate(x);
@@ -220,7 +219,7 @@ static void evaluate(arb_t x, const struct question *q, const char *text, int us
   char message[FORMULA_MESSAGE];
   struct formula formula;
   struct values values = { q, usual, 0, _arb_vec_init(NAMES) };
-  const struct formula_names names = { place_of, NULL, &values };
+  const struct formula_names names = { .place = place_of, .context = &values };
   arb_indeterminate(x);
   if (!formula_read(&formula, text, &names, message))
     formula_ball(x, &formula, values.value, EVIDENCE_BITS);

@@ -6,6 +6,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/answers/answer.h"
+#include "compare/book/book.h"
 #include "compare/claims/evidence.h"
 #include "compare/claims/ledger.h"
 #include "compare/claims/samples.h"
@@ -23,9 +24,8 @@ static const struct condition conditions[] = {
   { EXTENSION_AT_REST, "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
   { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true, .exchange_forces = true }, /* bodies exchanged */
   { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
-  { SCALLOP_AT_REST_EQUAL_FORCES, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
-  { SCALLOP_AT_REST_EQUAL_FORCES, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
-    .equal_forces = true },
+  { EXTENSION_AT_REST, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
+  { CONTRACTION_AT_REST, "contraction from rest, F2 = F1", .inside = true, .equal_forces = true },
   { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
   { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
   { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
@@ -106,14 +106,6 @@ static enum scallop_turns turns_in_limit(struct part *part, const struct conditi
 /* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of it down. */
 static bool has_closed_limit(const struct part *part) { return part->crawler->gait == &scallop_gait_quadratic; }
 
-static const struct scallop_formula *formula_of_ours(const char *name)
-{
-  const struct scallop_formula *f = scallop_corrected;
-  while (f->name && strcmp(f->name, name) != 0)
-    f++;
-  return f;
-}
-
 /* What holds where the claim may not */
 static struct claimed correction(struct part *part, const struct claimed *claimed, const struct condition *condition)
 {
@@ -127,7 +119,7 @@ static struct claimed correction(struct part *part, const struct claimed *claime
       return (struct claimed){ .formula = g, .mirrored = condition->reversed };
   if (!f->corrected)
     return (struct claimed){ .formula = f, .mirrored = condition->reversed };
-  return (struct claimed){ .formula = formula_of_ours(f->corrected),
+  return (struct claimed){ .formula = formula_named(f->corrected),
                            .of_contraction = condition->kind == SCALLOP_CONTRACTION,
                            .mirrored = condition->reversed };
 }
@@ -172,7 +164,7 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
   struct claim_row row = { .equation = f->equation,
                            .gait = part->crawler->gait->name,
                            .inside = condition->inside,
-                           .ours = claimed.ours || claimed.mirrored,
+                           .source = claimed.ours || claimed.mirrored ? OF_CORRECTED : OF_PAPER,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
                            .slope = NAN };
   /* seen in a mirror the other body is the one that turns */
@@ -192,6 +184,8 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
 static bool is_for(const struct scallop_formula *f, const struct condition *condition, bool ours)
 {
   bool moving = condition->setting == SCALLOP_MOVING_EXTENSION, extension = condition->kind == SCALLOP_EXTENSION;
+  if (condition->equal_forces != (f->when != NULL)) /* the paper's only other condition is F1 = F2 */
+    return false;
   if (f->setting == SCALLOP_MOVING_CONTRACTION)
     return moving && !extension;
   if (f->setting == SCALLOP_MOVING_EXTENSION)
@@ -307,7 +301,7 @@ static void add_ends(struct part *part)
                              .gait = gait->name,
                              .conditions = "h -> 0 at T = 1",
                              .inside = true,
-                             .ours = claim->ours,
+                             .source = claim->ours ? OF_CORRECTED : OF_PAPER,
                              .claimed_order = claim->order };
     snprintf(row.claim, sizeof row.claim, "%s", claim->name);
     snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);
@@ -324,11 +318,9 @@ static void add_ends(struct part *part)
 
 static void fill(struct part *part)
 {
-  for (const struct scallop_formula *f = scallop_equal_forces; f->name; f++)
-    add_formula(part, f, false, AS_IT_STANDS);
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     add_formula(part, f, false, AS_IT_STANDS);
-    if (f->phase == scallop_A_x1_first_switch)
+    if (strcmp(f->name, "A_x1_first_switch") == 0)
       add_formula(part, &size_of_first_switch, false, AS_IT_STANDS);
   }
   add_ends(part);

@@ -53,16 +53,10 @@ static const char *derived_text(const struct claim_row *row)
 
 static void write_row(struct table *t, const struct claim_row *row)
 {
+  static const char *const source_text[] = { "paper", "corrected", "book" };
   const char *const texts[] = {
-    claim_verdict_text(row->verdict),
-    derived_text(row),
-    row->coefficient,
-    row->corrected,
-    row->conditions,
-    row->inside ? "yes" : "no",
-    row->ours ? "corrected" : "paper",
-    row->measured,
-    row->reason,
+    claim_verdict_text(row->verdict), derived_text(row),        row->coefficient, row->corrected, row->conditions,
+    row->inside ? "yes" : "no",       source_text[row->source], row->measured,    row->reason,
   };
   write_claim(t, row);
   table_rounded(t, row->fit.order, "%.6f");
@@ -76,7 +70,7 @@ static void summarise(const struct ledger *ledger)
 {
   int verdicts[2][4] = { { 0 } }, ours[4] = { 0 }; /* of the paper's claims, outside and inside of its conditions */
   for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++)
-    (row->ours ? ours : verdicts[row->inside])[row->verdict]++;
+    (row->source == OF_CORRECTED ? ours : verdicts[row->inside])[row->verdict]++;
   for (int inside = 1; inside >= 0; inside--) {
     const int *v = verdicts[inside];
     fprintf(stderr, "%s the paper's conditions: %d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
@@ -86,6 +80,32 @@ static void summarise(const struct ledger *ledger)
           ours[CLAIM_HOLDS], ours[CLAIM_SHARPER], ours[CLAIM_REFUTED] + ours[CLAIM_UNDECIDED]);
 }
 
+static int count_verdict(const struct ledger *ledger, enum claim_verdict verdict)
+{
+  int count = 0;
+  for (int i = 0; i < ledger->count; i++)
+    count += ledger->rows[i].verdict == verdict;
+  return count;
+}
+
+static void summarise_book(const struct ledger *ledger)
+{
+  fprintf(stderr, "%d hold, %d are sharper than claimed, %d refuted, %d undecided\n", count_verdict(ledger, CLAIM_HOLDS),
+          count_verdict(ledger, CLAIM_SHARPER), count_verdict(ledger, CLAIM_REFUTED),
+          count_verdict(ledger, CLAIM_UNDECIDED));
+}
+
+static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula.text; }
+
+/* Is a number of the crawler given on the command line? */
+static bool has_crawler(const struct point *p)
+{
+  bool has = false;
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    has = has || p->written[i];
+  return has;
+}
+
 /* All rows, or those about the requested errors */
 static void fill(struct ledger *ledger, const struct claims_options *o)
 {
@@ -93,9 +113,12 @@ static void fill(struct ledger *ledger, const struct claims_options *o)
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
   rational_point(&exact, NULL, p);
-  ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
+  if (is_of_book(o))
+    ledger_add_book(ledger, &exact, has_crawler(p), p->has_gait ? exact.gait : NULL, o->errors);
+  else
+    ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
   scallop_rational_clear(&exact);
-  if (!o->errors)
+  if (!o->errors && !is_of_book(o))
     ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
 }
 
@@ -105,6 +128,10 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
   if (!table_open(table, &o->request.style))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
+  if (o->request.book)
+    table_note(table, "book: %s", o->request.book);
+  if (o->formula.text)
+    table_note(table, "formula: %s", o->formula.text);
   table_note(table, "command: claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->check ? " --check" : "", o->verdict.given ? " --verdict " : "", o->verdict.given ? o->verdict.value : "");
   note_parameters(table, &o->request.point, varied, false);
@@ -146,7 +173,11 @@ static enum exit_code write_ledger(const struct claims_options *o)
     code = end(&table, &ledger);
   }
   if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)
-    summarise(&ledger);
+    (is_of_book(o) ? summarise_book : summarise)(&ledger);
+  if (code == EXIT_DONE && is_of_book(o))
+    code = count_verdict(&ledger, CLAIM_REFUTED) > 0     ? EXIT_CHECK_FAILED
+           : count_verdict(&ledger, CLAIM_UNDECIDED) > 0 ? EXIT_UNSOLVED
+                                                         : EXIT_DONE;
   ledger_free(&ledger);
   return code;
 }

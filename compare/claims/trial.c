@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/published/read.h"
+#include "compare/claims/evidence.h"
+
 enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, IDENTITY_TRIES = 400 };
 
 /* One crawler's expansion, with what the formulas need */
@@ -96,21 +99,78 @@ static void random_rational(fmpq_t x, uint64_t *state)
 /* Not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1. */
 static void make_forces_equal(struct scallop_rational_crawler *c) { fmpq_mul_si(c->F2, c->F1, 1); }
 
-/* Another crawler, and with the sinusoidal gait another number in place of pi^2. */
-static void randomise(struct expanded *e, const struct trial *m, uint64_t *state)
+/* The parameter that a condition sets, "F1 = F2", or NULL, and what it is set to */
+static fmpq *parameter_set(struct scallop_rational_crawler *c, const char *when, const char **to)
 {
-  struct scallop_rational_crawler *r = &e->crawler;
-  int sign = fmpq_sgn(m->v0);
+  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "alpha" };
+  fmpq *const places[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->alpha };
+  size_t length = strcspn(when, " ="), past = length + strspn(when + length, " ");
+  if (when[past] != '=')
+    return NULL;
+  *to = when + past + 1;
+  for (int i = 0; i < 6; i++)
+    if (strlen(names[i]) == length && strncmp(when, names[i], length) == 0)
+      return places[i];
+  return NULL;
+}
+
+/* Sets the parameters that the conditions say to be equal to something; what is no fraction is not set. */
+static void set_equalities(const struct condition *condition, struct scallop_rational_crawler *c)
+{
+  const struct scallop_formula *f = condition->formula;
+  const struct ring ring = { 1, PRECISION };
+  char message[FORMULA_MESSAGE];
+  for (const char *const *when = f ? f->when : NULL; when && *when; when++) {
+    struct scallop_formula right = *f;
+    struct scallop_symbols symbols;
+    struct series value;
+    fmpq *parameter = parameter_set(c, *when, &right.text);
+    if (!parameter)
+      continue;
+    scallop_symbols_init(&symbols);
+    series_init(&value);
+    scallop_symbols_set(&symbols, c, condition->kind, NULL, NULL, &ring);
+    if (!scallop_formula_expand(&value, &right, &symbols, condition->kind, &ring, message))
+      series_rational_coefficient(parameter, &value, 0);
+    scallop_symbols_clear(&symbols);
+    series_clear(&value);
+  }
+}
+
+bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *c)
+{
+  const struct scallop_formula *f = condition->formula;
+  const struct scallop_crawler rounded = { nearest_double(c->m1),    nearest_double(c->m2),
+                                           nearest_double(c->F1),    nearest_double(c->F2),
+                                           nearest_double(c->L),     1,
+                                           nearest_double(c->alpha), c->gait };
+  const struct scallop_values values = f && f->setting == SCALLOP_STEADY
+                                           ? scallop_steady_values(&rounded)
+                                           : scallop_phase_values(&rounded, condition->kind, condition->v0);
+  return !f || (scallop_crawler_check(&rounded, NULL) == SCALLOP_OK && scallop_formula_is_claimed(f, &values));
+}
+
+static void random_crawler(struct scallop_rational_crawler *r, uint64_t *state)
+{
   random_rational(r->m1, state);
   random_rational(r->m2, state);
   random_rational(r->F1, state);
   random_rational(r->F2, state);
   random_rational(r->L, state);
   fmpq_set_si(r->alpha, (slong)(1 + random_bits(state) % 996), 997);
+}
+
+/* Another crawler, and with the sinusoidal gait another number in place of pi^2. */
+static void randomise(struct expanded *e, const struct trial *m, uint64_t *state)
+{
+  struct scallop_rational_crawler *r = &e->crawler;
+  int sign = fmpq_sgn(m->v0);
+  random_crawler(r, state);
   if (m->condition->light_1)
     fmpq_div_2exp(r->m1, r->m1, 7);
   if (m->condition->equal_forces)
     make_forces_equal(r);
+  set_equalities(m->condition, r);
   if (sign != 0) {
     random_rational(e->v0, state);
     fmpq_mul_si(e->v0, e->v0, sign);
@@ -143,11 +203,24 @@ static struct expanded *expand_another(const struct trial *m, uint64_t *state, s
       fmpq_set_si(e->pi_squared, number, 1);
     } else
       randomise(e, m, state);
-    if (is_allowed(&e->crawler, &m->crawler) && expand(e, m, TERMS) && strcmp(modes_of(e, m), trial_modes(m)) == 0)
+    if (is_allowed(&e->crawler, &m->crawler) && condition_allows(m->condition, &e->crawler) && expand(e, m, TERMS)
+        && strcmp(modes_of(e, m), trial_modes(m)) == 0)
       return e;
   }
   expanded_free(e);
   return NULL;
+}
+
+bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *c)
+{
+  enum { TRIES = 10000 };
+  uint64_t state = 20260102;
+  set_equalities(condition, c);
+  for (int i = 0; i < TRIES && !condition_allows(condition, c); i++) {
+    random_crawler(c, &state);
+    set_equalities(condition, c);
+  }
+  return condition_allows(condition, c);
 }
 
 /* Motions */
@@ -225,7 +298,7 @@ slong trial_leading_power(const struct scallop_formula *f) { return f->quantity 
 
 /* derived - formula */
 static bool left_out(struct series *difference, const struct expanded *e, const struct trial *m,
-                     const struct scallop_formula *f)
+                     const struct scallop_formula *f, char why[FORMULA_MESSAGE])
 {
   const struct ring ring = { e->terms + 8, PRECISION };
   struct scallop_symbols symbols;
@@ -238,12 +311,12 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
   scallop_symbols_init(&symbols);
   series_init(&value);
   scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, e->has_pi_squared ? e->pi_squared : NULL, &ring);
-  series_set(&symbols.value[SYMBOL_t1], &e->phase.t1);
-  series_set(&symbols.value[SYMBOL_dT], &e->phase.dT);
-  series_set(&symbols.value[SYMBOL_x_switch], &e->phase.at_last);
-  bool expanded = scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring);
+  series_set(&symbols.value[SCALLOP_SYMBOL_t1], &e->phase.t1);
+  series_set(&symbols.value[SCALLOP_SYMBOL_dT], &e->phase.dT);
+  series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &e->phase.at_last);
+  bool expanded = !scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, why);
   if (f->quantity == SCALLOP_VELOCITY_CHANGE) /* the series is that of the velocity */
-    series_add(&value, &value, &symbols.value[SYMBOL_v0], &ring);
+    series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
   series_sub(difference, series_of(e, m, f->quantity), &value, &ring);
   scallop_symbols_clear(&symbols);
   series_clear(&value);
@@ -275,9 +348,10 @@ static bool vanishes(const struct trial *m, const struct scallop_formula *f, slo
   slong tests = scallop_zero_tests(power);
   bool zero = !trial_is_steady(m) && power < TERMS && tests <= TRIAL_NUMBERS;
   struct series difference;
+  char why[FORMULA_MESSAGE];
   series_init(&difference);
   for (slong i = 0; zero && i < tests; i++)
-    zero = m->numbers[i] && left_out(&difference, m->numbers[i], m, f) && power < difference.known
+    zero = m->numbers[i] && left_out(&difference, m->numbers[i], m, f, why) && power < difference.known
            && series_coefficient_is_zero(&difference, power);
   series_clear(&difference);
   return zero;
@@ -286,7 +360,7 @@ static bool vanishes(const struct trial *m, const struct scallop_formula *f, slo
 static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
   struct series *difference = &proof->left_out;
-  if (!left_out(difference, m->expanded, m, f))
+  if (!left_out(difference, m->expanded, m, f, proof->why))
     return false;
   while ((proof->order = first_power(difference)) < difference->known && holds_zero(difference, proof->order)) {
     proof->undecided = !vanishes(m, f, proof->order);
@@ -306,11 +380,12 @@ bool trial_prove(struct proof *proof, const struct trial *m, const struct scallo
   if (expanded && !proof->found && !proof->undecided && rational && m->expanded->terms < MANY_TERMS) /* perhaps further on */
     expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, m, f);
   struct series other;
+  char why[FORMULA_MESSAGE];
   series_init(&other);
   proof->general = proof->order;
   for (int i = 0; expanded && i < TRIAL_IDENTITIES; i++)
     if (m->others[i]) {
-      slong order = left_out(&other, m->others[i], m, f) ? first_power(&other) : -4;
+      slong order = left_out(&other, m->others[i], m, f, why) ? first_power(&other) : -4;
       proof->general = order < proof->general ? order : proof->general;
     }
   series_clear(&other);

@@ -17,7 +17,13 @@ struct condition {
   bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
   bool equal_forces;                           /* F2 = F1                                             */
   bool reversed;                               /* the bodies exchange their roles against the paper   */
+  const struct scallop_formula *formula;       /* of a book, whose conditions are to hold; else NULL                */
 };
+/* Do the conditions of the formula of a book hold for the crawler? v0 of the trial does not come in. */
+bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *crawler);
+/* Changes the crawler so that they do: parameters that are to equal something are set, and where that does not do, another crawler is taken. False: none was
+ * found. */
+bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *crawler);
 
 enum { TRIAL_IDENTITIES = 3, TRIAL_NUMBERS = 32 };
 
@@ -49,11 +55,12 @@ struct proof {
   slong known;
   slong general; /* that order for random crawlers; order where there are none                        */
   struct series left_out;
-  bool undecided; /* a ball that holds 0 came before                                                  */
+  bool undecided;            /* a ball that holds 0 came before                                                  */
+  char why[FORMULA_MESSAGE]; /* the formula has no expansion: what a series cannot do                       */
 };
 void proof_init(struct proof *p);
 void proof_clear(struct proof *p);
-/* A formula without a text is the leading term of the derived expansion. False: it has no expansion there. */
+/* A formula without a text is the leading term of the derived expansion. False: it has no expansion there, and why says what of. */
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *formula);
 
 /* Of the crawler: the expansion of a quantity */

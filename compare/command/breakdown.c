@@ -20,6 +20,7 @@ static const struct option options_of_breakdown[] = {
   OPTION_V0("with --phase %s"),
   OPTION_WORD("source", "SOURCE", "this series only: published, derived or limit", "all", breakdown_options, source,
               sources),
+  OPTION_BOOK("the formulas of this book too: series are called by their names"),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
   OPTION_TEXT("quantity", "NAME", "this quantity only", "all; with --map displacement", breakdown_options, quantity,
               "a name"),

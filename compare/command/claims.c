@@ -17,6 +17,18 @@ static const struct option options_of_claims[] = {
               claims_options, check),
   OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
               claims_options, verdict, verdicts),
+  OPTION_BOOK("decide the formulas of this book instead of the paper's: exit code 1 if one is refuted"),
+  OPTION_TEXT("formula", "TEXT", "decide this formula instead: \"(F1 - F2)/M*T\"", NULL, claims_options, formula.text,
+              "a formula"),
+  OPTION_TEXT("of", "QUANTITY",
+              "what the formula gives: dxC, dT, v_end, displacement, v_start or another of docs/formulas.md", NULL,
+              claims_options, formula.of, "a quantity"),
+  OPTION_TEXT("claimed", "N", "its claim + O(T^N), or equality", NULL, claims_options, formula.claimed,
+              "a power of T, or equality"),
+  OPTION_TEXT("start", "START", "where its motion starts: rest, v0 or steady; not needed of the steady state and from rest",
+              NULL, claims_options, formula.start, "rest, v0 or steady"),
+  OPTION_TEXT("phase", "PHASE", "of its motion from v0: extension, which is not needed, or contraction", NULL,
+              claims_options, formula.phase, "extension or contraction"),
   OPTION_DROPPED("against",
                  "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
   OPTIONS_OF_DOUBLES,
@@ -25,6 +37,11 @@ static const struct option_rule rules[] = {
   { "errors", RULE_WITH, "check", "and --check exclude each other" },
   { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
   { "verdict", RULE_WITH, "check", "is for the ledger itself: leave --check out" },
+  { "book formula", RULE_WITH, "check", "and --check exclude each other" },
+  { "book", RULE_WITH, "formula", "and --formula exclude each other" },
+  { "of claimed start phase", RULE_WITHOUT, "formula", NULL },
+  { "formula", RULE_WITHOUT, "of", "takes --of QUANTITY: what the formula gives" },
+  { "formula", RULE_WITHOUT, "claimed", "takes --claimed N: the power of T in the claim + O(T^N)" },
   { NULL, RULE_WITH, NULL, NULL },
 };
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
@@ -34,6 +51,12 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 {
   const struct claims_options *o = options;
   const struct scallop_crawler *c = &o->request.point.crawler;
+  if (o->formula.text || o->request.book) {
+    enum exit_code code = has_flint(arguments, "the proof") ? EXIT_DONE : EXIT_UNSOLVED;
+    if (code == EXIT_DONE && o->formula.text)
+      code = book_add("claims", &o->formula);
+    return code == EXIT_DONE ? claims_table(o) : code;
+  }
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "

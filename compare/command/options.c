@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/answers/gaits.h"
+#include "compare/book/book.h"
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
@@ -304,7 +305,11 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   struct point *point = &a->options.request.point;
   *code = reading == READ_HELP ? EXIT_DONE : point->unreadable ? EXIT_FILE : EXIT_USAGE;
   point_complete(point);
-  return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
+  if (reading == READ_RUN && !is_sound(a))
+    return READ_REFUSED;
+  if (reading == READ_RUN && a->options.request.book)
+    *code = book_read(command->name, a->options.request.book);
+  return reading == READ_RUN && a->options.request.book && *code != EXIT_DONE ? READ_REFUSED : reading;
 }
 
 void options_free(struct arguments *a)

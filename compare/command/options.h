@@ -94,6 +94,7 @@ struct option_rule {
 #define OPTION_POINTS \
   OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
               request, points, "a file name")
+#define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
 #define OPTION_FORMAT(otherwise) OPTION("format", "F", "tsv or json, one object a line", otherwise, .kind = &format_option)
 #define OPTION_DIGITS(range, otherwise, high) \
   OPTION("digits", "N", "significant digits " range, otherwise, .kind = &digits_option, .most = high, .allowed = range)

@@ -4,6 +4,7 @@
 
 #include "numerics/numerics.h"
 #include "compare/answers/answer.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
@@ -20,6 +21,7 @@ static const struct option options_of_series[] = {
   OPTION_WORD("source", "SOURCE", "published, derived or limit", NULL, series_options, source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
+  OPTION_BOOK("the formulas of this book too, before the paper's"),
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
@@ -41,7 +43,8 @@ struct use {
 static int list_uses(struct use uses[MOST_FORMULAS])
 {
   int n = 0;
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+  const struct scallop_formula *f;
+  for (int i = 0; (f = listed_formula(i)) && n <= MOST_FORMULAS - 2; i++) {
     if (f->setting == SCALLOP_STEADY)
       uses[n++] = (struct use){ f, PERIOD };
     if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)
@@ -67,17 +70,16 @@ static enum scallop_status solve(const struct point *p, double published[MOST_FO
   for (int i = 0, n = list_uses(uses); i < n; i++) {
     const struct scallop_formula *f = uses[i].formula;
     if (uses[i].of == PERIOD) {
-      published[i] = finite(f->steady(c));
+      published[i] = finite(published_value(f, &period, NULL));
       exact[i] = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
       continue;
     }
     enum scallop_phase_kind kind = (enum scallop_phase_kind)uses[i].of;
     double start = p->has_v0 ? p->v0 : steady.value[kind == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
     const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : start };
-    struct scallop_phase_point point = scallop_phase_point(c, kind, m.v0);
     if (!answer_in_double(&phase, &m) || !answer_turnings(&phase, &m))
       return phase.status;
-    published[i] = finite(published_value(f, &point, &m, &phase));
+    published[i] = finite(published_value(f, &m, &phase));
     exact[i] = phase.value[quantity_of_formula(f, kind)].high;
   }
   return SCALLOP_OK;

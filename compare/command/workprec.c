@@ -17,6 +17,7 @@ static const struct option options_of_workprec[] = {
   OPTION_NUMBER("limit", "SECONDS", "for each method and setting, from 0.001 to 3600",
                 TEXT_OF(WORKPREC_LIMIT) "; with --quick " TEXT_OF(WORKPREC_QUICK_LIMIT), workprec_options, limit,
                 FROM_TO(1e-3, 3600, "seconds, from 0.001 to 3600")),
+  OPTION_BOOK("the formulas of this book for the steady state too"),
   OPTION_FORMAT("tsv"),
   OPTION_DROPPED("from",
                  "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "

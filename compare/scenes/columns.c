@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/book/book.h"
 #include "compare/scenes/parts.h"
 #include "compare/text/values.h"
 
@@ -21,14 +22,14 @@ static const char *near_to(void *scene, const char *name)
 static const char *read_formula(const struct reading *r, struct formula *formula, const char *text)
 {
   static char message[FORMULA_MESSAGE];
-  const struct formula_names names = { place_of, near_to, r->scene };
+  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = r->scene };
   return formula_read(formula, text, &names, message);
 }
 
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
+  return refuse_at(r->config, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
 }
 
 bool has_column(const struct scene_want *w, const char *name)
@@ -48,21 +49,21 @@ static bool is_of_parameters(const struct quantity *q)
 
 bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_end *end, bool *onset)
 {
-  const char *text = text_of(r, at), *name = config_setting_name(at);
+  const char *text = text_of(r->config, at), *name = config_setting_name(at);
   int places[FORMULA_STEPS];
   if (text && read_number(text, &end->number))
     return true;
   if (!text)
-    return refuse_at(r, at, "%s is a number, or a formula in quotes", name);
+    return refuse_at(r->config, at, "%s is a number, or a formula in quotes", name);
   const char *wrong = read_formula(r, &end->formula, text);
   if (wrong)
-    return refuse_at(r, at, "%s = \"%.100s\": %s", name, text, wrong);
+    return refuse_at(r->config, at, "%s = \"%.100s\": %s", name, text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;) {
     const struct quantity *q = &r->scene->quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;
     if (!is_of_parameters(q))
-      return refuse_at(r, at,
+      return refuse_at(r->config, at,
                        "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
                        name, q->name);
   }
@@ -87,15 +88,15 @@ bool check_quantity(const struct reading *r, const config_setting_t *at, const s
   const struct quantity *q = &s->quantities.item[place], *series = q->of >= 0 ? &s->quantities.item[q->of] : q;
   const char *other = series->kind == QUANTITY_PUBLISHED ? other_start(s, series->formula->setting) : NULL;
   if (q->kind == QUANTITY_SAMPLE && w->kind != WANT_TRAJECTORY)
-    return refuse_at(r, at, "%s is a quantity of a trajectory", q->name);
+    return refuse_at(r->config, at, "%s is a quantity of a trajectory", q->name);
   if (w->kind == WANT_TRAJECTORY && q->kind == QUANTITY_STATUS)
-    return refuse_at(r, at, "a trajectory has no status: it ends where it cannot go on");
+    return refuse_at(r->config, at, "a trajectory has no status: it ends where it cannot go on");
   if (other)
-    return refuse_at(r, at, "%s is about %s", q->name, other);
+    return refuse_at(r->config, at, "%s is about %s", q->name, other);
   if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && quantity_rows[series->which].of == OF_PHASE
       && s->start == START_STEADY && !s->varies_v0)
-    return refuse_at(r, at, "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
-                     q->name);
+    return refuse_at(r->config, at,
+                     "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity", q->name);
   return true;
 }
 
@@ -110,33 +111,34 @@ static bool add_column(const struct reading *r, const config_setting_t *at, stru
   while (length > 0 && text[length - 1] == ' ')
     length--;
   if (w->columns == SCENE_COLUMNS)
-    return refuse_at(r, at, "more than %d columns", SCENE_COLUMNS);
-  if (!(column->name = keep(r, "%.*s", length, text)))
+    return refuse_at(r->config, at, "more than %d columns", SCENE_COLUMNS);
+  if (!(column->name = keep(r->config, "%.*s", length, text)))
     return false;
   if (!is_ascii(column->name) || strpbrk(column->name, "\"\\"))
-    return refuse_at(r, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes", text);
+    return refuse_at(r->config, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes",
+                     text);
   if (length == 0 || *formula == '\0')
-    return refuse_at(r, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
+    return refuse_at(r->config, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
   column->quantity = places[0] = quantity_named(all, formula);
   if (column->quantity == -2)
-    return refuse_at(r, at, "more than %d quantities", MOST_QUANTITIES);
+    return refuse_at(r->config, at, "more than %d quantities", MOST_QUANTITIES);
   if (column->quantity < 0) {
     const char *wrong = read_formula(r, &column->formula, formula);
     if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
       return refuse_quantity(r, at, formula);
     if (wrong)
-      return refuse_at(r, at, "'%.100s': %s", text, wrong);
+      return refuse_at(r->config, at, "'%.100s': %s", text, wrong);
     count = formula_places(&column->formula, places);
   }
   for (int i = 0; i < count; i++) {
     const struct quantity *q = &all->item[places[i]];
     if (column->quantity < 0 && quantity_is_text(q))
-      return refuse_at(r, at, "'%.100s': %s is a text, which stands alone in a column", text, q->name);
+      return refuse_at(r->config, at, "'%.100s': %s is a text, which stands alone in a column", text, q->name);
     if (!check_quantity(r, at, w, places[i]))
       return false;
   }
   if (has_column(w, column->name))
-    return refuse_at(r, at, "the column %s is there twice", column->name);
+    return refuse_at(r->config, at, "the column %s is there twice", column->name);
   w->columns++;
   return true;
 }
@@ -152,7 +154,7 @@ bool add_columns(const struct reading *r, const config_setting_t *at, struct sce
 /* Are formulas of the phase meant, where nothing is said? Where the scene says something about a phase. */
 static bool is_about_phase(const struct reading *r)
 {
-  const config_setting_t *root = config_root_setting(r->scene->file);
+  const config_setting_t *root = config_root(r->config);
   return config_setting_get_member(root, "phase") || config_setting_get_member(root, "start") || r->scene->varies_v0;
 }
 
@@ -160,9 +162,10 @@ static bool is_about_phase(const struct reading *r)
 static bool usual_series(const struct reading *r, struct scene_want *w)
 {
   const struct scene *s = r->scene;
+  const struct scallop_formula *f;
   bool of_phase = is_about_phase(r), moving = s->start != START_REST || s->varies_v0;
   if (w->source == PUBLISHED) {
-    for (const struct scallop_formula *f = scallop_published; f->name && w->series < SCENE_COLUMNS; f++)
+    for (int i = 0; (f = listed_formula(i)) && w->series < SCENE_COLUMNS; i++)
       if ((f->setting != SCALLOP_STEADY) == of_phase && (!of_phase || moving || f->setting == SCALLOP_AT_REST_START)
           && !other_start(s, f->setting) && !(of_phase && formula_takes_given(f)))
         w->series_name[w->series++] = f->name;
@@ -173,7 +176,7 @@ static bool usual_series(const struct reading *r, struct scene_want *w)
     const char *name = quantity_rows[q].name;
     if (!quantity_rows[q].has_series)
       continue;
-    name = w->source == DERIVED ? keep(r, "derived_%ld.%s", w->order, name) : keep(r, "limit.%s", name);
+    name = w->source == DERIVED ? keep(r->config, "derived_%ld.%s", w->order, name) : keep(r->config, "limit.%s", name);
     if (!name)
       return false;
     w->series_name[w->series++] = name;
@@ -189,7 +192,7 @@ bool find_series(const struct reading *r, const config_setting_t *at, struct sce
     if (place < 0)
       return refuse_quantity(r, of, w->series_name[i]);
     if (!quantity_is_series(&r->scene->quantities.item[place]))
-      return refuse_at(r, of,
+      return refuse_at(r->config, of,
                        "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant",
                        w->series_name[i]);
   }
@@ -219,7 +222,8 @@ static bool series_columns(const struct reading *r, const config_setting_t *at, 
   if (!find_series(r, at, w))
     return false;
   if (w->series * each > SCENE_COLUMNS - w->columns - 1)
-    return refuse_at(r, at, "%d series are more columns than a table has: name some of them, of = [ ... ]", w->series);
+    return refuse_at(r->config, at, "%d series are more columns than a table has: name some of them, of = [ ... ]",
+                     w->series);
   for (int i = 0; i < w->series * each; i++) {
     char column[2 * QUANTITY_NAME];
     snprintf(column, sizeof column, "%s%s", prefixes[i % each], w->series_name[i / each]);

@@ -7,6 +7,7 @@
 
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 #include "compare/answers/point_flint.h"
 #include "numerics/certified/certified.h"
@@ -208,7 +209,7 @@ static bool formula_value(arb_t value, struct scene_state *s, const struct scall
     return false;
   bool found = published_in_balls(value, formula, &s->flint->crawler, s->scene->phase, s->flint->v0, s->flint->T[of], given,
                                   precision);
-  if (gait_has_ends(s->point.crawler.gait) || (found && !strstr(formula->text, "L_kin")))
+  if (gait_has_ends(s->point.crawler.gait) || (found && !formula_takes(formula, SCALLOP_SYMBOL_L_kin)))
     return found;
   state_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
   return false;

@@ -2,12 +2,12 @@
 #ifndef SCALLOP_SCENE_PARTS_H
 #define SCALLOP_SCENE_PARTS_H
 
-#include <libconfig.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
+#include "compare/config/config.h"
 #include "compare/order/order.h"
 #include "compare/scenes/scene.h"
 
@@ -15,67 +15,9 @@ enum { MOST_CERTIFIED_DIGITS = 10000 };
 
 struct reading {
   struct scene *scene;
+  struct config *config;               /* the scene's */
   const struct scene_options *options; /* of the command line */
-  const char *path;                    /* of the scene, for messages */
 };
-
-/* member.c: "scallop run: FILE:LINE: message" on stderr. Returns false. */
-bool refuse_at(const struct reading *r, const config_setting_t *at, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-enum member_kind {
-  MEMBER_OTHER,  /* known, and read elsewhere */
-  MEMBER_TEXT,   /* const char *: not empty */
-  MEMBER_TEXTS,  /* const char *[high]: one or more */
-  MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
-  MEMBER_FLAG,   /* bool */
-  MEMBER_COUNT,  /* long: from low to high */
-  MEMBER_NUMBER, /* double: finite */
-};
-/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group has no such
- * member. */
-struct member {
-  const char *name; /* NULL ends a list */
-  enum member_kind kind;
-  size_t field, count; /* count: of texts, the int that says how many */
-  long low, high;
-  const char *const *words;
-  const char *only; /* the kinds of wants that may have it; NULL: all */
-};
-#define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
-  { \
-    .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
-  }
-#define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
-const struct member *find_member(const struct member *members, const char *name);
-bool read_member(const struct reading *r, const config_setting_t *at, const struct member *member, void *into);
-/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the want, where it is one. */
-bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,
-                  const char *what, const char *want);
-
-/* "a, b, c". Returns text. */
-const char *joined(char *text, size_t size, const char *const *names);
-bool is_ascii(const char *text); /* printable */
-const config_setting_t *member_at(const config_setting_t *group, int i);
-/* The elements of a list or an array; anything else is one. */
-int element_count(const config_setting_t *at);
-const config_setting_t *element_at(const config_setting_t *at, int i);
-/* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
-const char *text_of(const struct reading *r, const config_setting_t *at);
-
-struct kept { /* a text that the scene keeps */
-  struct kept *next;
-  char text[];
-};
-/* A text for as long as the scene lives. NULL: no memory, which is said. */
-const char *keep(const struct reading *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Paths of inputs are those of the folder of the scene; so "measured:FILE", and other gaits as they are. NULL as above. */
-const char *path_beside(const struct reading *r, const char *path);
-const char *gait_beside(const struct reading *r, const char *gait);
-
-/* text.c: refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are
- * noted in the scene. */
-bool check_text(const struct reading *r, const char *text);
 
 /* plan.c: fills in scene->plan, from the kinds of its quantities. Nothing is solved. */
 void make_plan(struct scene *scene);

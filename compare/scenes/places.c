@@ -49,8 +49,8 @@ static void reads(const struct scene *s)
   const char *path = strcmp(s->name, "-") == 0 ? "/dev/stdin" : s->path;
   if (path)
     place_of(path, false);
-  for (int i = 0; i < s->included; i++)
-    place_of(s->include[i], false);
+  for (int i = 0; i < s->config.included; i++)
+    place_of(s->config.include[i], false);
   reads_gait(s->base.crawler.gait->name);
   for (int i = 0; (v = sweep_variable(&s->sweep, i)); i++)
     for (long k = 0; v->target == TARGET_GAIT && k < v->count; k++)

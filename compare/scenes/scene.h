@@ -13,6 +13,7 @@
 #include "compare/answers/quantities.h"
 #include "compare/answers/sweep.h"
 #include "compare/answers/points.h"
+#include "compare/config/config.h"
 #include "asymptotics/formula.h"
 #include "compare/text/plot.h"
 
@@ -20,7 +21,6 @@ enum {
   SCENE_WANTS = 32,
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
-  SCENE_INCLUDED = 64,
   SCENE_TIMES = 4096, /* most periods of an order */
   DIGITS_OF_DOUBLE = 17
 };
@@ -94,11 +94,10 @@ typedef enum exit_code scene_command(const struct scene *scene, const struct sce
                                      const struct scene_options *options, bool only_read);
 
 struct scene {
-  char *name;       /* of the file, without folder and .cfg */
-  const char *path; /* of the file, NULL: it comes with the tool, or from standard input */
-  int included;     /* files that it includes */
-  const char *include[SCENE_INCLUDED];
+  char *name;        /* of the file, without folder and .cfg */
+  const char *path;  /* of the file, NULL: it comes with the tool, or from standard input */
   const char *title; /* or NULL */
+  const char *book;  /* whose formulas are quantities too, or NULL */
   int notes;
   const char *note[SCENE_NOTES];
   struct point base; /* the crawler where nothing varies */
@@ -111,8 +110,7 @@ struct scene {
   struct scene_want want[SCENE_WANTS];
   struct plan plan;
   scene_command *run_command;
-  struct config_t *file; /* libconfig's, whose texts the above points to */
-  struct kept *kept;     /* and other texts */
+  struct config config; /* whose texts the above points to */
 };
 
 /* Where a scene comes from: a file, or a text that has no folder. */
@@ -120,9 +118,6 @@ struct scene_source {
   const char *path; /* for messages, and to read if text is NULL */
   const char *text;
 };
-
-/* The whole file, to be freed; "-" is standard input. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code scene_text_read(const char *command, const char *path, char **text);
 
 /* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
  * EXIT_DONE, or the exit code, the message being on stderr. */

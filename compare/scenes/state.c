@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compare/answers/counts.h"
+#include "compare/book/book.h"
 #include "compare/answers/gaits.h"
 
 bool state_init(struct scene_state *s, const struct scene *scene, struct tally *tally)
@@ -173,20 +174,14 @@ static double onset_of_sticking(struct scene_state *s)
 static double published(struct scene_state *s, const struct scallop_formula *f)
 {
   const struct scallop_crawler *c = &s->point.crawler;
-  double value;
-  if (f->setting == SCALLOP_STEADY) {
-    value = f->steady(c);
-  } else {
-    const struct motion m = { OF_PHASE, *c, s->scene->phase, state_v0(s) };
-    const struct answer none = { .value = { [Q_T1] = { NAN, 0 }, [Q_DT] = { NAN, 0 }, [Q_AT_LAST] = { NAN, 0 } } };
-    const struct answer *given = &none;
-    if (formula_takes_given(f))
-      given = solved_with(s, OF_PHASE, strstr(f->text, "x_switch") ? Q_AT_LAST : Q_DT);
-    if (!given)
-      return NAN;
-    const struct scallop_phase_point point = scallop_phase_point(c, m.phase, m.v0);
-    value = published_value(f, &point, &m, given);
-  }
+  const bool steady = f->setting == SCALLOP_STEADY, is_given = formula_takes_given(f);
+  const struct motion m = { steady ? OF_STEADY : OF_PHASE, *c, s->scene->phase, steady ? NAN : state_v0(s) };
+  const struct answer *given = is_given
+                                   ? solved_with(s, OF_PHASE, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT)
+                                   : NULL;
+  if (is_given && !given)
+    return NAN;
+  double value = published_value(f, &m, given);
   spend(s, COUNT_FORMULAS);
   if (!isfinite(value) && !gait_has_ends(c->gait))
     return state_fail(s, gait_no_ends);

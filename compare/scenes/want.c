@@ -21,7 +21,7 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
     bool is_T = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER
                 && strcmp(last->variable[0].name, "T") == 0;
     if (!is_T || last->count < 3 || last->count > SCENE_TIMES)
-      return refuse_at(r, at, "orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
+      return refuse_at(r->config, at, "orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
                        SCENE_TIMES);
   }
   return true;
@@ -34,9 +34,9 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
   if (!check_times(r, at) || !find_series(r, at, w))
     return false;
   if (!(w->tolerance > 0))
-    return refuse_at(r, config_setting_get_member(at, "tol"), "tol is a number > 0");
+    return refuse_at(r->config, config_setting_get_member(at, "tol"), "tol is a number > 0");
   for (int i = 0; i < w->series; i++) {
-    const char *name = keep(r, "error.%s", w->series_name[i]);
+    const char *name = keep(r->config, "error.%s", w->series_name[i]);
     w->of[i] = name ? quantity_named(all, name) : -1;
     if (w->of[i] < 0)
       return name && refuse_quantity(r, at, w->series_name[i]);
@@ -50,13 +50,13 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
 static bool find_script(const struct reading *r, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
-    p->script = path_beside(r, p->script);
+    p->script = path_beside(r->config, p->script);
     return p->script != NULL;
   }
   p->program = shipped_text(shipped_scripts, p->script);
   const char *near = shipped_near(shipped_scripts, p->script);
   if (!p->program)
-    return refuse_at(r, at,
+    return refuse_at(r->config, at,
                      "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
                      p->script, near ? did_you_mean(near) : ".", p->script);
   p->script = NULL;
@@ -82,23 +82,23 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   const struct style *given = &r->options->request.style;
   struct plot *p = &w->plot;
   if (!config_setting_is_group(at))
-    return refuse_at(r, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(r, at, members, &picture, "a plot", NULL))
+    return refuse_at(r->config, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
+  if (!read_members(r->config, at, members, &picture, "a plot", NULL))
     return false;
   *p = picture.plot;
   if (!p->file || !plot_kind(p->file))
-    return refuse_at(r, at, "a plot needs a file that ends in .svg, .png or .pdf");
+    return refuse_at(r->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
   w->has_plot = !given->has_format || given->format == FORMAT_TSV; /* of what the command line asks for there is none */
   if (w->has_plot && (!w->file || w->format != FORMAT_TSV))
-    return refuse_at(r, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
+    return refuse_at(r->config, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
   if (!p->x || !p->y[0])
-    return refuse_at(r, at, "a plot without a script of its own needs x and y, columns of the table");
+    return refuse_at(r->config, at, "a plot without a script of its own needs x and y, columns of the table");
   for (int i = -1; i < picture.ys && w->columns > 0; i++) { /* else they are a command's own: it will show */
     const char *name = i < 0 ? p->x : p->y[i];
     if (!has_column(w, name))
-      return refuse_at(r, at, "the table has no column %s", name);
+      return refuse_at(r->config, at, "the table has no column %s", name);
   }
   return true;
 }
@@ -158,7 +158,7 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
   while (k < KINDS && strcmp(what, names[k]) != 0)
     k++;
   if (k == KINDS)
-    refuse_at(r, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names),
+    refuse_at(r->config, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names),
               did_you_mean(nearest(what, names)));
   return k;
 }
@@ -167,17 +167,17 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
 static bool check_accuracy(const struct reading *r, const config_setting_t *at, struct scene_want *w, long most_digits)
 {
   if (!(w->accuracy >= 1e-300) || !(w->accuracy < 1))
-    return refuse_at(r, config_setting_get_member(at, "accuracy"),
+    return refuse_at(r->config, config_setting_get_member(at, "accuracy"),
                      "accuracy is a part of the exact value, between 1e-300 and 1");
   if (w->reference == REFERENCE_EXACT && w->accuracy < OF_DOUBLES)
-    return refuse_at(r, config_setting_get_member(at, "reference"),
+    return refuse_at(r->config, config_setting_get_member(at, "reference"),
                      "the exact solver works in doubles, whose errors are told down to 1e-10; accuracy = %g needs "
                      "reference = \"certified\"",
                      w->accuracy);
   if (r->options->request.style.digits > 0)
     w->digits = r->options->request.style.digits;
   return w->digits <= most_digits
-         || refuse_at(r, at, "%ld digits: in this table a whole number from 1 to %ld", w->digits, most_digits);
+         || refuse_at(r->config, at, "%ld digits: in this table a whole number from 1 to %ld", w->digits, most_digits);
 }
 
 /* More digits than a double has are digits of something certified. */
@@ -188,7 +188,7 @@ static bool check_digits(const struct reading *r, const config_setting_t *at, co
     has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
   return has
          || refuse_at(
-             r, config_setting_get_member(at, "digits"),
+             r->config, config_setting_get_member(at, "digits"),
              "%ld digits are more than a double has, and no column is certified: certified.displacement is, for one",
              w->digits);
 }
@@ -198,13 +198,13 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
 {
   const config_setting_t *until = config_setting_get_member(at, "until");
   bool onset = false;
-  if (!read_members(r, at, members, w, "a want", w->what) || !check_accuracy(r, at, w, most_digits)
+  if (!read_members(r->config, at, members, w, "a want", w->what) || !check_accuracy(r, at, w, most_digits)
       || (until && !read_end(r, until, &w->until, &onset)))
     return false;
   if (w->kind == WANT_ORDERS && !read_orders(r, at, w))
     return false;
   if (w->named > 0 && w->series > 0)
-    return refuse_at(r, config_setting_get_member(at, "of"),
+    return refuse_at(r->config, config_setting_get_member(at, "of"),
                      "of and columns exclude each other: columns may name series and what is said of them");
   return (w->named > 0 ? add_columns(r, config_setting_get_member(at, "columns"), w, w->name) : usual_columns(r, at, w))
          && check_digits(r, at, w);
@@ -213,7 +213,7 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
 static bool put_into(const struct reading *r, const char **file)
 {
   if (r->options->folder && **file != '/')
-    *file = keep(r, "%s/%s", r->options->folder, *file);
+    *file = keep(r->config, "%s/%s", r->options->folder, *file);
   return *file != NULL;
 }
 
@@ -228,7 +228,7 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
   if (o->request.style.has_format)
     w->format = o->request.style.format;
   if (w->file && plot_kind(w->file))
-    return refuse_at(r, config_setting_get_member(at, "file"),
+    return refuse_at(r->config, config_setting_get_member(at, "file"),
                      "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
                      w->file);
   if (plot && !read_plot(r, plot, w))
@@ -255,13 +255,13 @@ static bool read_want(const struct reading *r, const config_setting_t *at)
                             .tolerance = 0.1 };
   w->column = calloc(SCENE_COLUMNS, sizeof *w->column);
   if (!w->column)
-    return refuse_at(r, at, "out of memory");
+    return refuse_at(r->config, at, "out of memory");
   if (!config_setting_is_group(at))
-    return refuse_at(r, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
+    return refuse_at(r->config, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
   const config_setting_t *what = config_setting_get_member(at, "what");
   if (!what)
-    return refuse_at(r, at, "what is wanted? what = \"steady\", for one");
-  if (!read_member(r, what, &members[0], w))
+    return refuse_at(r->config, at, "what is wanted? what = \"steady\", for one");
+  if (!read_member(r->config, what, &members[0], w))
     return false;
   int kind = find_kind(r, at, w->what);
   if (kind == KINDS)
@@ -275,9 +275,9 @@ bool read_wants(const struct reading *r, const config_setting_t *want)
 {
   int count = want ? element_count(want) : 0;
   if (count == 0)
-    return refuse_at(r, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
+    return refuse_at(r->config, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
   if (count > SCENE_WANTS)
-    return refuse_at(r, want, "%d wants: %d at most", count, SCENE_WANTS);
+    return refuse_at(r->config, want, "%d wants: %d at most", count, SCENE_WANTS);
   for (int i = 0; i < count; i++)
     if (!read_want(r, element_at(want, i)))
       return false;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/book/book.h"
 #include "compare/workprec/setting.h"
 
 static int place(const struct scallop_formula *formula)
@@ -45,7 +46,8 @@ static void release_balls(void *memory)
 /* The paper's formulas */
 static enum scallop_status solve_published(struct setting *s, struct setting_answer *answer)
 {
-  answer->value[place(s->formula)] = s->formula->steady(&s->reference->crawler);
+  const struct motion m = { OF_STEADY, s->reference->crawler, SCALLOP_EXTENSION, NAN };
+  answer->value[place(s->formula)] = published_value(s->formula, &m, NULL);
   return SCALLOP_OK;
 }
 
@@ -78,9 +80,14 @@ static enum scallop_turns turns_in_limit(const struct reference *reference)
 static void add_formulas(struct settings *settings, const struct reference *reference)
 {
   enum scallop_turns turns = turns_in_limit(reference);
-  for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    if (f->setting == SCALLOP_STEADY)
-      settings_add(settings, reference, "published", METHOD_FORMULA, solve_published, "%s", f->equation)->formula = f;
+  const struct scallop_formula *published;
+  for (int i = 0; (published = listed_formula(i)); i++)
+    if (published->quantity == SCALLOP_STEADY_VELOCITY || published->quantity == SCALLOP_STEADY_DISPLACEMENT) {
+      bool of_book = book_formula(i) != NULL;
+      settings_add(settings, reference, of_book ? "book" : "published", METHOD_FORMULA, solve_published, "%s",
+                   of_book ? published->name : published->equation)
+          ->formula = published;
+    }
   for (const struct scallop_formula *f = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && f->name; f++)
     if (f->turns == turns) {
       struct setting *s = settings_add(settings, reference, "corrected", METHOD_FORMULA, solve_corrected,

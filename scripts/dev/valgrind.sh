@@ -1,6 +1,7 @@
 #!/bin/sh
 # Memory errors and leaks, found by valgrind's memcheck: scripts/dev/valgrind.sh BUILD PROGRAM... The test programs and the replays of
-# the fuzz targets, and the commands below. A line for each; of one that fails, what valgrind said. Ends with "N clean, M not".
+# the fuzz targets, and the commands below, as many at a time as there are cores (JOBS=N: as N). A line for each; of one that
+# fails, what valgrind said. Ends with "N clean, M not".
 #
 # Numbers are not judged: valgrind computes long double with 64 bits, and it keeps one signal for itself, so that tests of either
 # fail. A program has to come to its end without a memory error, whatever its own verdicts are. Random cases are thinned out
@@ -9,9 +10,6 @@ set -u
 build=$1
 shift
 logs=$build/valgrind
-clean=0 dirty=0
-rm -rf "$logs"
-mkdir -p "$logs"
 export OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive SCALLOP_TEST_THIN="${SCALLOP_TEST_THIN:-20}"
 
 memcheck() { # NAME COMMAND...: its exit code
@@ -28,7 +26,7 @@ ended() { # NAME CODE WANTED
     *) [ "$2" = "$3" ] ;;
   esac
 }
-judge() { # CODE NAME COMMAND...
+judge() { # CODE NAME COMMAND...: a line, and how it ended as the exit code
   wanted=$1 name=$2 begun=$(date +%s)
   shift 2
   memcheck "$name" "$@"
@@ -39,29 +37,34 @@ judge() { # CODE NAME COMMAND...
     code=$?
   fi
   if [ -n "$(cat "$logs/$name".*.log)" ] || [ $code = 99 ]; then
-    dirty=$((dirty + 1))
     echo "FAIL $name: $*"
     cat "$logs/$name".*.log
   elif ! ended "$name" $code "$wanted"; then
-    dirty=$((dirty + 1))
     echo "FAIL $name: exit code $code before its end: $*"
     tail -n 3 "$logs/$name.out"
   else
-    clean=$((clean + 1))
     echo "ok   $name ($(($(date +%s) - begun)) s)"
   fi
 }
+if [ "${1-}" = --judge ]; then # CODE NAME COMMAND..., from xargs below
+  shift
+  judge "$@"
+  exit 0
+fi
 
-for program in "$@"; do
-  name=$(basename "$program")
-  case $name in
-    # Minutes each; the commands below and the programs beside them take the same ways
-    test_bounds | test_certified | test_claims | test_claims_words | test_derived | test_digits) ;;
-    fuzz_*) judge 0 "$name" "$program" tests/corpus/"${name#fuzz_}"/* ;;
-    *) judge 0 "$name" "$program" ;;
-  esac
-done
-
+rm -rf "$logs"
+mkdir -p "$logs"
+programs() { # PROGRAM...: a line for each, as judge() takes it
+  for program in "$@"; do
+    name=$(basename "$program")
+    case $name in
+      # Minutes each; the commands below and the programs beside them take the same ways
+      test_bounds | test_certified | test_claims | test_claims_words | test_derived | test_digits) ;;
+      fuzz_*) echo 0 "$name" "$program" tests/corpus/"${name#fuzz_}"/* ;;
+      *) echo 0 "$name" "$program" ;;
+    esac
+  done
+}
 printf 'h err\n1 0.5\n0.5 0.12\n0.25 0.0301\n0.125 0.0075\n0.0625 0.00187\n' >"$logs/order.txt"
 printf 'T\tgait\tF1\n1\tquadratic\t4\n0.5\tsinusoidal\t3\n-1\tquadratic\t4\n' >"$logs/bad.tsv"
 commands() { # of each the program, its exit code and its arguments
@@ -94,13 +97,12 @@ scallop-flint 0 claims --quiet
 scallop-flint 0 workprec --quick --limit 0.01
 END
 }
-commands >"$logs/commands"
-number=0
-while read -r program code arguments; do
-  number=$((number + 1))
-  [ -x "$build/$program" ] || continue
-  # shellcheck disable=SC2086
-  judge "$code" "$number-${arguments%% *}" "$build/$program" $arguments
-done <"$logs/commands"
+{
+  programs "$@"
+  commands | grep -n '' | while IFS=': ' read -r number program code arguments; do
+    [ ! -x "$build/$program" ] || echo "$code $number-${arguments%% *} $build/$program $arguments"
+  done
+} | xargs -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -L 1 sh scripts/dev/valgrind.sh "$build" --judge | tee "$logs/said"
+clean=$(grep -c '^ok ' "$logs/said") dirty=$(grep -c '^FAIL ' "$logs/said")
 echo "$clean clean, $dirty not"
-[ $dirty = 0 ]
+[ "$dirty" = 0 ]

@@ -411,10 +411,6 @@ def published(name, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="q
         crawler = c.Crawler(*numbers, address)
         if library.scallop_crawler_check(crawler, None) < 0 or not math.isfinite(start):
             _complain(columns, shape, len(values))
-        if formula.setting == c.STEADY:
-            values.append(formula.steady(crawler))
-        else:
-            point = library.scallop_phase_point(crawler, kind, 0 if formula.setting == c.AT_REST_START else start)
-            point.t1, point.dT, point.x_switch = first, last, place
-            values.append(formula.phase(point))
+        start = 0 if formula.setting == c.AT_REST_START else start
+        values.append(library.scallop_published_value(formula, crawler, kind, start, first, last, place))
     return numpy.array(values, float).reshape(shape)[()]

@@ -39,11 +39,8 @@ Phases = _structure("scallop_phases", (_pointer, " ".join(PHASE_NUMBERS)), (_poi
 SAMPLE = ("t", "x1", "x2", "xC", "v1", "v2", "l")  # struct scallop_sample, doubles
 Sampler = ctypes.CFUNCTYPE(ctypes.c_bool, _pointer, _pointer)
 # asymptotics/asymptotics.h
-PhasePoint = _structure("scallop_phase_point", (_double, "m1 m2 F1 F2 T l0 lT l_start l_end v0 t1 dT x_switch"))
-PhaseFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(PhasePoint))
-SteadyFormula = ctypes.CFUNCTYPE(_double, ctypes.POINTER(Crawler))
 Formula = _structure("scallop_formula", (_text, "name equation"), (_int, "setting quantity remainder"),
-                     (PhaseFormula, "phase"), (SteadyFormula, "steady"), (_text, "text corrected"), (_int, "turns"))
+                     (_text, "text"), (_pointer, "parts when"), (_text, "corrected"), (_int, "turns"))
 
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),
@@ -56,7 +53,7 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
     "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
-    "scallop_phase_point": (PhasePoint, ctypes.POINTER(Crawler), _int, _double),
+    "scallop_published_value": (_double, ctypes.POINTER(Formula), ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
 }
 
 

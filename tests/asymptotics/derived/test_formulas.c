@@ -1,10 +1,11 @@
-/* The texts of the formulas: against the functions of the same names, against a second reader of formulas, and coefficient
+/* The texts of the formulas: in double and as series, against a second reader of formulas, and coefficient
  * by coefficient against the derived expansions. */
 #include <ctype.h>
 #include <float.h>
 #include <stdlib.h>
 
 #include "asymptotics/derived/evaluate.h"
+#include "model/gaits.h"
 #include "tests/support/exact.h"
 
 SCOPED_KIND(scallop_symbols, struct scallop_symbols)
@@ -20,15 +21,17 @@ struct sized {
 
 struct reader {
   const char *at;
+  const struct scallop_formula *formula;
   const struct scallop_symbols *symbols;
   bool exchanged;
 };
 
-static const char *const names[SYMBOLS] = { "m1", "m2", "F1", "F2",      "M",     "L",  "L_kin", "alpha", "T",       "l0",
-                                            "lT", "k0", "kT", "l_start", "l_end", "v0", "t1",    "dT",    "x_switch" };
-static const char *const exchanged_names[SYMBOLS] = { "m2",      "m1", "F2", "F1", "M",       "L",  "L_kin",
-                                                      "alpha",   "T",  "l0", "lT", "k0",      "kT", "l_end",
-                                                      "l_start", "v0", "t1", "dT", "x_switch" };
+static const char *const names[SCALLOP_SYMBOLS] = { "m1",    "m2", "F1", "F2", "M",       "L",  "L_kin",
+                                                    "alpha", "T",  "l0", "lT", "k0",      "kT", "l_start",
+                                                    "l_end", "v0", "t1", "dT", "x_switch" };
+static const char *const exchanged_names[SCALLOP_SYMBOLS] = { "m2",      "m1", "F2", "F1", "M",       "L",  "L_kin",
+                                                              "alpha",   "T",  "l0", "lT", "k0",      "kT", "l_end",
+                                                              "l_start", "v0", "t1", "dT", "x_switch" };
 
 static struct sized sum(struct reader *r);
 
@@ -51,7 +54,7 @@ static struct sized atom(struct reader *r)
   while (isalnum((unsigned char)r->at[length]) || r->at[length] == '_')
     length++;
   SCOPED(arb, ball);
-  for (int i = 0; i < SYMBOLS; i++) {
+  for (int i = 0; i < SCALLOP_SYMBOLS; i++) {
     const char *name = (r->exchanged ? exchanged_names : names)[i];
     if (strlen(name) != length || memcmp(name, r->at, length) != 0)
       continue;
@@ -60,6 +63,12 @@ static struct sized atom(struct reader *r)
     result.value = turns ? -middle(ball) : middle(ball);
     result.size = fabs(result.value);
   }
+  for (const struct scallop_part *part = r->formula->parts; part && part->name; part++)
+    if (strlen(part->name) == length && memcmp(part->name, r->at, length) == 0) {
+      struct reader inner = *r;
+      inner.at = part->text;
+      result = sum(&inner);
+    }
   r->at += length;
   return result;
 }
@@ -117,10 +126,11 @@ static bool of_extension(const struct scallop_formula *f)
 static void check_value(const struct scallop_formula *f, const struct scallop_symbols *s, enum scallop_phase_kind kind,
                         double function)
 {
-  struct reader r = { f->text, s, of_extension(f) && kind == SCALLOP_CONTRACTION };
+  struct reader r = { f->text, f, s, of_extension(f) && kind == SCALLOP_CONTRACTION };
   SCOPED(series, value);
   SCOPED(arb, ball);
-  assert_true(scallop_formula_expand(&value, f, s, kind, &ring));
+  char message[FORMULA_MESSAGE];
+  assert_null(scallop_formula_expand(&value, f, s, kind, &ring, message));
   assert_int_equal(next_nonzero(&value, 1, LENGTH), LENGTH);
   series_coefficient(ball, &value, 0, PRECISION);
   struct sized again = sum(&r);
@@ -141,25 +151,22 @@ static void set_symbol(struct scallop_symbols *s, enum scallop_symbol symbol, do
 static void check_phase_texts(const struct scallop_crawler *c, struct scallop_symbols *s, enum scallop_phase_kind kind,
                               struct random *r)
 {
-  struct scallop_phase_point p = scallop_phase_point(c, kind, random_between(r, -3, 3));
+  static const enum scallop_symbol given[] = { SCALLOP_SYMBOL_t1, SCALLOP_SYMBOL_dT, SCALLOP_SYMBOL_x_switch };
+  double start = random_between(r, -3, 3), T = scallop_phase_duration(c, kind);
+  double times[] = { T * random_between(r, 0, 0.5), T * random_between(r, 0, 0.5), random_between(r, -9, 9) };
   SCOPED(fmpq, v0);
   SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
-  scallop_rational_set_double(v0, p.v0);
-  p.t1 = p.T * random_between(r, 0, 0.5);
-  p.dT = p.T * random_between(r, 0, 0.5);
-  p.x_switch = random_between(r, -9, 9);
+  scallop_rational_set_double(v0, start);
   scallop_symbols_set(s, &exact, kind, v0, NULL, &ring);
-  set_symbol(s, SYMBOL_T, p.T);
-  set_symbol(s, SYMBOL_t1, p.t1);
-  set_symbol(s, SYMBOL_dT, p.dT);
-  set_symbol(s, SYMBOL_x_switch, p.x_switch);
-  struct scallop_phase_point x = scallop_exchanged(&p);
-  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
+  set_symbol(s, SCALLOP_SYMBOL_T, T);
+  for (int i = 0; i < 3; i++)
+    set_symbol(s, given[i], times[i]);
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++)
-      if (f->phase && (of_extension(f) || kind == SCALLOP_CONTRACTION))
-        check_value(f, s, kind, f->phase(of_extension(f) && kind == SCALLOP_CONTRACTION ? &x : &p));
+      if (f->setting != SCALLOP_STEADY && (of_extension(f) || kind == SCALLOP_CONTRACTION))
+        check_value(f, s, kind, scallop_published_value(f, c, kind, start, times[0], times[1], times[2]));
 }
 
 static void check_steady_texts(const struct scallop_crawler *c, struct scallop_symbols *s)
@@ -167,13 +174,41 @@ static void check_steady_texts(const struct scallop_crawler *c, struct scallop_s
   SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   scallop_symbols_set(s, &exact, SCALLOP_EXTENSION, NULL, NULL, &ring);
-  set_symbol(s, SYMBOL_T, c->T);
-  for (const struct scallop_formula *f = scallop_published; f->name; f++)
-    if (f->steady)
-      check_value(f, s, SCALLOP_EXTENSION, f->steady(c));
+  set_symbol(s, SCALLOP_SYMBOL_T, c->T);
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++)
+      if (f->setting == SCALLOP_STEADY)
+        check_value(f, s, SCALLOP_EXTENSION, scallop_published_value(f, c, SCALLOP_EXTENSION, NAN, NAN, NAN, NAN));
 }
 
-TEST(texts_are_the_functions)
+/* k0 and kT in double, of laws of each kind */
+TEST(fourth_derivatives)
+{
+  struct scallop_polynomial made[2];
+  const char *why;
+  const struct scallop_gait *gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait, &made[0].gait,
+                                         &made[1].gait };
+  assert_int_equal(scallop_make_polynomial(&made[0], "a", (double[]){ 0, 0, 3, -2 }, 3, &why), SCALLOP_OK);
+  assert_int_equal(scallop_make_polynomial(&made[1], "b", (double[]){ 0, 0, 0, 10, -15, 6 }, 5, &why), SCALLOP_OK);
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_symbols, s);
+  SCOPED(arb, k);
+  fmpq_set_si(exact.L, 1, 1);
+  for (size_t i = 0; i < 2 * sizeof gaits / sizeof *gaits; i++)
+    for (int end = 0; end < 2; end++) {
+      enum scallop_phase_kind kind = i % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+      exact.gait = gaits[i / 2];
+      scallop_symbols_set(&s, &exact, kind, NULL, NULL, &ring);
+      series_coefficient(k, &s.value[end ? SCALLOP_SYMBOL_kT : SCALLOP_SYMBOL_k0], 0, 128);
+      double wanted = arf_get_d(arb_midref(k), ARF_RND_NEAR);
+      CHECK_NEAR(scallop_fourth_derivative(&exact.gait->phase[kind], end), wanted, 8 * DBL_EPSILON * (fabs(wanted) + 1));
+    }
+  const struct scallop_piece lawless = { .end = 1, .direction = 1 };
+  CHECK_EQUAL(scallop_fourth_derivative(&(struct scallop_shape){ .pieces = &lawless, .count = 1 }, true), NAN);
+}
+
+TEST(a_text_is_the_same_number_in_double_and_as_a_series)
 {
   static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
   struct random r = { 20260851 };
@@ -186,30 +221,20 @@ TEST(texts_are_the_functions)
   }
 }
 
-static const struct scallop_formula *corrected_named(const char *name)
-{
-  const struct scallop_formula *f = scallop_corrected;
-  while (f->name && strcmp(f->name, name) != 0)
-    f++;
-  return f->name ? f : NULL;
-}
-
 /* What corrects a formula gives the same quantity, and no less of it. */
 TEST(corrected_ones_exist)
 {
-  const struct scallop_formula *const lists[] = { scallop_equal_forces, scallop_published };
-  for (int i = 0; i < 2; i++)
-    for (const struct scallop_formula *f = lists[i]; f->name; f++) {
-      if (!f->corrected)
-        continue;
-      const struct scallop_formula *right = corrected_named(f->corrected);
-      assert_non_null(right);
-      assert_int_equal(right->quantity, f->quantity);
-      assert_true(right->remainder >= f->remainder);
-      assert_true(right->setting == f->setting
-                  || (f->setting == SCALLOP_MOVING_CONTRACTION && right->setting == SCALLOP_MOVING_EXTENSION));
-      assert_non_null(strstr(right->equation, f->equation));
-    }
+  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
+    if (!f->corrected)
+      continue;
+    const struct scallop_formula *right = scallop_formula_named(f->corrected);
+    assert_non_null(right);
+    assert_int_equal(right->quantity, f->quantity);
+    assert_true(right->remainder >= f->remainder);
+    assert_true(right->setting == f->setting
+                || (f->setting == SCALLOP_MOVING_CONTRACTION && right->setting == SCALLOP_MOVING_EXTENSION));
+    assert_non_null(strstr(right->equation, f->equation));
+  }
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
-    assert_true(f->text && !f->corrected && !f->phase && !f->steady);
+    assert_true(f->text && !f->corrected);
 }

@@ -1,4 +1,4 @@
-/* The text of a scene, before libconfig 1.5 reads it, which takes a whole number beyond 32 bits for another one, and ends the program
+/* The text of a file, before libconfig 1.5 reads it, which takes a whole number beyond 32 bits for another one, and ends the program
  * where a file to include is none. */
 #include <ctype.h>
 #include <errno.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/scenes/parts.h"
+#include "compare/config/config.h"
 #include "compare/text/shipped.h"
 
 enum { MOST_INCLUDED = 10 };
@@ -20,7 +20,7 @@ static void complain_of_file(const char *command, const char *path, int error)
 }
 
 /* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
-enum exit_code scene_text_read(const char *command, const char *path, char **text)
+enum exit_code config_text(const char *command, const char *path, char **text)
 {
   size_t room = 0;
   errno = 0;
@@ -51,16 +51,15 @@ enum exit_code scene_text_read(const char *command, const char *path, char **tex
 }
 
 struct scan {
-  const struct reading *reading;
-  const char *path; /* of this file, the scene's or one that it includes */
+  struct config *config;
+  const char *path; /* of this file, or of one that it includes */
   int depth;
   long line;
 };
 
 static bool refuse(const struct scan *s, const char *text, size_t length, const char *what)
 {
-  complain(s->reading->options->request.style.command, "%s:%ld: '%.*s': %s", s->path, s->line,
-           length < 200 ? (int)length : 200, text, what);
+  complain(s->config->command, "%s:%ld: '%.*s': %s", s->path, s->line, length < 200 ? (int)length : 200, text, what);
   return false;
 }
 
@@ -78,14 +77,13 @@ static bool scan(struct scan *s, const char *text);
 
 static bool check_included(const struct scan *s, const char *at)
 {
-  const struct reading *r = s->reading;
-  struct scene *scene = r->scene;
+  struct config *c = s->config;
   const char *open = at + strlen("@include");
   open += strspn(open, " \t");
   size_t length = *open == '"' ? strcspn(open + 1, "\"\\\n") : 0;
   if (*open != '"' || open[1 + length] != '"')
     return refuse(s, at, strcspn(at, "\n"), "@include takes the name of a file in quotes, without a backslash");
-  const char *name = keep(r, "%.*s", (int)length, open + 1), *path = name ? path_beside(r, name) : NULL;
+  const char *name = keep(c, "%.*s", (int)length, open + 1), *path = name ? path_beside(c, name) : NULL;
   struct stat there;
   char *text;
   if (!path)
@@ -94,11 +92,11 @@ static bool check_included(const struct scan *s, const char *at)
     return refuse(s, name, length, "there is no such file to include");
   if (s->depth == MOST_INCLUDED)
     return refuse(s, name, length, "files include each other more than 10 deep");
-  if (scene_text_read(r->options->request.style.command, path, &text) != EXIT_DONE)
+  if (config_text(c->command, path, &text) != EXIT_DONE)
     return false;
-  if (scene->included < SCENE_INCLUDED)
-    scene->include[scene->included++] = path;
-  struct scan inner = { r, path, s->depth + 1, 1 };
+  if (c->included < CONFIG_INCLUDED)
+    c->include[c->included++] = path;
+  struct scan inner = { c, path, s->depth + 1, 1 };
   bool good = scan(&inner, text);
   free(text);
   return good;
@@ -141,8 +139,8 @@ static bool scan(struct scan *s, const char *text)
   return good;
 }
 
-bool check_text(const struct reading *r, const char *text)
+bool config_check_text(struct config *config, const char *text)
 {
-  struct scan s = { r, r->path, 0, 1 };
+  struct scan s = { config, config->path, 0, 1 };
   return scan(&s, text);
 }

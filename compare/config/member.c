@@ -1,14 +1,15 @@
-/* Members of libconfig's groups, and messages about them: what every file that reads a part of a scene stands on. */
+/* Members of libconfig's groups, and messages about them. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/config/config.h"
+#include "compare/text/table.h"
 #include "compare/text/values.h"
-#include "compare/scenes/parts.h"
 
-bool refuse_at(const struct reading *r, const config_setting_t *at, const char *format, ...)
+bool refuse_at(const struct config *c, const config_setting_t *at, const char *format, ...)
 {
   char text[600];
   va_list arguments;
@@ -18,9 +19,9 @@ bool refuse_at(const struct reading *r, const config_setting_t *at, const char *
   const char *file = at ? config_setting_source_file(at) : NULL;
   unsigned line = at ? (unsigned)config_setting_source_line(at) : 0;
   if (line > 0)
-    complain(r->options->request.style.command, "%s:%u: %s", file ? file : r->path, line, text);
+    complain(c->command, "%s:%u: %s", file ? file : c->path, line, text);
   else
-    complain(r->options->request.style.command, "%s: %s", r->path, text);
+    complain(c->command, "%s: %s", c->path, text);
   return false;
 }
 
@@ -49,7 +50,7 @@ const config_setting_t *member_at(const config_setting_t *group, int i)
   return config_setting_get_elem(group, (unsigned)i);
 }
 
-const char *text_of(const struct reading *r, const config_setting_t *at)
+const char *text_of(struct config *c, const config_setting_t *at)
 {
   char text[NUMBER_TEXT];
   switch (config_setting_type(at)) {
@@ -59,7 +60,7 @@ const char *text_of(const struct reading *r, const config_setting_t *at)
   case CONFIG_TYPE_FLOAT: number_text(text, config_setting_get_float(at), 0); break;
   default: return NULL;
   }
-  return keep(r, "%s", text);
+  return keep(c, "%s", text);
 }
 
 const char *joined(char *text, size_t size, const char *const *names)
@@ -77,30 +78,30 @@ static const char *text_at(const config_setting_t *at)
   return text && *text != '\0' ? text : NULL;
 }
 
-static bool read_texts(const struct reading *r, const config_setting_t *at, const struct member *m, const char **texts)
+static bool read_texts(struct config *c, const config_setting_t *at, const struct member *m, const char **texts)
 {
   int count = element_count(at);
   if (count < 1)
-    return refuse_at(r, at, "%s is empty", m->name);
+    return refuse_at(c, at, "%s is empty", m->name);
   if (count > m->high)
-    return refuse_at(r, at, "%s has %d texts: %ld at most", m->name, count, m->high);
+    return refuse_at(c, at, "%s has %d texts: %ld at most", m->name, count, m->high);
   for (int i = 0; i < count; i++)
     if (!(texts[i] = text_at(element_at(at, i))))
-      return refuse_at(r, element_at(at, i), "%s takes a text in quotes, or several as [\"...\", \"...\"]", m->name);
+      return refuse_at(c, element_at(at, i), "%s takes a text in quotes, or several as [\"...\", \"...\"]", m->name);
   return true;
 }
 
-static bool read_word(const struct reading *r, const config_setting_t *at, const struct member *m, int *word)
+static bool read_word(struct config *c, const config_setting_t *at, const struct member *m, int *word)
 {
   const char *text = text_at(at);
   char allowed[200];
   for (*word = 0; text && m->words[*word]; ++*word)
     if (strcmp(text, m->words[*word]) == 0)
       return true;
-  return refuse_at(r, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
+  return refuse_at(c, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
 }
 
-bool read_member(const struct reading *r, const config_setting_t *at, const struct member *m, void *into)
+bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
 {
   void *field = (char *)into + m->field;
   const char *text = text_at(at);
@@ -108,19 +109,19 @@ bool read_member(const struct reading *r, const config_setting_t *at, const stru
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
   switch (m->kind) {
   case MEMBER_OTHER: return true;
-  case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(r, at, "%s takes a text in quotes", m->name);
-  case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(r, at, m, field);
-  case MEMBER_WORD: return read_word(r, at, m, field);
+  case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(c, at, "%s takes a text in quotes", m->name);
+  case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(c, at, m, field);
+  case MEMBER_WORD: return read_word(c, at, m, field);
   case MEMBER_FLAG:
     *(bool *)field = config_setting_get_bool(at) != 0;
-    return type == CONFIG_TYPE_BOOL || refuse_at(r, at, "%s is true or false", m->name);
+    return type == CONFIG_TYPE_BOOL || refuse_at(c, at, "%s is true or false", m->name);
   case MEMBER_COUNT:
     *(long *)field = (long)n;
     return (m->low <= n && n <= m->high)
-           || refuse_at(r, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
+           || refuse_at(c, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
   case MEMBER_NUMBER:
-    text = text_of(r, at);
-    return (text && read_number(text, field)) || refuse_at(r, at, "%s is a finite number", m->name);
+    text = text_of(c, at);
+    return (text && read_number(text, field)) || refuse_at(c, at, "%s is a finite number", m->name);
   }
   return true;
 }
@@ -132,8 +133,7 @@ const struct member *find_member(const struct member *members, const char *name)
   return members->name ? members : NULL;
 }
 
-static bool refuse_member(const struct reading *r, const config_setting_t *at, const struct member *members,
-                          const char *what)
+static bool refuse_member(struct config *c, const config_setting_t *at, const struct member *members, const char *what)
 {
   enum { MOST = 32 };
   const char *names[MOST + 1] = { NULL };
@@ -141,27 +141,27 @@ static bool refuse_member(const struct reading *r, const config_setting_t *at, c
   for (int i = 0; i < MOST && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
-  return refuse_at(r, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
+  return refuse_at(c, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
                    near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names));
 }
 
-bool read_members(const struct reading *r, const config_setting_t *group, const struct member *members, void *into,
+bool read_members(struct config *c, const config_setting_t *group, const struct member *members, void *into,
                   const char *what, const char *want)
 {
   for (int i = 0; i < config_setting_length(group); i++) {
     const config_setting_t *at = member_at(group, i);
     const struct member *m = find_member(members, config_setting_name(at));
     if (!m)
-      return refuse_member(r, at, members, what);
+      return refuse_member(c, at, members, what);
     if (m->only && !strstr(m->only, want))
-      return refuse_at(r, at, "%s is not for what = \"%s\", but for: %s", m->name, want, m->only);
-    if (!read_member(r, at, m, into))
+      return refuse_at(c, at, "%s is not for what = \"%s\", but for: %s", m->name, want, m->only);
+    if (!read_member(c, at, m, into))
       return false;
   }
   return true;
 }
 
-const char *keep(const struct reading *r, const char *format, ...)
+const char *keep(struct config *c, const char *format, ...)
 {
   va_list arguments;
   char probe[1];
@@ -170,29 +170,29 @@ const char *keep(const struct reading *r, const char *format, ...)
   va_end(arguments);
   struct kept *kept = malloc(sizeof *kept + size);
   if (!kept) {
-    refuse_at(r, NULL, "out of memory");
+    refuse_at(c, NULL, "out of memory");
     return NULL;
   }
   va_start(arguments, format);
   vsnprintf(kept->text, size, format, arguments);
   va_end(arguments);
-  kept->next = r->scene->kept;
-  r->scene->kept = kept;
+  kept->next = c->kept;
+  c->kept = kept;
   return kept->text;
 }
 
-const char *path_beside(const struct reading *r, const char *path)
+const char *path_beside(struct config *c, const char *path)
 {
-  const char *slash = strrchr(r->path, '/');
-  return *path == '/' || !slash ? path : keep(r, "%.*s%s", (int)(slash + 1 - r->path), r->path, path);
+  const char *slash = strrchr(c->path, '/');
+  return *path == '/' || !slash ? path : keep(c, "%.*s%s", (int)(slash + 1 - c->path), c->path, path);
 }
 
-const char *gait_beside(const struct reading *r, const char *gait)
+const char *gait_beside(struct config *c, const char *gait)
 {
   static const char head[] = "measured:";
   enum { HEAD = sizeof head - 1 };
   if (strncmp(gait, head, HEAD) != 0)
     return gait;
-  const char *path = path_beside(r, gait + HEAD);
-  return path ? keep(r, "%s%s", head, path) : NULL;
+  const char *path = path_beside(c, gait + HEAD);
+  return path ? keep(c, "%s%s", head, path) : NULL;
 }

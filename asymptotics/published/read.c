@@ -1,0 +1,126 @@
+/* The texts of formulas and conditions: read, and evaluated in double. */
+#include "asymptotics/published/read.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { CONDITION = 400 }; /* characters of a condition and its NUL */
+
+const struct scallop_formula *scallop_formula_named(const char *name)
+{
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++)
+      if (strcmp(f->name, name) == 0)
+        return f;
+  return NULL;
+}
+
+struct asked {
+  const struct scallop_formula *formula;
+  near_name *near_to;
+};
+
+static int place_of(void *context, const char *name)
+{
+  (void)context;
+  for (int i = 0; i < SCALLOP_SYMBOLS; i++)
+    if (strcmp(scallop_symbol_names[i], name) == 0)
+      return i;
+  return -1;
+}
+
+static const char *part_of(void *context, const char *name)
+{
+  const struct asked *asked = context;
+  for (const struct scallop_part *p = asked->formula->parts; p && p->name; p++)
+    if (strcmp(p->name, name) == 0)
+      return p->text;
+  return NULL;
+}
+
+static const char *nearest_to(void *context, const char *name)
+{
+  const struct asked *asked = context;
+  return asked->near_to ? asked->near_to(asked->formula, name) : NULL;
+}
+
+static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,
+                             near_name *near_to, char message[FORMULA_MESSAGE])
+{
+  struct asked asked = { formula, near_to };
+  const struct formula_names names = { place_of, nearest_to, part_of, &asked };
+  return formula_read(read, text, &names, message);
+}
+
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+                                 char message[FORMULA_MESSAGE])
+{
+  return read_text(read, formula->text, formula, near_to, message);
+}
+
+bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind)
+{
+  return kind == SCALLOP_CONTRACTION
+         && (formula->setting == SCALLOP_AT_REST_START || formula->setting == SCALLOP_MOVING_EXTENSION);
+}
+
+double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula, enum scallop_phase_kind kind,
+                             const struct scallop_values *values)
+{
+  struct scallop_values exchanged;
+  bool exchange = scallop_formula_is_exchanged(formula, kind);
+  if (exchange)
+    exchanged = scallop_exchanged(values);
+  return formula_double(read, exchange ? exchanged.of : values->of);
+}
+
+double scallop_published_value(const struct scallop_formula *formula, const struct scallop_crawler *crawler,
+                               enum scallop_phase_kind kind, double v0, double t1, double dT, double x_switch)
+{
+  bool steady = formula->setting == SCALLOP_STEADY;
+  struct formula read;
+  char message[FORMULA_MESSAGE];
+  struct scallop_values values = steady ? scallop_steady_values(crawler) : scallop_phase_values(crawler, kind, v0);
+  values.of[SCALLOP_SYMBOL_t1] = t1;
+  values.of[SCALLOP_SYMBOL_dT] = dT;
+  values.of[SCALLOP_SYMBOL_x_switch] = x_switch;
+  return scallop_formula_text(&read, formula, NULL, message) ? NAN : scallop_formula_value(&read, formula, kind, &values);
+}
+
+const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
+                                    const struct scallop_formula *formula, const struct scallop_values *values,
+                                    char message[FORMULA_MESSAGE])
+{
+  struct formula side;
+  char text[CONDITION];
+  size_t length = strcspn(condition, "<>=");
+  if (condition[length] == '\0' || length >= sizeof text) {
+    snprintf(message, FORMULA_MESSAGE, "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT");
+    return message;
+  }
+  *sign = condition[length];
+  memcpy(text, condition, length);
+  text[length] = '\0';
+  if (read_text(&side, text, formula, NULL, message))
+    return message;
+  *left = formula_double(&side, values->of);
+  if (read_text(&side, condition + length + 1, formula, NULL, message))
+    return message;
+  *right = formula_double(&side, values->of);
+  return NULL;
+}
+
+bool scallop_formula_is_claimed(const struct scallop_formula *formula, const struct scallop_values *values)
+{
+  char sign, message[FORMULA_MESSAGE];
+  double left, right;
+  bool claimed = true;
+  for (const char *const *when = formula->when; when && *when && claimed; when++)
+    claimed = !scallop_condition_value(&left, &sign, &right, *when, formula, values, message)
+              && (sign == '<'   ? left < right
+                  : sign == '>' ? left > right
+                                : left == right);
+  return claimed;
+}

@@ -1,0 +1,30 @@
+/* The texts of formulas, read. Not public. */
+#ifndef SCALLOP_PUBLISHED_READ_H
+#define SCALLOP_PUBLISHED_READ_H
+
+#include "asymptotics/asymptotics.h"
+#include "asymptotics/formula.h"
+
+/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to, which may be NULL: the name
+ * that an unknown one resembles, or NULL. Returns NULL, or `message` (formula_read). */
+typedef const char *near_name(const struct scallop_formula *formula, const char *name);
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+                                 char message[FORMULA_MESSAGE]);
+
+/* Is the formula, for a phase of this kind, that of the other kind, with the bodies exchanged? */
+bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind);
+
+/* The value of a formula that was read */
+double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula, enum scallop_phase_kind kind,
+                             const struct scallop_values *values);
+
+/* A condition "LEFT < RIGHT", with < > or =, in the names of the formula and its parts: the values of both sides, and *sign is the character between
+ * them. Returns NULL, or `message`. */
+const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
+                                    const struct scallop_formula *formula, const struct scallop_values *values,
+                                    char message[FORMULA_MESSAGE]);
+
+/* Do all conditions hold under which the formula is claimed? One that cannot be read does not. */
+bool scallop_formula_is_claimed(const struct scallop_formula *formula, const struct scallop_values *values);
+
+#endif

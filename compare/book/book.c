@@ -1,0 +1,83 @@
+#include "compare/book/book.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The formula at place i of a list, or NULL; of the list behind it the place is then *i */
+static const struct scallop_formula *in_list(const struct scallop_formula *list, int *i)
+{
+  for (; list->name; list++)
+    if ((*i)-- == 0)
+      return list;
+  return NULL;
+}
+
+static const struct scallop_formula *in_books(int *i)
+{
+  const struct scallop_formula *f;
+  for (int k = 0; (f = book_formula(k)); k++)
+    if ((*i)-- == 0)
+      return f;
+  return NULL;
+}
+
+const struct scallop_formula *listed_formula(int i)
+{
+  const struct scallop_formula *f = in_books(&i), *list = scallop_published;
+  for (; !f && list->name; list++)
+    if (!list->when && i-- == 0)
+      f = list;
+  return f;
+}
+
+const struct scallop_formula *formula_at(int i)
+{
+  const struct scallop_formula *f = in_books(&i);
+  f = f ? f : in_list(scallop_published, &i);
+  return f ? f : in_list(scallop_corrected, &i);
+}
+
+const struct scallop_formula *formula_named(const char *name)
+{
+  for (int i = 0; book_formula(i); i++)
+    if (strcmp(book_formula(i)->name, name) == 0)
+      return book_formula(i);
+  return scallop_formula_named(name);
+}
+
+struct kept {
+  const struct kept *next;
+  const struct scallop_formula *formula;
+  struct formula read;
+};
+static _Atomic(const struct kept *) all;
+
+const struct formula *formula_read_once(const struct scallop_formula *formula)
+{
+  char message[FORMULA_MESSAGE];
+  const struct kept *first = atomic_load(&all);
+  for (const struct kept *k = first; k; k = k->next)
+    if (k->formula == formula)
+      return &k->read;
+  struct kept *made = malloc(sizeof *made);
+  if (!made || scallop_formula_text(&made->read, formula, NULL, message)) {
+    free(made);
+    return NULL;
+  }
+  made->formula = formula;
+  made->next = first;
+  while (!atomic_compare_exchange_weak(&all, &made->next, made))
+    ;
+  return &made->read;
+}
+
+bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol)
+{
+  const struct formula *read = formula_read_once(formula);
+  int places[FORMULA_STEPS];
+  bool takes = false;
+  for (int i = read ? formula_places(read, places) : 0; i-- > 0;)
+    takes = takes || places[i] == (int)symbol;
+  return takes;
+}

@@ -1,0 +1,33 @@
+/* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the books that were read.
+ *
+ * A book is a file in libconfig's format; docs/formulas.md has its members. Books are read when options are read, before anything is
+ * computed, and stay for as long as the program runs; after that any thread may ask. */
+#ifndef SCALLOP_BOOK_H
+#define SCALLOP_BOOK_H
+
+#include "asymptotics/published/read.h"
+#include "compare/text/message.h"
+
+/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. */
+enum exit_code book_read(const char *command, const char *path);
+
+/* A formula by itself, as the texts of the members that a book would give it; NULL where it would not. name is "formula". */
+struct formula_given {
+  const char *text, *of, *start, *phase, *claimed;
+};
+enum exit_code book_add(const char *command, const struct formula_given *given);
+
+/* The formula at place i, or NULL, there are no more: of those of the books that were read; of these and those of the paper's that
+ * are claimed under no other condition than their start; of all. */
+const struct scallop_formula *book_formula(int i);
+const struct scallop_formula *listed_formula(int i);
+const struct scallop_formula *formula_at(int i);
+/* The first of this name, or NULL. */
+const struct scallop_formula *formula_named(const char *name);
+
+/* Its text, read when it is first asked for. NULL: out of memory. */
+const struct formula *formula_read_once(const struct scallop_formula *formula);
+/* Does its text, or a part of it, use the symbol? */
+bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol);
+
+#endif

@@ -1,0 +1,89 @@
+/* Files in libconfig's format, scenes and books of formulas: read whole, checked for what libconfig would misread, and taken member by member
+ * into the fields of structs. */
+#ifndef SCALLOP_CONFIG_H
+#define SCALLOP_CONFIG_H
+
+#include <libconfig.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "compare/text/message.h"
+
+enum { CONFIG_INCLUDED = 64 };
+
+/* A file, or a text, that was read */
+struct config {
+  const char *command; /* for messages */
+  const char *path;    /* likewise; "-" is standard input */
+  int included;        /* files that it includes */
+  const char *include[CONFIG_INCLUDED];
+  config_t *file;    /* libconfig's, to whose texts members point */
+  struct kept *kept; /* and other texts */
+};
+
+/* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on stderr. To be closed all the
+ * same. */
+enum exit_code config_open(struct config *config, const char *command, const char *path, const char *text);
+void config_close(struct config *config);
+const config_setting_t *config_root(const struct config *config);
+
+/* "scallop run: FILE:LINE: message" on stderr. Returns false. */
+bool refuse_at(const struct config *config, const config_setting_t *at, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+enum member_kind {
+  MEMBER_OTHER,  /* known, and read elsewhere */
+  MEMBER_TEXT,   /* const char *: not empty */
+  MEMBER_TEXTS,  /* const char *[high]: one or more */
+  MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
+  MEMBER_FLAG,   /* bool */
+  MEMBER_COUNT,  /* long: from low to high */
+  MEMBER_NUMBER, /* double: finite */
+};
+/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group has no such
+ * member. */
+struct member {
+  const char *name; /* NULL ends a list */
+  enum member_kind kind;
+  size_t field, count; /* count: of texts, the int that says how many */
+  long low, high;
+  const char *const *words;
+  const char *only; /* the kinds of wants that may have it; NULL: all */
+};
+#define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
+  { \
+    .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
+  }
+#define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
+const struct member *find_member(const struct member *members, const char *name);
+bool read_member(struct config *config, const config_setting_t *at, const struct member *member, void *into);
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the want, where it is one. */
+bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
+                  const char *what, const char *want);
+
+/* "a, b, c". Returns text. */
+const char *joined(char *text, size_t size, const char *const *names);
+bool is_ascii(const char *text); /* printable */
+const config_setting_t *member_at(const config_setting_t *group, int i);
+/* The elements of a list or an array; anything else is one. */
+int element_count(const config_setting_t *at);
+const config_setting_t *element_at(const config_setting_t *at, int i);
+/* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
+const char *text_of(struct config *config, const config_setting_t *at);
+
+struct kept { /* a text that the configuration keeps */
+  struct kept *next;
+  char text[];
+};
+/* A text for as long as the configuration is open. NULL: no memory, which is said. */
+const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as above. */
+const char *path_beside(struct config *config, const char *path);
+const char *gait_beside(struct config *config, const char *gait);
+
+/* text.c: the whole file, to be freed. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
+enum exit_code config_text(const char *command, const char *path, char **text);
+/* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are noted. */
+bool config_check_text(struct config *config, const char *text);
+
+#endif
