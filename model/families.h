@@ -19,8 +19,8 @@ extern "C" {
   ROW(quadratic, NULL) \
   ROW(sinusoidal, NULL) \
   ROW(trapezoidal, exact_trapezoidal) \
-  ROW(skewed, exact_skewed) \
-  ROW(constant, exact_constant) \
+  ROW(skewed, exact_one_ramp) \
+  ROW(constant, exact_one_ramp) \
   ROW(minimum_jerk, exact_polynomial) \
   ROW(polynomial, exact_polynomial)
 

@@ -156,9 +156,10 @@ static bool exact_trapezoidal(struct scallop_exact_gait *e, const fmpq *x, int c
   return true;
 }
 
-static bool exact_skewed(struct scallop_exact_gait *e, const fmpq *x, int count)
+/* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the rest */
+static bool exact_one_ramp(struct scallop_exact_gait *e, const fmpq *x, int count)
 {
-  set_straights(e, x, x, count / 2); /* what falls is the rest */
+  set_straights(e, x, x, count / 2);
   return true;
 }
 
@@ -195,12 +196,6 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   fmpq_clear(sum);
   fmpq_clear(at_end);
   return right;
-}
-
-static bool exact_constant(struct scallop_exact_gait *e, const fmpq *x, int count)
-{
-  set_straights(e, x, x, count / 2);
-  return true;
 }
 
 /* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are no fractions. */
