@@ -129,7 +129,7 @@ for row in rows:
     if scallop.formulas()[row["formula"]][0] != row["equation"]:
         bad(row["formula"], "has another equation")
     found += 1
-if found < 35 or {row["formula"] for row in rows} != set(scallop.formulas()):
+if found < 35 or {row["formula"] for row in rows} != {name for name in scallop.formulas() if not name.startswith("equal_")}:  # for F1 = F2
     bad(found, "formulas")
 if scallop.published("A_x1_end_from_dT_short", 2.5, dT=0.1, x_switch=[1, 2]).shape != (2,):
     bad("given values do not broadcast")
