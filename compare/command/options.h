@@ -95,7 +95,9 @@ struct option_rule {
   OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
               request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
-#define OPTION_FORMAT(otherwise) OPTION("format", "F", "tsv or json, one object a line", otherwise, .kind = &format_option)
+#define OPTION_FORMAT(otherwise) \
+  OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
+         .kind = &format_option)
 #define OPTION_DIGITS(range, otherwise, high) \
   OPTION("digits", "N", "significant digits " range, otherwise, .kind = &digits_option, .most = high, .allowed = range)
 #define READ_BACK "as many as read back exactly"

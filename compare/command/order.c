@@ -235,7 +235,7 @@ static void write_summary_row(struct table *table, const struct series *s, const
 
 static void write_summary(struct table *table, const struct list *list, const struct order_options *o)
 {
-  bool named = list->count > 1, json = o->request.style.format != FORMAT_TSV;
+  bool named = list->count > 1, json = table->format == FORMAT_JSON;
   table->count = 0;
   table_columns(table, named ? series_column : series_column + 1);
   table_columns(table, summary_columns);

@@ -177,7 +177,7 @@ finish "--v0, --start, --expect, --tol: values that are not allowed"
 for value in foo Quadratic quad '' 1; do
   refuse 2 "--gait: '$value'.*quadratic, sinusoidal" steady --gait "$value"
   refuse 2 "--phase: '$value'.*extension or contraction" phase --phase "$value"
-  refuse 2 "--format: '$value'.*tsv or json" steady --format "$value"
+  refuse 2 "--format: '$value'.*tsv, json, csv, markdown or table" steady --format "$value"
 done
 finish "--gait, --phase, --format: unknown words"
 for name in periods samples; do

@@ -248,18 +248,18 @@ TEST(long_double_rounded_to_double)
 }
 #endif
 
-/* One phase, or a period, in double; the largest of the numbers in *size */
+/* One phase, or a period, in double; the largest of the numbers in *size; nan: there are none */
 static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
 {
   struct scallop_phase_result phase;
   struct scallop_period_result period;
   if (whole) {
     enum scallop_status status = scallop_period(c, v0, &period);
-    *size = fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
+    *size = status < 0 ? NAN : fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
     return status;
   }
   enum scallop_status status = scallop_phase(c, SCALLOP_EXTENSION, v0, &phase);
-  *size = fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
+  *size = status < 0 ? NAN : fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
   return status;
 }
 
