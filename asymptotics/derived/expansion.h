@@ -1,9 +1,9 @@
 /* What is derived and proven about the series of a motion, coefficient by coefficient; and formulas in balls. Needs FLINT.
  *
  * At fixed crawler and start velocity, a quantity of a motion is a series in T: of one phase in powers of the duration of the phase, of the
- * steady state in powers of the period. Each coefficient comes from the equations of motion alone, to any order: an exact fraction where the
- * gait has rational coefficients (quadratic and polynomial ones, not the sinusoidal one), a ball that encloses it elsewhere. docs/theory.md has
- * the derivation.
+ * steady state in powers of the period. Each coefficient comes from the equations of motion alone, to any order. It is an exact fraction where
+ * the gait has rational coefficients (scallop_gait_is_rational: the quadratic one has, the sinusoidal one has not), and a ball that encloses it
+ * elsewhere; SCALLOP_STEADY_FRICTION_WORK is always in balls. docs/theory.md has the derivation.
  *
  *     struct scallop_series *series;
  *     fmpq_t coefficient;
