@@ -17,6 +17,7 @@
  *     + - *         rounded                    enclosed                        exact while both operands are, else enclosed
  *     /             rounded                    enclosed                        refused if the divisor may be 0
  *     x^y           below                      enclosed                        y whole, |y| <= FORMULA_SERIES_POWER, else refused
+ *                                                                              and coefficients beyond FORMULA_SERIES_BITS
  *     functions     the C library's            enclosed                        refused
  *     off a domain  nan or an infinity         nan (not finite)                refused, as under / and x^y
  *

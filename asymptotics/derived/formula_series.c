@@ -45,6 +45,14 @@ static bool get_power(long *power, const struct series *s)
   return got;
 }
 
+/* Bits of the largest exact coefficient; balls have as many as the ring */
+static slong bits_of(const struct series *s)
+{
+  const fmpq_poly_struct *p = s->rational;
+  slong bits = s->exact ? _fmpz_vec_max_bits(p->coeffs, p->length) : 0;
+  return s->exact ? labs(bits) + (slong)fmpz_bits(fmpq_poly_denref(p)) : 0;
+}
+
 /* value becomes value^exponent */
 static const char *set_power(struct series *value, const struct series *exponent, const struct formula_step *s,
                              const struct ring *ring, char message[FORMULA_MESSAGE])
@@ -52,6 +60,8 @@ static const char *set_power(struct series *value, const struct series *exponent
   long power;
   if (!get_power(&power, exponent))
     return refuse(message, s, "takes a whole number from -64 to 64 as the power of a series");
+  if (bits_of(value) * labs(power) > FORMULA_SERIES_BITS)
+    return refuse(message, s, "makes a number of more than 300000 digits");
   struct series base, one;
   series_init(&base);
   series_init(&one);

@@ -130,6 +130,8 @@ TEST(what_a_series_cannot_do)
     { "x^half", "character 2: ^ takes a whole number from -64 to 64 as the power of a series" },
     { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
     { "three + none^-2", "character 13: ^ divides by what may be 0" },
+    { "(((2^64)^64)^63)^5", "character 17: ^ makes a number of more than 300000 digits" },
+    { "(((x/2^64)^64)^63)^-5", "character 19: ^ makes a number of more than 300000 digits" },
   };
   SCOPED(series, value);
   for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
@@ -137,6 +139,9 @@ TEST(what_a_series_cannot_do)
     assert_non_null(wrong);
     assert_string_equal(wrong, refusals[i][1]);
   }
+  SCOPED(fmpq, number);
+  assert_true(evaluate(&value, "(((2^64)^64)^63)^4") && series_rational_coefficient(number, &value, 0));
+  assert_true(fmpz_bits(fmpq_numref(number)) == 1 + 64 * 64 * 63 * 4 && fmpz_is_one(fmpq_denref(number)));
 }
 
 /* pi is enclosed, to the precision of the ring. */
