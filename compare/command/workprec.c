@@ -55,8 +55,8 @@ const struct command command_workprec = {
       "start velocity. certified: ball arithmetic. Known coefficients, batch and one period answer other questions than\n"
       "the rest: for them pareto is '-', and --summary passes over them.\n"
       "The rivals, each simulated from rest until its periods repeat, and as the root of its period map: gsl rkf45, rk8pd,\n"
-      "msadams and SUNDIALS cvode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff steppers;\n"
-      "moreau: time stepping, which steps over events.\n"
+      "msadams, SUNDIALS cvode and arkode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff\n"
+      "steppers; moreau: time stepping, which steps over events.\n"
       "--summary: for each wanted error that a setting reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
       "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact).",
