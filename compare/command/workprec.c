@@ -39,6 +39,7 @@ const struct command command_workprec = {
   .about =
       "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
       "displacement (of the geometric centre over a period). \n"
+      "kind: formula, exact, root or simulation (both of rivals), or other, which answers another question than the rest.\n"
       "error: |answer - certified| / |certified|; over L/T and L where the certified value is 0; of a certified answer\n"
       "the far end of its ball. Parameters are the doubles nearest to what is written, for every method.\n"
       "time: seconds for one solve: median, minimum and quartiles over the repetitions. Methods take turns; fast ones are\n"
