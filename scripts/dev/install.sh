@@ -24,8 +24,8 @@ fi
 # shellcheck disable=SC2086
 "$INSTALL" $programs "$DESTDIR$bindir"
 for name in scallop-core scallop; do
-  put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$version"
-  ln -sf "lib$name.so.$version" "$DESTDIR$libdir/lib$name.so.$abi"
+  put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$abi.$version"
+  ln -sf "lib$name.so.$abi.$version" "$DESTDIR$libdir/lib$name.so.$abi"
   ln -sf "lib$name.so.$abi" "$DESTDIR$libdir/lib$name.so"
   put "$pkgconfigdir" "$build/$name.pc"
   sed -i -e "s|@PREFIX@|$PREFIX|" -e "s|@libdir@|$libdir|" -e "s|@includedir@|$includedir|" "$DESTDIR$pkgconfigdir/$name.pc"

@@ -13,7 +13,7 @@ copied.
 A parameter outside its domain is a ValueError that names the first bad row; nothing is returned then. A row that is
 well posed and has no answer in doubles is nan, and its status says why.
 
-The library, libscallop.so.0 or libscallop-core.so.0 (which has no threads), is looked for at the first call, in this
+The library, libscallop.so.1 or libscallop-core.so.1 (which has no threads), is looked for at the first call, in this
 order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file
 (installed: the folder where `make install` has put the libraries), and where the system's loader looks. This module is
 written for version 0 of the binary interface, the number after .so, and refuses libraries of another one.
@@ -34,8 +34,8 @@ import numpy
 import scallop_library as c
 from scallop_library import load
 
-__all__ = ["Gait", "Phase", "Steady", "Trajectory", "constant", "formulas", "gait_of", "gaits", "load", "minimum_jerk", "phase",
-           "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
+__all__ = ["Gait", "Phase", "Steady", "Trajectory", "constant", "formulas", "gait_of", "gaits", "Intervals", "intervals", "load",
+           "minimum_jerk", "phase", "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
 
 KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
 
@@ -375,6 +375,31 @@ def trajectory(v0=0, periods=1, samples=100, m1=1, m2=1, F1=4, F2=1, L=10, T=1, 
         _complain(columns, shape, 0)
         raise ArithmeticError(c.library().scallop_status_text(status).decode())
     return Trajectory(*numpy.ascontiguousarray(table.T))
+
+
+Intervals = collections.namedtuple("Intervals", (*c.SPAN, "s1", "s2"))
+
+
+def intervals(phase, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic"):
+    """The intervals of one phase of one crawler in which the mode does not change: an Intervals of arrays, in the order of
+    time. t_begin and t_end count from the start of the phase, duration is t_end - t_begin unrounded; v1_begin, ... are velocities of the bodies just after the
+    beginning and just before the end, dx1 and dx2 their displacements, s1 and s2 whether each slides backward (-1),
+    is stuck (0) or slides forward (1). Parameters as for phase(), but numbers. ArithmeticError: it cannot be computed."""
+    columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)
+    if shape:
+        raise ValueError("intervals are those of one crawler: its parameters are numbers")
+    crawler, values = _crawler(columns, 0)
+    kind, rows = _kind(phase), []
+
+    def keep(_, interval):
+        span = c.library().scallop_interval_span(interval, ctypes.byref(crawler), kind)
+        rows.append([getattr(span, name) for name in c.SPAN] + [span.mode.s1, span.mode.s2])
+
+    status = c.library().scallop_phase_intervals(ctypes.byref(crawler), kind, values["v0"], c.Visitor(keep), None)
+    if status < 0:
+        _complain(columns, shape, 0)
+        raise ArithmeticError(c.library().scallop_status_text(status).decode())
+    return Intervals(*numpy.array(rows).T)
 
 
 def _published():

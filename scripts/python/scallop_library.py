@@ -4,7 +4,7 @@ import ctypes
 import os
 import re
 
-ABI_VERSION = 0
+ABI_VERSION = 1
 BESIDE = "../../build"  # the folder of the library, from that of this file; `make install` writes its own
 LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
 
@@ -36,6 +36,10 @@ PHASE_NUMBERS = ("t1", "dT", "v_end", "dx1", "dx2", "dxC")
 Crawlers = _structure("scallop_crawlers", (ctypes.c_long, "count"), (_pointer, " ".join(PARAMETERS)), (_pointer, "gait"))
 SteadyStates = _structure("scallop_steady_states", (_pointer, " ".join(STEADY_NUMBERS)), (_pointer, "regime modes status"))
 Phases = _structure("scallop_phases", (_pointer, " ".join(PHASE_NUMBERS)), (_pointer, "regime modes status"))
+SPAN = ("t_begin", "t_end", "duration", "v1_begin", "v1_end", "v2_begin", "v2_end", "dx1", "dx2")  # struct scallop_span
+Mode = _structure("scallop_mode", (ctypes.c_byte, "s1 s2"))
+Span = _structure("scallop_span", (_double, " ".join(SPAN)), (Mode, "mode"))
+Visitor = ctypes.CFUNCTYPE(None, _pointer, _pointer)
 SAMPLE = ("t", "x1", "x2", "xC", "v1", "v2", "l")  # struct scallop_sample, doubles
 Sampler = ctypes.CFUNCTYPE(ctypes.c_bool, _pointer, _pointer)
 # asymptotics/asymptotics.h
@@ -52,6 +56,8 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_make_gait": (_int, _pointer, ctypes.POINTER(Family), _text, ctypes.POINTER(_double), _int, ctypes.POINTER(_text)),
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
     "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
+    "scallop_phase_intervals": (_int, ctypes.POINTER(Crawler), _int, _double, Visitor, _pointer),
+    "scallop_interval_span": (Span, _pointer, ctypes.POINTER(Crawler), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
     "scallop_published_value": (_double, ctypes.POINTER(Formula), ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
 }
@@ -62,7 +68,7 @@ _loaded = None
 
 def load(path=None):
     """Loads the library in file `path`, or the one found as said above, and uses it from now on. Its name must end in
-    .so.0 or .so.0.MINOR..., or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
+    .so.1 or .so.1.MINOR..., or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
     version. Returns its name."""
     global _loaded
     path = path or os.environ.get("SCALLOP_LIBRARY")

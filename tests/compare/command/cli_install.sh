@@ -27,7 +27,7 @@ names() { nm "$@" --defined-only | awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $3 !~ /^(SC
 for name in scallop-core scallop; do
   library=$place/usr/lib/lib$name
   [ "$(readlink "$library.so")" = "lib$name.so.$abi" ] || note "lib$name.so leads elsewhere"
-  [ "$(readlink "$library.so.$abi")" = "lib$name.so.$version" ] || note "lib$name.so.$abi leads elsewhere"
+  [ "$(readlink "$library.so.$abi")" = "lib$name.so.$abi.$version" ] || note "lib$name.so.$abi leads elsewhere"
   readelf -d "$library.so" | grep -q "SONAME.*\[lib$name.so.$abi\]" || note "lib$name: another soname"
   names -D "$library.so" >visible
   names -g "$library.a" >global
@@ -126,10 +126,10 @@ fi
 if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import scallop; scallop.steady(); print(scallop.load())' 2>err; }
   loaded elsewhere/usr/share/scallop/python >got || note "$(tail -n 1 err)"
-  [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.0" ] || note "it loads '$(cat got)'"
+  [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.$abi" ] || note "it loads '$(cat got)'"
   (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
   loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
-  [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.0" ] || note "with a libdir of its own it loads '$(cat got)'"
+  [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.$abi" ] || note "with a libdir of its own it loads '$(cat got)'"
   finish "the Python module finds the library"
 fi
 run 0 --help

@@ -7,9 +7,9 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 
 /usr/bin/python3 -c 'import numpy' 2>err || { echo "ok python: not tried, /usr/bin/python3 has no NumPy"; exit 0; }
 for name in libscallop-core libscallop; do
-  [ ! -f "$(dirname "$tool")/$name.so.0" ] || beside=$(dirname "$tool")/$name.so.0
+  [ ! -f "$(dirname "$tool")/$name.so.1" ] || beside=$(dirname "$tool")/$name.so.1
 done
-library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.0}}
+library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.1}}
 if readelf -d "$library" 2>err | grep -q 'NEEDED.*lib\(asan\|ubsan\)'; then
   echo "ok python: not tried, the library wants the runtime of a sanitizer"
   exit 0
@@ -108,6 +108,28 @@ for name, values in columns(rows, *motion._fields).items():
         bad(name, "differs")
 END
 finish "trajectory: the rows of trajectory"
+
+python <<'END'
+for kind in "extension", "contraction":
+    for gait in "quadratic", "sinusoidal", "constant:0":
+        if gait == "constant:0":
+            gait = scallop.constant(0)
+        phase = scallop.phase(kind, 0.5, F1=3, gait=gait)
+        i = scallop.intervals(kind, 0.5, F1=3, gait=gait)
+        if abs(i.dx1.sum() - phase.dx1) > 1e-14 or abs(i.dx2.sum() - phase.dx2) > 1e-14:
+            bad(kind, gait, "displacements:", i, phase)
+        modes = " ".join("-0+"[int(a) + 1] + "-0+"[int(b) + 1] for a, b in zip(i.s1, i.s2))
+        if i.t_begin[0] != 0 or abs(i.duration.sum() - i.t_end[-1]) > 1e-15 or any(i.t_begin[1:] != i.t_end[:-1]):
+            bad(kind, gait, "times:", i)
+        if not set(modes.split()) >= set(phase.modes.split()):
+            bad(kind, gait, "modes:", modes, phase.modes)
+for wrong in dict(phase="period"), dict(phase="extension", T=[1, 2]), dict(phase="extension", L=0):
+    try:
+        bad(wrong, "gives", scallop.intervals(**wrong))
+    except ValueError:
+        pass
+END
+finish "intervals: they add up to the phase"
 
 run 0 series --F1 3 --gait sinusoidal --v0 2.5
 python <<'END'
@@ -380,28 +402,28 @@ loads() { # FILE, or part of the message
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
 }
 loads "$library"
-cp "$library" libscallop.so.1
+cp "$library" libscallop.so.7
 cp "$library" libscallop.so
-cp "$library" libscallop.so.0.9.8
-ln -s libscallop.so.0.9.8 link.so
-echo text >libscallop.so.0
-cc -shared -o libscallop-core.so.0 -x c /dev/null
-for pair in "libscallop.so.1=libscallop.so.1: version 1 of the binary interface: version 0 is wanted" \
-  "libscallop.so=the name does not say the version of the binary interface: .so.0 is wanted" \
-  "link.so=$scratch/link.so" "libscallop.so.0=cannot load the library of scallop: $scratch/libscallop.so.0: " \
-  "libscallop-core.so.0=has no scallop_status_text: it is older than scallop.py, or another library" \
-  "none.so.0=cannot load the library of scallop: $scratch/none.so.0: cannot open"; do
+cp "$library" libscallop.so.1.9.8
+ln -s libscallop.so.1.9.8 link.so
+echo text >libscallop.so.1
+cc -shared -o libscallop-core.so.1 -x c /dev/null
+for pair in "libscallop.so.7=libscallop.so.7: version 7 of the binary interface: version 1 is wanted" \
+  "libscallop.so=the name does not say the version of the binary interface: .so.1 is wanted" \
+  "link.so=$scratch/link.so" "libscallop.so.1=cannot load the library of scallop: $scratch/libscallop.so.1: " \
+  "libscallop-core.so.1=has no scallop_status_text: it is older than scallop.py, or another library" \
+  "none.so.1=cannot load the library of scallop: $scratch/none.so.1: cannot open"; do
   SCALLOP_LIBRARY=${pair%%=*} loads "${pair#*=}"
 done
 unset SCALLOP_LIBRARY
-mv libscallop.so.0.9.8 libscallop.so.0
-loads "neither libscallop.so.0 nor libscallop-core.so.0 is in $scratch/tree/build"
-LD_LIBRARY_PATH=$scratch loads libscallop.so.0
-cp "$library" tree/build/libscallop-core.so.0
-LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.0"
+mv libscallop.so.1.9.8 libscallop.so.1
+loads "neither libscallop.so.1 nor libscallop-core.so.1 is in $scratch/tree/build"
+LD_LIBRARY_PATH=$scratch loads libscallop.so.1
+cp "$library" tree/build/libscallop-core.so.1
+LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.1"
 export SCALLOP_LIBRARY="$library"
 loads "$library"
-python "$scratch/tree/build/libscallop-core.so.0" <<'END'
+python "$scratch/tree/build/libscallop-core.so.1" <<'END'
 if scallop.load(sys.argv[1]) != sys.argv[1] or scallop.steady().v_start != 3.0166206576889527:
     bad("the argument does not come first")
 END
