@@ -49,7 +49,7 @@ const struct command command_workprec = {
       "status: ok: the method was content, however wrong: a root or a simulation of a map whose own error outweighs what\n"
       "friction does in a period settles somewhere else; cut off: by the limit (time is what it took until then, error\n"
       "that of where it stood); or why there is no answer.\n"
-      "The whole run takes some 7 minutes. Methods:\n"
+      "The whole run takes some 9 minutes. Methods:\n"
       "published: the paper's formula; corrected: what stands in its place where in the limit a body does not turn.\n"
       "limit, derived series: derived and summed, all of it timed; coefficients known: only summed, in doubles.\n"
       "exact: the double solver, one crawler at a time; batch: one of 1024, timed together; one period: from the known\n"
