@@ -33,7 +33,7 @@ do for [g in "quadratic sinusoidal"] {
     if (T eq "1") { set ytics ("1" 1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16}" 1e-16, "< 10^{-20}" 1e-20) }
     if (T ne "1") { set ytics ("" 1, "" 1e-4, "" 1e-8, "" 1e-12, "" 1e-16, "" 1e-20) }
     unset key
-    if (g eq "sinusoidal" && T eq "1") { set key at screen 0.53,0.005 center bottom vertical maxrows 5 samplen 3.5 width -1 }
+    if (g eq "sinusoidal" && T eq "1") { set key at screen 0.53,0.005 center bottom vertical maxrows (rivals == 5 ? 5 : 6) samplen 3.5 width -1 }
     plot table using 8:(front(g, T+0)) smooth unique with steps lw 9 lc rgb "#cccccc" notitle, \
       table using 8:(is("published", g, T+0)) with points pt 1 ps 1.5 lw 2 lc rgb "black" notitle, \
       table using 8:(is("derived series, coefficients known", g, T+0)) with linespoints pt 3 ps 1.1 lw 1.5 dt 3 lc rgb "black" notitle, \
