@@ -31,20 +31,20 @@ sundials  := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nS
 ifeq ($(WITH_SUNDIALS),auto)
   override WITH_SUNDIALS := $(if $(sundials),1,0)
 endif
-SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
+SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_arkode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
 all_parts := $(basename $(wildcard $(rooms:=/*.c))) asymptotics/published/paper
 in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
 flint     := $(filter $(in_flint) %flint,$(all_parts))
-cvode     := numerics/rivals/cvode
-parts     := $(filter-out compare/command/main $(cvode),$(all_parts))
+sundials_parts := $(addprefix numerics/rivals/,sundials cvode arkode)
+parts     := $(filter-out compare/command/main $(sundials_parts),$(all_parts))
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
 shipped    = $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
-full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
+full      := $(call object,$(filter-out $(threaded),$(parts)) $(sundials_parts) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
 
 # A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
 of_tests   = $(basename $(wildcard tests/*/test_*.c tests/*/*/test_*.c tests/fuzz/fuzz_*.c tests/fuzz/flint/fuzz_*.c))
@@ -56,7 +56,7 @@ programs  := $(B)/scallop $(if $(filter 0,$(WITH_FLINT)),,$(B)/scallop-flint)
 tests     := $(addprefix $(B)/,$(filter test_%,$(notdir $(of_tests))))
 fuzz      := $(addprefix $(B)/,$(filter fuzz_%,$(notdir $(of_tests))))
 # A program is linked with the libraries that its objects need.
-needed     = $(if $(filter %/exact/ball.o,$^),$(threads) $(FLINT)) $(if $(filter %/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka)
+needed     = $(if $(filter %/exact/ball.o,$^),$(threads) $(FLINT)) $(if $(filter %/sundials.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka)
 link       = @echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
 
 .PHONY: all help check check-report reproduce bench instructions rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
@@ -81,8 +81,8 @@ $(B)/%.o: $(B)/%.c
 $(call object,$(flint) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
 # Who judges rounds the same way whatever CFLAGS allow the judged.
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
-$(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(WITH_SUNDIALS)
-$(call object,$(cvode)): $(B)/with-sundials-$(WITH_SUNDIALS)
+$(call object,$(sundials_parts)): ALL_CFLAGS += -DWITH_SUNDIALS=$(WITH_SUNDIALS)
+$(call object,$(sundials_parts)): $(B)/with-sundials-$(WITH_SUNDIALS)
 $(B)/with-sundials-$(WITH_SUNDIALS):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
@@ -104,7 +104,7 @@ $(B)/scallop-flint: $(B)/compare/command/main.o $(full)
 $(foreach t,$(of_tests),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(call need_flint,$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
 	$(link)
-$(B)/test_integrators: $(call object,$(cvode))
+$(B)/test_integrators: $(call object,$(sundials_parts))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 	$(link)
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
@@ -172,7 +172,7 @@ abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
 core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h families.h) asymptotics/asymptotics.h numerics/numerics.h numerics/wide/wide.h
-headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode) \
+headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode arkode) \
              $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h \
              numerics/certified/certified.h)
 to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)" LDFLAGS="$(LDFLAGS)" INSTALL="$(INSTALL)" DESTDIR="$(DESTDIR)" \
@@ -181,7 +181,7 @@ to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)"
 $(B)/libscallop-core.a: $(call object,$(filter-out $(flint) numerics/rivals/%,$(of_libraries))) $(core_headers)
 	@$(to_script)/library.sh $(B) scallop-core "Exact motion of the crawling scallop and the published series" $(version) $(abi) -lm \
 	  "$(core_headers)" $(filter %.o,$^)
-$(B)/libscallop.a: $(call object,$(filter-out $(if $(filter 0,$(WITH_FLINT)),$(flint)) $(threaded),$(of_libraries)) $(cvode) $(addprefix threads/,$(threaded))) $(headers)
+$(B)/libscallop.a: $(call object,$(filter-out $(if $(filter 0,$(WITH_FLINT)),$(flint)) $(threaded),$(of_libraries)) $(sundials_parts) $(addprefix threads/,$(threaded))) $(headers)
 	@$(to_script)/library.sh $(B) scallop "Exact motion of the crawling scallop, certified numbers, and general-purpose methods to compare with" \
 	  $(version) $(abi) "$(if $(filter 0,$(WITH_FLINT)),,$(FLINT)) $(SUNDIALS) -lgsl -lgslcblas $(threads) -lm" "$(headers)" $(filter %.o,$^)
 $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh

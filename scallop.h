@@ -17,7 +17,7 @@
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
  *     asymptotics/derived/expansion.h       the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
+ *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h, arkode.h (SUNDIALS), moreau.h
  *
  * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either, but for
  * scallop_formula_read. All of it can be called from several threads at once. */
