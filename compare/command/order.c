@@ -5,7 +5,7 @@
 #include "compare/command/commands.h"
 #include "compare/text/memory.h"
 #include "compare/text/tsv.h"
-#include "compare/order/order.h"
+#include "asymptotics/observed/estimate.h"
 
 struct order_options {
   struct request request;
@@ -27,7 +27,7 @@ static const char *const summary_columns[] = { "order",    "lo",        "hi",   
 /* The points whose texts left of h are the same */
 struct series {
   char *name; /* these texts                                                                     */
-  struct order_point *points;
+  struct scallop_order_point *points;
   int count;
   struct order_fit fit;
   enum order_verdict verdict;
@@ -73,9 +73,9 @@ static struct series *series_named(struct list *list, const char *name)
   return s->name ? s : NULL;
 }
 
-static bool append(struct series *s, struct order_point point)
+static bool append(struct series *s, struct scallop_order_point point)
 {
-  struct order_point *points = with_room(s->points, s->count, sizeof point);
+  struct scallop_order_point *points = with_room(s->points, s->count, sizeof point);
   if (!points)
     return false;
   s->points = points;
@@ -134,7 +134,7 @@ static const char *read_row(struct tsv *t, struct list *list, const struct layou
 {
   if (t->count != layout->columns)
     return "the number of columns changes";
-  struct order_point point = { .noise = 0 };
+  struct scallop_order_point point = { .noise = 0 };
   double *const numbers[WANTED] = { &point.h, &point.err, &point.noise };
   static char message[120];
   for (int i = 0; i < WANTED; i++) {
@@ -201,14 +201,14 @@ static void write_points(struct table *table, const struct list *list)
   table_columns(table, columns);
   table_begin_rows(table);
   for (const struct series *s = list->series; s < list->series + list->count; s++)
-    for (const struct order_point *p = s->points; p < s->points + s->count; p++) {
+    for (const struct scallop_order_point *p = s->points; p < s->points + s->count; p++) {
       bool judged = s->fit.state != ORDER_INVALID;
       if (named)
         table_text(table, s->name);
       table_number(table, p->h);
       table_number(table, p->err);
       table_rounded(table, judged ? p->pairwise : NAN, "%.4f");
-      table_text(table, judged ? order_use_text(p->use) : "-");
+      table_text(table, judged ? scallop_order_use_text(p->use) : "-");
     }
 }
 
