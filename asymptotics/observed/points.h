@@ -46,4 +46,8 @@ void points_from_values(struct scallop_order_point *points, int *count);
 /* The order that three values give, or nan. */
 double points_order_of_three(const struct scallop_order_point *values);
 
+/* The grid convergence index and the asymptotic ratio of sorted values, as order.h gives them: nan unless there are three that converge. */
+void points_grid_convergence(const struct scallop_order_point *values, int count, double expected, double *gci,
+                             double *asymptotic_ratio);
+
 #endif

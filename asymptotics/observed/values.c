@@ -78,3 +78,21 @@ void points_from_values(struct scallop_order_point *points, int *count)
     points[i].noise = (points[i].noise + points[i + 1].noise) / fabs(share);
   }
 }
+
+/* The index between two values, the second on the finer grid */
+static double grid_index(const struct scallop_order_point *v, double p)
+{
+  static const double safety = 1.25;
+  return safety * fabs(v[0].err - v[1].err) / (fabs(v[1].err) * expm1(p * log(v[0].h / v[1].h)));
+}
+
+void points_grid_convergence(const struct scallop_order_point *values, int count, double expected, double *gci,
+                             double *asymptotic_ratio)
+{
+  const struct scallop_order_point *v = values + count - 3; /* coarse, medium, fine */
+  double p = count >= 3 ? points_order_of_three(v) : NAN, q = isnan(expected) ? p : expected;
+  if (!(p > 0))
+    return;
+  *gci = grid_index(v + 1, p);
+  *asymptotic_ratio = grid_index(v, q) / (pow(v[1].h / v[2].h, q) * grid_index(v + 1, q));
+}
