@@ -12,6 +12,7 @@ struct judged {
   int count;
   const struct scallop_order_wanted *wanted;
   struct scallop_order_result *result;
+  double near_floor; /* errors below are of no use to a trend, where there are enough others */
 };
 
 void reason_add(const struct judged *j, const char *format, ...) __attribute__((format(printf, 2, 3)));

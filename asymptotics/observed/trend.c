@@ -12,8 +12,8 @@ static const double SEEN = 0.005;
 /* A term that does not die away has to explain the bend this many times better than those that do. */
 static const double BETTER = 4;
 static const double SURE = 0.995;
-/* Rounding moves a line, too: it explains what is this many times half a unit of the last place. */
-static const double ROUNDED = 1.5;
+/* Tables that people print; the bound on what rounding explains takes the square of their length. */
+enum { MOST_PRINTED = 64 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
 static const double LEAST_POWER = 0.4;
 /* Four points leave one degree of freedom, which many terms fit by chance: only those that die away are taken for real, and a logarithm
@@ -145,12 +145,20 @@ static struct bend best_bend(const struct run *r)
   return bends[first];
 }
 
+/* Where errors are C h^p but for rounding by at most e_k, in logarithms, least squares leaves at most the sum over k of |1_ik - H_ik| e_k,
+ * H_ik = 1/n + x_i x_k/sum x^2. */
 static bool explained_by_rounding(const struct run *r, const struct bend *line)
 {
+  if (r->n > MOST_PRINTED)
+    return false;
   struct rounding rounding = rounding_of(r->points, r->count, r->first);
-  bool explained = true;
-  for (int i = r->first; i < r->count && explained; i = next_of(r, i + 1))
-    explained = fabs(y_of(r, i) - line->slope * x_of(r, i)) <= ROUNDED * rounding_share(&rounding, r->points[i].err);
+  bool explained = rounding.unit > 0;
+  for (int i = r->first; i < r->count && explained; i = next_of(r, i + 1)) {
+    double most = 0;
+    for (int k = r->first; k < r->count; k = next_of(r, k + 1))
+      most += fabs((i == k) - 1 / r->n - x_of(r, i) * x_of(r, k) / r->xx) * rounding_share(&rounding, r->points[k].err);
+    explained = fabs(y_of(r, i) - line->slope * x_of(r, i)) <= most;
+  }
   return explained;
 }
 

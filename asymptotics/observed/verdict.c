@@ -8,7 +8,9 @@
 /* Errors as small as this are near the roundoff of a quantity of order 1: a floor there is none of the method's, and where five errors are
  * larger the order is theirs. */
 static const double ROUNDOFF = 1e-11, NEAR_ROUNDOFF = 1e-12;
-/* The same, as a part of the largest error. A rough floor may be this high, too: tolerances of solvers, single precision. */
+/* An error this many times above a rough floor is off by less than a trend can show. */
+static const double FAR_ABOVE = 1000;
+/* As a part of the largest error. A rough floor may be this high, too: tolerances of solvers, single precision. */
 static const double ROUGH = 1e-6;
 /* The largest error of a plateau over its smallest: roundoff jumps. */
 static const double SMOOTH = 1.5, VERY_SMOOTH = 1.2;
@@ -35,13 +37,16 @@ static bool is_bad_noise(const struct scallop_order_point *p, int i) { return !(
 
 static void give(struct judged *j, enum scallop_order_verdict verdict) { j->result->verdict = verdict; }
 
-/* h repeated: the rows of the first such h; the points are sorted unless another fault stands in the way */
-static void say_repeated(struct judged *j)
+/* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page holds are compared. */
+static void say_repeated(struct judged *j, const char *between)
 {
-  for (int i = 0; i + 1 < j->count; i++)
-    for (int k = i + 1; k < j->count; k++)
+  enum { PAGE = 1000 };
+  bool sorted = *between == '\0';
+  for (int i = 0; i + 1 < j->count && (sorted || i < PAGE); i++)
+    for (int k = i + 1; k < j->count && k <= (sorted ? i + 1 : PAGE); k++)
       if (j->points[i].h == j->points[k].h) {
-        reason_add(j, "h = %g repeated in rows %ld and %ld", j->points[i].h, j->points[i].row, j->points[k].row);
+        long a = j->points[i].row, b = j->points[k].row;
+        reason_add(j, "%sh repeated in rows %ld and %ld", between, a < b ? a : b, a < b ? b : a);
         return;
       }
 }
@@ -62,19 +67,24 @@ static void say_invalid(struct judged *j)
       reason_add_rows(j, faults[f].picks, 0, j->count - 1);
       said = true;
     }
-  if (!said)
-    say_repeated(j);
+  say_repeated(j, said ? "; " : "");
   give(j, SCALLOP_ORDER_INVALID);
+}
+
+static const struct scallop_order_point *last_used(const struct judged *j)
+{
+  int last = j->count - 1;
+  while (!is_used(j->points, last))
+    last--;
+  return &j->points[last];
 }
 
 /* Is what the errors meet from onset on more than a pair of neighbours that noise brought together? */
 static bool holds_up(const struct judged *j, int onset)
 {
-  int last = j->count - 1;
-  while (!is_used(j->points, last))
-    last--;
-  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], &j->points[last]);
-  return (steep - fallen) * log(j->points[onset].h / j->points[last].h) > log(HELD_UP);
+  const struct scallop_order_point *last = last_used(j);
+  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], last);
+  return (steep - fallen) * log(j->points[onset].h / last->h) > log(HELD_UP);
 }
 
 /* A floor from onset on: false if the verdict is that it is a plateau. */
@@ -82,10 +92,11 @@ static bool judge_floor(struct judged *j, int onset)
 {
   double least = INFINITY, most = 0, before = INFINITY;
   int rows = 0;
-  bool falling = true; /* slower and slower */
+  bool falling = true, rough = false; /* slower and slower; up and down */
   for (int i = onset; i < j->count; i++)
     if (is_used(j->points, i)) {
       double err = fabs(j->points[i].err);
+      rough = rough || err > least;
       falling = falling && err <= least && (rows < 2 || before - least >= least - err);
       before = least;
       least = fmin(least, err);
@@ -94,6 +105,7 @@ static bool judge_floor(struct judged *j, int onset)
     }
   double largest = points_largest(j->points, j->count);
   points_leave_out_floor(j->points, j->count, onset);
+  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * most : 0);
   if (most <= ROUNDOFF * fmax(1, largest))
     return true;
   bool high = most > ROUGH * largest;
@@ -108,56 +120,21 @@ static bool judge_floor(struct judged *j, int onset)
   return false;
 }
 
-/* Leaves out what is near the roundoff of doubles, where there are enough others, and takes the rest in again. False: there is nothing to
+/* Leaves out what is near a floor or the roundoff of doubles, where there are enough others, and takes the rest in again. False: there is nothing to
  * leave out. */
-static bool leave_out_near_roundoff(struct judged *j)
+static bool leave_out_near_floor(struct judged *j)
 {
   int above = 0, near = 0;
   for (int i = 0; i < j->count; i++)
     if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      *(fabs(j->points[i].err) >= NEAR_ROUNDOFF ? &above : &near) += 1;
+      *(fabs(j->points[i].err) >= j->near_floor ? &above : &near) += 1;
   if (above <= LEAST || near == 0)
     return false;
   for (int i = 0; i < j->count; i++)
     if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      j->points[i].use = fabs(j->points[i].err) >= NEAR_ROUNDOFF ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
+      j->points[i].use = fabs(j->points[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
   *j->result->reason = '\0';
   return true;
-}
-
-static bool judge_few(struct judged *j)
-{
-  int used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
-  int zero = points_count(SCALLOP_ORDER_ZERO, j->points, j->count, 0);
-  bool exact = j->count >= 3 && !j->wanted->values;
-  for (int i = 0; i < j->count; i++)
-    exact = exact && fabs(j->points[i].err) <= j->points[i].noise;
-  if (used >= 3)
-    return false;
-  give(j, exact ? SCALLOP_ORDER_PASS : used + zero == j->count ? SCALLOP_ORDER_INSUFFICIENT : SCALLOP_ORDER_FLOOR_LIMITED);
-  if (exact)
-    reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
-  else
-    reason_add(j, "%d usable %s, an order takes 3", used, used == 1 ? "row" : "rows");
-  return true;
-}
-
-static void say_left_out(struct judged *j)
-{
-  static const struct {
-    reason_picks *picks;
-    const char *what;
-  } uses[] = { { is_zero, "err is 0" },
-               { is_floor, "roundoff" },
-               { is_coarse, "not yet in the trend" },
-               { is_before_change, "before a change of sign" } };
-  const char *between = "; left out: ";
-  for (size_t u = 0; u < sizeof uses / sizeof *uses; u++)
-    if (reason_count(j, uses[u].picks, 0, j->count - 1) > 0) {
-      reason_add(j, "%s%s", between, uses[u].what);
-      reason_add_rows(j, uses[u].picks, 0, j->count - 1);
-      between = ", ";
-    }
 }
 
 static void set_order(struct judged *j, enum scallop_order_interval interval, double order, double low, double high)
@@ -182,6 +159,48 @@ static void set_pairwise_order(struct judged *j, int first, double order)
     }
   }
   set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
+}
+
+static bool judge_few(struct judged *j)
+{
+  int used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
+  int zero = points_count(SCALLOP_ORDER_ZERO, j->points, j->count, 0);
+  bool exact = j->count >= 3 && !j->wanted->values;
+  for (int i = 0; i < j->count; i++)
+    exact = exact && fabs(j->points[i].err) <= j->points[i].noise;
+  if (used >= 3)
+    return false;
+  if (used == 2)
+    set_pairwise_order(j, 0, points_slope(&j->points[points_next(j->points, j->count, 0)], last_used(j)));
+  give(j, exact                                               ? SCALLOP_ORDER_PASS
+          : used + (j->wanted->values ? 0 : zero) == j->count ? SCALLOP_ORDER_INSUFFICIENT
+                                                              : SCALLOP_ORDER_FLOOR_LIMITED);
+  if (exact)
+    reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
+  else
+    reason_add(j, "%d usable %s, an order takes 3", used,
+               j->wanted->values ? "differences of values"
+               : used == 1       ? "row"
+                                 : "rows");
+  return true;
+}
+
+static void say_left_out(struct judged *j)
+{
+  static const struct {
+    reason_picks *picks;
+    const char *what;
+  } uses[] = { { is_zero, "err is 0" },
+               { is_floor, "roundoff" },
+               { is_coarse, "not yet in the trend" },
+               { is_before_change, "before a change of sign" } };
+  const char *between = "; left out: ";
+  for (size_t u = 0; u < sizeof uses / sizeof *uses; u++)
+    if (reason_count(j, uses[u].picks, 0, j->count - 1) > 0) {
+      reason_add(j, "%s%s", between, uses[u].what);
+      reason_add_rows(j, uses[u].picks, 0, j->count - 1);
+      between = ", ";
+    }
 }
 
 static bool meets(const struct scallop_order_wanted *w, double order)
@@ -233,14 +252,13 @@ static bool comes_closer(const struct judged *j)
 static bool has_arrived(struct judged *j, const struct trend *all)
 {
   const struct scallop_order_wanted *w = j->wanted;
-  int last = j->count - 1, first, tail = 1, coarsest = points_next(j->points, j->count, 0);
+  const struct scallop_order_point *last = last_used(j);
+  int first = (int)(last - j->points), tail = 1, coarsest = points_next(j->points, j->count, 0);
   if (!(fabs(all->slope - w->order) <= ON_THE_WAY * w->tolerance))
     return false;
-  while (!is_used(j->points, last))
-    last--;
-  for (first = last; first > 0 && (tail < 3 || j->points[first].h < TAIL * j->points[last].h);)
+  while (first > 0 && (tail < 3 || j->points[first].h < TAIL * last->h))
     tail += is_used(j->points, --first);
-  if (tail == all->points || j->points[first].h < TAIL * j->points[last].h)
+  if (tail == all->points || j->points[first].h < TAIL * last->h)
     return false;
   double order = trend_of(j->points, j->count, first).slope;
   double before = points_slope(&j->points[coarsest], &j->points[first]);
@@ -248,7 +266,7 @@ static bool has_arrived(struct judged *j, const struct trend *all)
   if (there)
     set_pairwise_order(j, first, order);
   else if (comes_closer(j))
-    set_pairwise_order(j, coarsest, points_slope(&j->points[last - 1], &j->points[last]));
+    set_pairwise_order(j, coarsest, last[-1].pairwise);
   return there || comes_closer(j);
 }
 
@@ -375,7 +393,7 @@ static void judge(struct judged *j)
   int onset = announced ? -1 : points_floor_onset(j->points, j->count);
   if (onset >= 0 && holds_up(j, onset) && !judge_floor(j, onset))
     return;
-  if (!judge_used(j) && leave_out_near_roundoff(j))
+  if (!judge_used(j) && leave_out_near_floor(j))
     judge_used(j);
   if (j->result->used > 0)
     say_left_out(j);
@@ -387,7 +405,7 @@ void scallop_order(struct scallop_order_point *points, int *count, const struct 
   *result = (struct scallop_order_result){
     .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
   };
-  struct judged j = { points, *count, wanted, result };
+  struct judged j = { points, *count, wanted, result, NEAR_ROUNDOFF };
   judge(&j);
   *count = j.count;
 }

@@ -105,11 +105,11 @@ TEST(refuses)
   assert_true(estimate(only_noise, 20, 2).state != ORDER_FITTED);
   assert_int_equal(order_estimate(points, 0).state, ORDER_INSUFFICIENT);
   static const struct scallop_order_point bad[] = { /* the last has the h of the one before it */
-                                            { .h = 0.125, .err = NAN },
-                                            { .h = 0.125, .err = INFINITY },
-                                            { .h = NAN, .err = 0.01 },
-                                            { .h = 0, .err = 0.01 },
-                                            { .h = 0.25, .err = 0.01 }
+                                                    { .h = 0.125, .err = NAN },
+                                                    { .h = 0.125, .err = INFINITY },
+                                                    { .h = NAN, .err = 0.01 },
+                                                    { .h = 0, .err = 0.01 },
+                                                    { .h = 0.25, .err = 0.01 }
   };
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
     estimate(cubic, 6, 2);
@@ -209,7 +209,8 @@ TEST(values_with_known_noise)
 {
   int left = 20;
   for (int i = 0; i < 20; i++)
-    points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
+    points[i] =
+        (struct scallop_order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
   struct order_fit fit = order_estimate_values(points, &left);
   assert_int_equal(fit.state, ORDER_FITTED);
   CHECK_NEAR(fit.order, 2, 0.02);
@@ -223,7 +224,8 @@ TEST(errors_that_are_zero)
   struct order_fit fit;
   for (int noise = 0; noise < 2; noise++) {
     for (int i = 0; i < 6; i++)
-      points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = noise ? 1e-17 * i : 0, .noise = noise ? 1e-16 : 0 };
+      points[i] =
+          (struct scallop_order_point){ .h = ldexp(1, -i), .err = noise ? 1e-17 * i : 0, .noise = noise ? 1e-16 : 0 };
     fit = order_estimate(points, 6);
     assert_int_equal(fit.state, ORDER_EXACT);
     assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_PASS);

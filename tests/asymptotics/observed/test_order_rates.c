@@ -78,12 +78,19 @@ static void noisy(struct table *t, int count, double order)
 }
 static void noisy_12(struct table *t) { noisy(t, 12, t->expected = whole(1, 4)); }
 static void noisy_8(struct table *t) { noisy(t, 8, t->expected = whole(1, 4)); }
+static void noisy_4(struct table *t) { noisy(t, 4, t->expected = whole(1, 4)); }
 static void noisy_5(struct table *t) { noisy(t, 5, t->expected = whole(1, 4)); }
 static void roundoff(struct table *t)
 {
   fill(t, 20, 0.5, t->expected = whole(2, 4), uniform(-0.5, 1));
   for (int i = 0; i < t->count; i++)
     t->points[i].err += 1e-15 * normal();
+}
+static void solver(struct table *t)
+{
+  fill(t, 14, 0.5, t->expected = whole(2, 4), uniform(-0.5, 1));
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err = fabs(t->points[i].err + 1e-9 * t->points[0].err * normal());
 }
 static void bad_start(struct table *t)
 {
@@ -159,7 +166,9 @@ static const struct kind {
   { "C h^p, 12 rows, 5 % noise", noisy_12, true, 95 },
   { "C h^p, 8 rows, 5 % noise", noisy_8, true, 95 },
   { "C h^p, 5 rows, 5 % noise", noisy_5, true, 0 },
+  { "C h^p, 4 rows, 5 % noise", noisy_4, true, 0 },
   { "C h^p (1 + c h), 20 rows, roundoff 1e-15", roundoff, true, 95 },
+  { "C h^p (1 + c h), 14 rows, noise of 1e-9 of the first error", solver, true, 95 },
   { "C h^p, 10 rows, the first two wrong by 1.6 to 4.5, 1 % noise", bad_start, true, 95 },
   { "all errors 0", zeros, true, 100 },
   { "C h^(p +- 0.4), 4 to 8 rows, 2 to 4 digits", wrong_clean, false, 100 },
@@ -168,7 +177,7 @@ static const struct kind {
   { "h^2 + 2e-3 h, 5 to 10 rows from 0.1 to 1", lower_term_exact, false, 100 },
   { "the same, 3 digits", lower_term_3, false, 95 },
   { "h^2 log(1/h), 4 to 8 rows", logarithm_exact, false, 100 },
-  { "the same, 4 digits", logarithm_4, false, 90 },
+  { "the same, 4 digits", logarithm_4, false, 85 },
   { "C h^p + a plateau at 1e-5 to 1e-2 of the first error, 10 rows", levels_off, false, 100 },
 };
 
@@ -210,11 +219,6 @@ static void count_passes(const struct kind *k, double share[RULES], int *all_use
     scallop_order(t.points, &t.count, &wanted, &result);
     passes[VERDICT] += result.verdict == SCALLOP_ORDER_PASS;
     *all_used += result.used == t.count;
-    if (getenv("SHOW") && strstr(k->name, getenv("SHOW")) && (result.verdict == SCALLOP_ORDER_PASS) != k->good) {
-      printf("%s %g: %s\n   ", scallop_order_verdict_text(result.verdict), t.expected, result.reason);
-      for (int p = 0; p < t.count; p++) printf(" %.4g:%.4g", t.points[p].h, t.points[p].err);
-      puts("");
-    }
   }
   for (int r = 0; r < RULES; r++)
     share[r] = 100.0 * passes[r] / TABLES;
