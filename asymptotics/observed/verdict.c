@@ -79,12 +79,25 @@ static const struct scallop_order_point *last_used(const struct judged *j)
   return &j->points[last];
 }
 
-/* Is what the errors meet from onset on more than a pair of neighbours that noise brought together? */
-static bool holds_up(const struct judged *j, int onset)
+/* Is what the points before end meet from onset on more than a pair of neighbours that noise brought together? */
+static bool holds_up(const struct judged *j, int onset, int end)
 {
-  const struct scallop_order_point *last = last_used(j);
-  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], last);
-  return (steep - fallen) * log(j->points[onset].h / last->h) > log(HELD_UP);
+  int last = end - 1;
+  while (!is_used(j->points, last))
+    last--;
+  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], &j->points[last]);
+  return (steep - fallen) * log(j->points[onset].h / j->points[last].h) > log(HELD_UP);
+}
+
+/* Where a floor begins, or -1. A rough one may have its finest point far down by chance. */
+static int find_floor(const struct judged *j)
+{
+  for (int end = j->count; end == j->count || (end == j->count - 1 && end > LEAST); end--) {
+    int onset = points_floor_onset(j->points, end);
+    if (onset >= 0 && holds_up(j, onset, end))
+      return onset;
+  }
+  return -1;
 }
 
 /* A floor from onset on: false if the verdict is that it is a plateau. */
@@ -390,8 +403,8 @@ static void judge(struct judged *j)
   }
   points_note_pairwise(j->points, j->count);
   points_leave_out_noise(j->points, j->count);
-  int onset = announced ? -1 : points_floor_onset(j->points, j->count);
-  if (onset >= 0 && holds_up(j, onset) && !judge_floor(j, onset))
+  int onset = announced ? -1 : find_floor(j);
+  if (onset >= 0 && !judge_floor(j, onset))
     return;
   if (!judge_used(j) && leave_out_near_floor(j))
     judge_used(j);
