@@ -13,6 +13,7 @@
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
  *     asymptotics/asymptotics.h   the formulas of the paper as published
+ *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; knows no crawler
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
  *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
@@ -29,6 +30,7 @@ extern "C" {
 #endif
 
 #include "asymptotics/asymptotics.h"
+#include "asymptotics/observed/order.h"
 #include "model/gaits.h"
 #include "model/model.h"
 #include "model/version.h"

@@ -52,6 +52,12 @@ Sampler = ctypes.CFUNCTYPE(ctypes.c_bool, _pointer, _pointer)
 Formula = _structure("scallop_formula", (_text, "name equation"), (_int, "setting quantity remainder"),
                      (_text, "text"), (_pointer, "parts when"), (_text, "corrected"), (_int, "turns"))
 
+# asymptotics/observed/order.h
+OrderPoint = _structure("scallop_order_point", (_double, "h err noise"), (ctypes.c_long, "row"), (_double, "pairwise"), (_int, "use"))
+OrderWanted = _structure("scallop_order_wanted", (_double, "order tolerance"), (ctypes.c_bool, "at_least values"))
+OrderResult = _structure("scallop_order_result", (_int, "verdict"), (_double, "order low high"), (_int, "interval used"),
+                         (_double, "gci asymptotic_ratio"), (ctypes.c_char * 400, "reason"))  # SCALLOP_ORDER_REASON
+
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),
     "scallop_regime_text": (_text, _int),
@@ -64,6 +70,11 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
     "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
+    "scallop_order": (None, ctypes.POINTER(OrderPoint), ctypes.POINTER(_int), ctypes.POINTER(OrderWanted),
+                      ctypes.POINTER(OrderResult)),
+    "scallop_order_use_text": (_text, _int),
+    "scallop_order_verdict_text": (_text, _int),
+    "scallop_order_interval_text": (_text, _int),
     "scallop_published_value": (_double, ctypes.POINTER(Formula), ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
 }
 

@@ -161,6 +161,20 @@ TEST(floors)
   expect(SCALLOP_ORDER_FLOOR_LIMITED, NULL);
 }
 
+/* More rows than anybody prints, of few digits: rounding is not looked at. A zero behind a floor is none of it. */
+static double one_digit(double h) { return pow(10, round(log10(h))); }
+static double ends_at_zero(double h) { return h < 1e-5 ? 0 : at_roundoff(h); }
+TEST(long_tables_and_zeros)
+{
+  fill(one_digit, 100, 1, 1.2);
+  judge(1, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
+  fill(ends_at_zero, 20, 0.5, 2);
+  judge(4, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
+  assert_non_null(strstr(result.reason, "err is 0 in rows"));
+}
+
 TEST(invalid_tables)
 {
   TABLE(1, 1, 0.5, 0.25, 0.5, 0.1, 0.125, NAN);
