@@ -119,4 +119,88 @@ awk 'BEGIN { print "note h err"; for (i = 0; i < 5000; i++) printf "m%d 1 1\n", 
 run 2 order table.txt
 grep -q 'more than 4096 series' err || note "$(cat err)"
 finish "order: not more series than 4096"
+
+# ---- which columns ----
+columns() { # NAME TABLE WANTED OPTION...: the columns y and the orders to two digits
+  table "$2"
+  name=$1 shown=$3
+  shift 3
+  run 0 order table.txt "$@"
+  [ "$(rows out | cut -f 3,4 | sed 's/\(\.[0-9][0-9]\)[0-9]*$/\1/' | tr '\t\n' ': ')" = "$shown " ] || note "$(cat out)"
+  finish "order: $name"
+}
+commas='N, h, L2, H1, rate\n10, 0.1, 0.011, 0.1, -\n20, 0.05, 0.0026, 0.05, 2\n40, 0.025, 6.3e-4, 0.025, 2\n80, 0.0125, 1.57e-4, 0.0125, 2\n'
+columns "commas, and no order that the table brings along" "$commas" 'L2:2.04 H1:1.00'
+columns "--y" "$commas" 'H1:1.00' --y H1
+columns "--y, several" "$commas" 'H1:1.00 L2:2.04' --y H1,L2
+columns "--y, by number" "$commas" 'L2:2.04' --y 3
+columns "--x" "$commas" 'h:-1.00' --x N --y h
+columns "the first column against the others" 'dx a b\n1 1 1\n0.5 0.25 0.5\n0.25 0.0625 0.25\n' 'a:2.00 b:1.00'
+columns "no header" '1,1,1\n0.5,0.25,0.5\n0.25,0.0625,0.25\n' 'column 2:2.00 column 3:1.00'
+columns "err before others" 'h x err\n1 5 1\n0.5 5 0.25\n0.25 5 0.0625\n' 'err:2.00'
+columns "--values" 'h u\n1 4\n0.5 3.25\n0.25 3.0625\n0.125 3.015625\n' 'u:2.00' --values
+columns "tabs with commas in texts" 'case\th\terr\na, b\t1\t1\na, b\t0.5\t0.25\na, b\t0.25\t0.0625\n' 'err:2.00'
+
+# ---- what passes ----
+table '0.1 0.011\n0.05 0.0026\n0.025 6.3e-4\n0.0125 1.57e-4\n'
+run 0 order table.txt --expect 2
+run 0 order table.txt --expect 4/2
+run 0 order table.txt --at-least 3/2
+run 1 order table.txt --expect 3/2
+run 1 order table.txt --at-least 5/2
+grep -q 'below the expected 2.5 in rows 1 to 4' out || note "$(cat out)"
+finish "order: fractions, --at-least"
+table 'h err\n1 1\n0.5 0.25\n0.25 0.1\n0.125 nan\n0.5 0.1\n'
+run 1 order table.txt --expect 2
+[ "$(cells out reason)" = 'NaN in row 4; h repeated in rows 2 and 5' ] || note "$(cells out reason)"
+run 3 order table.txt
+finish "order: the reason names the rows"
+printf '1 1\n0.5 0.5\n0.25 0.25\n' >first.txt
+printf '1 1\n0.5 0.25\n0.25 0.0625\n' >second.txt
+run 1 order first.txt second.txt --expect 2
+[ "$(cells out file verdict | tr ' \n' ': ')" = 'first.txt:too-low second.txt:pass ' ] || note "$(cat out)"
+[ "$(tail -n 1 out)" = '# 2 tables: 1 passed, 1 failed' ] || note "$(tail -n 1 out)"
+run 0 order first.txt second.txt --at-least 1
+finish "order: several files, each has to pass"
+
+# ---- formats ----
+printf 'c<&"|\th\terr_1\na<&"|#\t1\t1\na<&"|#\t0.5\t0.25\na<&"|#\t0.25\t0.0625\n' >odd.txt
+run 1 order first.txt odd.txt --expect 2 --format junit
+python <<'END'
+import xml.etree.ElementTree as tree
+suites = tree.parse("out").getroot()
+cases = suites.findall("testsuite/testcase")
+found = [(case.get("classname"), case.get("name"), [f.get("type") for f in case.findall("failure")]) for case in cases]
+if found != [("first.txt", "first.txt: column 2", ["too-low"]), ("odd.txt", 'odd.txt: a<&"|#: err_1', [])]:
+    bad(found)
+if [suites.get(name) for name in ("tests", "failures")] != ["2", "1"]:
+    bad(suites.attrib)
+END
+finish "order: JUnit"
+run 1 order first.txt odd.txt --expect 2 --format tap
+[ "$(grep -E '^(TAP|1\.\.|ok|not)' out | tr '\n' '/')" = 'TAP version 13/1..2/not ok 1 - first.txt: column 2/ok 2 - odd.txt: a<&"|\#: err_1/' ] || note "$(cat out)"
+finish "order: TAP"
+run 1 order first.txt odd.txt --expect 2 --format markdown
+grep -q -F '| **too-low** | first.txt: column 2 | 1.0000 |' out || note "$(cat out)"
+grep -q -F '| pass | odd.txt: a&lt;&"\|#: err\_1 | 2.0000 |' out || note "$(cat out)"
+[ "$(tail -n 1 out)" = '1 passed, 1 failed.' ] || note "$(tail -n 1 out)"
+finish "order: Markdown"
+run 0 order second.txt --expect 2 --format junit -o here.xml
+[ ! -s out ] && grep -q '</testsuites>' here.xml || note "$(cat out)"
+run 4 order second.txt --format tap -o none/here.tap
+grep -q 'cannot write none/here.tap' err || note "$(cat err)"
+if [ -c /dev/full ]; then
+  "$tool" order second.txt --format markdown >/dev/full 2>err
+  [ $? = 4 ] || note "no exit code 4 for a full device"
+fi
+finish "order: a file for the report"
+
+# ---- what docs/order.md says ----
+rates=$(dirname "$tool")/test_order_rates
+if [ -x "$rates" ]; then
+  "$rates" 2>err | grep '^|' >rates.txt
+  sed -n '/^| tables |/,/^$/p' "$root/docs/order.md" | grep '^|' >promised.txt
+  cmp -s rates.txt promised.txt || note "$(diff rates.txt promised.txt | head -n 6)"
+  finish "order: the table of docs/order.md is what the test measures"
+fi
 exit $failed
