@@ -2,8 +2,18 @@
 #ifndef SCALLOP_ORDER_COLUMNS_H
 #define SCALLOP_ORDER_COLUMNS_H
 
-#include "compare/order/series.h"
+#include <stdbool.h>
+
 #include "compare/text/tsv.h"
+
+/* Which columns are read: names in the header, or numbers from 1. */
+struct columns_wanted {
+  const char *x; /* NULL: h, and where no column has this name the first one                */
+  const char *
+      y; /* with commas between; NULL: err, error or value, and where none has such a name each right of x that holds numbers,
+                    but for noise and for orders                                            */
+  bool values; /* y are values; without it, only a column of this name                     */
+};
 
 enum { MOST_Y = 64, COLUMN_NAME = 100 };
 

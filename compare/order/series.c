@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/order/columns.h"
 #include "compare/text/memory.h"
 
 enum { NAME = 1024 };

@@ -3,6 +3,7 @@
 #define SCALLOP_SERIES_H
 
 #include "asymptotics/observed/order.h"
+#include "compare/order/columns.h"
 #include "compare/text/message.h"
 
 enum { MOST_SERIES = 4096, MOST_ROWS = 1000000 };
@@ -21,15 +22,6 @@ struct series_list {
   struct series *series;
   int count;
   long rows; /* of all of them                                                          */
-};
-
-/* Which columns are read: names in the header, or numbers from 1. */
-struct columns_wanted {
-  const char *x; /* NULL: h, and where no column has this name the first one                */
-  const char *
-      y; /* with commas between; NULL: err, error or value, and where none has such a name each right of x that holds numbers,
-                    but for noise and for orders                                            */
-  bool values; /* y are values; without it, only a column of this name                     */
 };
 
 /* Adds the series of a file ('-': standard input). Otherwise the message of command is on stderr. */
