@@ -16,9 +16,6 @@ static const double SURE = 0.995;
 enum { MOST_PRINTED = 64 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
 static const double LEAST_POWER = 0.4;
-/* Four points leave one degree of freedom, which many terms fit by chance: only those that die away are taken for real, and a logarithm
- * that is surer still. */
-static const double SURER = 0.9995;
 
 /* A term of x: log(1 + c u)/c with u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest otherwise; u itself for c = 0. */
 struct shape {
@@ -121,7 +118,8 @@ static struct bend fit(const struct run *r, const struct shape *shape)
   return b;
 }
 
-/* The first of those that die away that is about as good as the best of them, unless another is much better */
+/* Four points leave one degree of freedom, which terms that take over fit by chance.
+ * The first of those that die away that is about as good as the best of them, unless another is much better */
 static struct bend best_bend(const struct run *r)
 {
   struct bend bends[SHAPES], other = { .left = INFINITY };
@@ -179,7 +177,7 @@ struct trend trend_of(const struct scallop_order_point *points, int count, int f
   if (t.points < 4 || t.rounded)
     return t;
   struct bend bend = best_bend(&r);
-  double dof = r.n - 3, sure = student_quantile(dof < 2 && bend.shape->kind == TREND_CREEPING ? SURER : SURE, (long)dof);
+  double dof = r.n - 3, sure = student_quantile(SURE, (long)dof);
   double from = bend.slope + bend.factor * term_slope(&r, bend.shape, r.coarsest);
   double to = bend.slope + bend.factor * term_slope(&r, bend.shape, r.finest);
   if (!(line.left - bend.left > sure * sure * bend.left / dof) || !(fabs(from - to) > SEEN))

@@ -138,8 +138,8 @@ static bool join_single_points(struct reader *r)
 static const char *take_row(struct tsv *t, struct reader *r, const struct columns_wanted *wanted, bool *is_first)
 {
   double number;
-  if (t->fault)
-    return t->fault;
+  if (t->fault || t->count == 0)
+    return t->fault ? t->fault : "this line has commas and no cells";
   if (*is_first && t->columns == 0 && !read_cell(t->cell[0], &number))
     return tsv_take_header(t) ? NULL : out_of_memory;
   const char *wrong = *is_first ? columns_find(&r->layout, t, wanted) : NULL;
