@@ -171,10 +171,11 @@ version   := $(shell sed -n 's/^.define SCALLOP_VERSION "\(.*\)"/\1/p' model/ver
 abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
-core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h) asymptotics/asymptotics.h asymptotics/observed/order.h \
+core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h families.h) asymptotics/asymptotics.h asymptotics/observed/order.h \
              numerics/numerics.h numerics/wide/wide.h
 headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode) \
-             $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h numerics/certified/certified.h)
+             $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h \
+             numerics/certified/certified.h)
 to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)" LDFLAGS="$(LDFLAGS)" INSTALL="$(INSTALL)" DESTDIR="$(DESTDIR)" \
              PREFIX="$(PREFIX)" bindir="$(bindir)" libdir="$(libdir)" includedir="$(includedir)" datadir="$(datadir)" mandir="$(mandir)" \
              pkgconfigdir="$(pkgconfigdir)" completionsdir="$(completionsdir)" sh scripts/dev

@@ -9,17 +9,19 @@
  *
  * Each header begins with what it is for. In libscallop-core, which needs C's library only, and in libscallop:
  *     model/model.h               crawlers, gaits, phases; scallop_status, which every call that can fail returns
- *     model/gaits.h               gaits made to measure: trapezoidal, skewed, polynomial, splines through data
+ *     model/gaits.h               gaits made to measure, and splines through data
+ *     model/families.h            the families of gaits, by name
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
- *     asymptotics/asymptotics.h   the formulas of the paper as published
+ *     asymptotics/asymptotics.h   the formulas of the paper as published, and formulas of one's own
  *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; knows no crawler
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
+ *     asymptotics/derived/expansion.h       the derived series, term by term, and formulas in balls (FLINT)
  *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
  *
- * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either. All of it
- * can be called from several threads at once. */
+ * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either, but for
+ * scallop_formula_read. All of it can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 
@@ -31,6 +33,7 @@ extern "C" {
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/observed/order.h"
+#include "model/families.h"
 #include "model/gaits.h"
 #include "model/model.h"
 #include "model/version.h"

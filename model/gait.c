@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "model/families.h"
 #include "model/law.h"
 
 #define PI 3.14159265358979323846
@@ -101,6 +102,18 @@ const struct scallop_gait scallop_gait_sinusoidal = {
   { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1, true, false },
     { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1, true, false } }
 };
+
+const struct scallop_gait_family scallop_family_quadratic = {
+  .name = "quadratic",
+  .sentence = "l'' is constant in either half of each phase: |l'| rises and falls along straight lines",
+  .sample = "quadratic",
+  .fixed = &scallop_gait_quadratic
+};
+
+const struct scallop_gait_family scallop_family_sinusoidal = { .name = "sinusoidal",
+                                                               .sentence = "l is half a cosine in each phase",
+                                                               .sample = "sinusoidal",
+                                                               .fixed = &scallop_gait_sinusoidal };
 
 static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
 enum { GAITS = sizeof gaits / sizeof gaits[0] };

@@ -1,4 +1,4 @@
-/* Gaits made to measure: trapezoidal, skewed, polynomial, and splines through data. Each is defined exactly, by doubles that stand for what
+/* Gaits made to measure: trapezoidal, skewed, constant, polynomial, and splines through data. Each is defined exactly, by doubles that stand for what
  * they are (struct scallop_law), so that solvers of every precision agree on what the gait is.
  *
  * A gait is made in memory of the caller, which it points into: it must stay where it is, and unchanged, while the gait is used.
@@ -29,6 +29,11 @@ enum scallop_status scallop_make_trapezoidal(struct scallop_straight *straight, 
 /* l'' is constant for a fraction beta[kind] of each phase, and has another constant value for the rest: l is quadratic, |l'| rises to 2 and
  * falls. beta = 1/2 is the quadratic gait. Domain: 2^-100 <= beta <= 1 - 2^-53. */
 enum scallop_status scallop_make_skewed(struct scallop_straight *straight, const char *name, const double beta[2]);
+
+/* Trapezoidal with up = down = ramp[kind], the very same numbers; or, where ramp[kind] = 0, l' constant throughout the phase: it jumps where that
+ * begins and ends, and the steady states of a crawler can then fill an interval (SCALLOP_INTERVAL).
+ * Domain: 0, or 2^-100 <= ramp <= 1/2. */
+enum scallop_status scallop_make_constant(struct scallop_straight *straight, const char *name, const double ramp[2]);
 
 enum { SCALLOP_POLYNOMIAL_DEGREE = SCALLOP_LAW_MOST_DEGREE + 1, SCALLOP_POLYNOMIAL_PIECES = 2 * SCALLOP_POLYNOMIAL_DEGREE };
 

@@ -8,6 +8,6 @@
 
 /* Of the shared libraries: the number after .so. It rises when a program that was linked with an earlier one would not run right: a function
  * has gone or takes something else, or a struct has changed its layout. */
-#define SCALLOP_ABI 0
+#define SCALLOP_ABI 1
 
 #endif

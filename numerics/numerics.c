@@ -1,6 +1,7 @@
 /* The solves in double (solve.h), joined with those in wider arithmetic (wide_parts.h), which tell what rounding has spoilt. */
 #include "numerics/numerics.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "numerics/event/solve.h"
@@ -27,6 +28,30 @@ void scallop_modes_text(const struct scallop_modes *modes, char *text)
     *text++ = sign[modes->kept[i].s2 + 1];
   }
   *text = '\0';
+}
+
+struct scallop_span scallop_interval_span(const struct scallop_interval *i, const struct scallop_crawler *crawler,
+                                          enum scallop_phase_kind kind)
+{
+  const struct scallop_piece *p = i->piece;
+  const double tau = scallop_phase_duration(crawler, kind), L = crawler->L, unit = L / tau, M = crawler->m1 + crawler->m2;
+  const double mu1 = crawler->m1 / M, mu2 = crawler->m2 / M;
+  const double begin = p->curve->velocity(p, i->u_begin), end = p->curve->velocity(p, i->u_end);
+  const double gain = p->curve->length(p, i->u_end) - p->curve->length(p, i->u_begin);
+  bool forward = p->anchor == SCALLOP_FROM_START, stuck_1 = i->mode.s1 == 0, stuck_2 = i->mode.s2 == 0;
+  double way = fabs(i->u_end - i->u_begin) * (i->c_begin / 2 + i->c_end / 2); /* of the centre of mass, while both slide */
+  return (struct scallop_span){
+    .t_begin = (forward ? i->u_begin : 1 - i->u_begin) * tau,
+    .t_end = (forward ? i->u_end : 1 - i->u_end) * tau,
+    .duration = fabs(i->u_end - i->u_begin) * tau,
+    .v1_begin = stuck_1 ? 0 : (stuck_2 ? -begin : i->c_begin - mu2 * begin) * unit,
+    .v1_end = stuck_1 ? 0 : (stuck_2 ? -end : i->c_end - mu2 * end) * unit,
+    .v2_begin = stuck_2 ? 0 : (stuck_1 ? begin : i->c_begin + mu1 * begin) * unit,
+    .v2_end = stuck_2 ? 0 : (stuck_1 ? end : i->c_end + mu1 * end) * unit,
+    .dx1 = stuck_1 ? 0 : (stuck_2 ? -gain : way - mu2 * gain) * L,
+    .dx2 = stuck_2 ? 0 : (stuck_1 ? gain : way + mu1 * gain) * L,
+    .mode = i->mode,
+  };
 }
 
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,

@@ -86,6 +86,20 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                             scallop_visitor *visit, void *context);
 
+/* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the velocities of just after
+ * the beginning and just before the end. Times are good to an ulp or two of tau; velocities and displacements, which may be differences of
+ * larger numbers, to a few ulp of L/tau and of what c comes to, and of L. What a stuck body does is exactly 0. */
+struct scallop_span {
+  double t_begin, t_end; /* since the phase began                                                */
+  double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */
+  double v1_begin, v1_end, v2_begin, v2_end;
+  double dx1, dx2; /* displacements of the bodies in this time                             */
+  struct scallop_mode mode;
+};
+/* Of an interval that scallop_phase_intervals visits, with the same crawler and kind. */
+struct scallop_span scallop_interval_span(const struct scallop_interval *interval, const struct scallop_crawler *crawler,
+                                          enum scallop_phase_kind kind);
+
 struct scallop_period_result {
   double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
   double v_end;          /* velocity after the period: the period map                             */
@@ -109,8 +123,8 @@ struct scallop_steady_result {
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period
  * vanishes. The balance falls monotonically with the start velocity, so a root is always bracketed
- * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others the roots
- * can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
+ * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others (constant:0) the
+ * roots can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 

@@ -185,7 +185,7 @@ static bool judge_few(struct judged *j)
     return false;
   if (used == 2)
     set_pairwise_order(j, 0, points_slope(&j->points[points_next(j->points, j->count, 0)], last_used(j)));
-  give(j, exact                                               ? SCALLOP_ORDER_PASS
+  give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
           : used + (j->wanted->values ? 0 : zero) == j->count ? SCALLOP_ORDER_INSUFFICIENT
                                                               : SCALLOP_ORDER_FLOOR_LIMITED);
   if (exact)

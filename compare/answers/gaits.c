@@ -13,47 +13,48 @@
 #include "compare/text/values.h"
 #include "model/gaits.h"
 
-const char gaits_help[] =
-    "quadratic, sinusoidal, trapezoidal[:UP,DOWN] (0.25,0.25), skewed[:BETA] (0.25), minimum-jerk, polynomial:C1,C2,... or "
-    "measured:FILE, which has L, T and alpha of its own";
-
-enum { MOST_GAITS = 65536, BUCKETS = 4096, MOST_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE, MESSAGE = 480 };
+enum { MOST_GAITS = 65536, BUCKETS = 4096, MESSAGE = 480 };
 
 static char message[MESSAGE];
 
 struct made {
   struct made *next;
   char *text, *parameters;
-  const struct kind *kind;
-  const char *number[MOST_NUMBERS]; /* in parameters */
+  const struct scallop_gait_family *family;
+  const char *number[SCALLOP_GAIT_NUMBERS]; /* in parameters */
   int count;
   void *kept;
   void (*discard)(void *);
   const struct scallop_gait *gait;
   bool is_unreadable; /* the file of a measured one */
   union {
-    struct scallop_straight straight;
-    struct scallop_polynomial polynomial;
+    union scallop_made_gait numbers;
     struct gait_file file;
   };
 };
 
-struct kind {
-  const char *name;
-  const char *usual;   /* its parameters where none are given, or NULL */
-  const char *allowed; /* its parameters in words; NULL: it takes none */
-  /* x: made->count numbers. NULL, or what is wrong; "": not as allowed */
-  const char *(*make)(struct made *made, const double *x);
-  int numbers;        /* it takes, or half of them, which then hold for the contraction too; 0: any number */
-  const char *sample; /* one of them, its parameters not the usual ones where there are any; NULL: a file has to be read */
+/* Beside the families that are made of numbers */
+static const struct scallop_gait_family measured = {
+  .name = "measured",
+  .numbers = "FILE",
+  .allowed = "measured:FILE, a table of t and l, its name without control "
+             "characters",
+  .sentence = "a spline through a table of t and l, whose last row is the first "
+              "one a period later; L, T and alpha are its own"
 };
+
+const struct scallop_gait_family *gait_family(int i)
+{
+  int count = 0;
+  while (scallop_gait_family(count))
+    count++;
+  return i == count ? &measured : scallop_gait_family(i);
+}
 
 static struct made *buckets[BUCKETS];
 static int made_count;
 
-static const char *make_measured(struct made *m, const double *none);
-
-static struct gait_file *file_of(struct made *made) { return made->kind->make == make_measured ? &made->file : NULL; }
+static struct gait_file *file_of(struct made *made) { return made->family == &measured ? &made->file : NULL; }
 
 static void discard(struct made *made)
 {
@@ -98,8 +99,8 @@ static void keep(struct made *made)
   *bucket = made;
 }
 
-/* Reads numbers between commas, and repeats them for the contraction. NULL, or what is wrong; "": there are too many or too few. */
-static const char *read_numbers(struct made *m, double x[MOST_NUMBERS])
+/* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
+static const char *read_numbers(struct made *m, double x[SCALLOP_GAIT_NUMBERS])
 {
   static char not_one[120];
   for (char *next = m->parameters; next; m->count++) {
@@ -107,7 +108,7 @@ static const char *read_numbers(struct made *m, double x[MOST_NUMBERS])
     next = strchr(text, ',');
     if (next)
       *next++ = '\0';
-    if (m->count == MOST_NUMBERS)
+    if (m->count == SCALLOP_GAIT_NUMBERS)
       return "";
     if (!read_number(text, &x[m->count])) {
       snprintf(not_one, sizeof not_one, "'%.80s' is not a number", text);
@@ -115,115 +116,81 @@ static const char *read_numbers(struct made *m, double x[MOST_NUMBERS])
     }
     m->number[m->count] = text;
   }
-  int half = m->kind->numbers / 2;
-  for (int i = 0; m->count == half + i && i < half; i++, m->count++) {
-    x[m->count] = x[i];
-    m->number[m->count] = m->number[i];
-  }
-  return half == 0 || m->count == 2 * half ? NULL : "";
+  return NULL;
 }
 
-static const char *make_trapezoidal(struct made *m, const double *x)
+static const char *make_of_numbers(struct made *m)
 {
-  const double up[2] = { x[0], x[2] }, down[2] = { x[1], x[3] };
-  m->gait = &m->straight.gait;
-  return scallop_make_trapezoidal(&m->straight, m->text, up, down) == SCALLOP_OK ? NULL : "";
-}
-
-static const char *make_skewed(struct made *m, const double *beta)
-{
-  m->gait = &m->straight.gait;
-  return scallop_make_skewed(&m->straight, m->text, beta) == SCALLOP_OK ? NULL : "";
-}
-
-static const char *make_polynomial(struct made *m, const double *x)
-{
-  double c[MOST_NUMBERS + 1] = { 0 }; /* c[0] of s^0 */
-  const char *why = "";
-  memcpy(c + 1, x, (size_t)m->count * sizeof *x);
-  m->gait = &m->polynomial.gait;
-  return scallop_make_polynomial(&m->polynomial, m->text, c, m->count, &why) == SCALLOP_OK ? NULL : why;
+  double x[SCALLOP_GAIT_NUMBERS];
+  const char *why = read_numbers(m, x);
+  m->gait = &m->numbers.gait;
+  if (why || scallop_make_gait(&m->numbers, m->family, m->text, x, m->count, &why) == SCALLOP_OK)
+    return why;
+  return why ? why : "";
 }
 
 /* A name with control characters could not be printed in a table. */
-static const char *make_measured(struct made *m, const double *none)
+static const char *make_measured(struct made *m)
 {
   const char *c = m->parameters;
-  (void)none;
   while ((unsigned char)*c >= ' ')
     c++;
   m->gait = &m->file.spline.gait;
   return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
 }
 
-static const struct kind kinds[] = {
-  { "quadratic", NULL, NULL, NULL, 0, "quadratic" },
-  { "sinusoidal", NULL, NULL, NULL, 0, "sinusoidal" },
-  { "trapezoidal", "0.25,0.25",
-    "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which |l'| "
-    "rises and falls: "
-    "from 2^-100, UP + DOWN at most 1",
-    make_trapezoidal, 4, "trapezoidal:0.2,0.3" },
-  { "skewed", "0.25",
-    "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from 2^-100, "
-    "below 1",
-    make_skewed, 2, "skewed:0.3" },
-  { "polynomial", NULL, "polynomial:C1,C2,... of degree 3 to 16 with l' = 0 at both ends and C1 + C2 + ... > 0",
-    make_polynomial, 0, "polynomial:0,0,0,35,-84,70,-20" },
-  { "minimum-jerk", "0,0,10,-15,6", NULL, make_polynomial, 0, "minimum-jerk" },
-  { "measured", NULL, "measured:FILE, a table of t and l, its name without control characters", make_measured, 0, NULL },
-};
-enum { KINDS = sizeof kinds / sizeof kinds[0] };
-
 const char *gait_sample(int i)
 {
-  for (int k = 0; k < KINDS; k++)
-    if (kinds[k].sample && i-- == 0)
-      return kinds[k].sample;
-  return NULL;
+  const struct scallop_gait_family *family = scallop_gait_family(i);
+  return family ? family->sample : NULL;
 }
 
-/* The kind of that name, up to the colon or the end */
-static const struct kind *kind_of(const char *text)
+/* The family of that name, up to the colon or the end */
+static const struct scallop_gait_family *family_of(const char *text)
 {
   size_t length = strcspn(text, ":");
-  for (int i = 0; i < KINDS; i++)
-    if (strncmp(text, kinds[i].name, length) == 0 && kinds[i].name[length] == '\0')
-      return &kinds[i];
-  return NULL;
+  const struct scallop_gait_family *family;
+  for (int i = 0; (family = gait_family(i)) != NULL; i++)
+    if (strncmp(text, family->name, length) == 0 && family->name[length] == '\0')
+      break;
+  return family;
 }
 
 static struct gait_answer refused(enum gait_fault fault) { return (struct gait_answer){ NULL, fault, message }; }
 
 static struct gait_answer unknown(const char *text)
 {
-  const char *names[KINDS + 1] = { NULL };
+  enum { MOST = 32 };
+  const char *names[MOST] = { NULL };
   char name[40];
-  for (int i = 0; i < KINDS; i++)
-    names[i] = kinds[i].name;
+  const struct scallop_gait_family *family;
+  int used = snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes", text);
+  for (int i = 0; i + 1 < MOST && (family = gait_family(i)) != NULL; i++) {
+    bool must = family->numbers && !family->usual;
+    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s%s%s",
+                     i == 0               ? ""
+                     : gait_family(i + 1) ? ","
+                                          : " or",
+                     family->name, must ? ":" : "", must ? family->numbers : "");
+    names[i] = family->name;
+  }
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-  snprintf(message, sizeof message,
-           "'%.80s' is not allowed here: it takes quadratic, sinusoidal, trapezoidal, skewed, minimum-jerk, "
-           "polynomial:C1,C2,... or measured:FILE%s",
-           text, did_you_mean(nearest(name, names)));
+  snprintf(message + used, sizeof message - (size_t)used, "%s", did_you_mean(nearest(name, names)));
   return refused(GAIT_UNKNOWN);
 }
 
-static struct gait_answer make(const struct kind *kind, const char *text, const char *parameters)
+static struct gait_answer make(const struct scallop_gait_family *family, const char *text, const char *parameters)
 {
   struct made *m = made_count < MOST_GAITS ? calloc(1, sizeof *m) : NULL;
-  double x[MOST_NUMBERS];
   if (m)
-    *m = (struct made){ .kind = kind, .text = strdup(text), .parameters = strdup(parameters) };
+    *m = (struct made){ .family = family, .text = strdup(text), .parameters = strdup(parameters) };
   if (!m || !m->text || !m->parameters) {
     snprintf(message, sizeof message,
              m ? "out of memory" : "'%.80s' is one gait too many: 65536 different ones are the most", text);
     discard(m);
     return refused(GAIT_UNKNOWN);
   }
-  const char *why = file_of(m) ? NULL : read_numbers(m, x);
-  if (!why)
-    why = kind->make(m, x);
+  const char *why = file_of(m) ? make_measured(m) : make_of_numbers(m);
   if (!why) {
     keep(m);
     return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
@@ -233,7 +200,7 @@ static struct gait_answer make(const struct kind *kind, const char *text, const 
     snprintf(message, sizeof message, "%s", why);
   else
     snprintf(message, sizeof message, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "",
-             kind->allowed);
+             family->allowed);
   discard(m);
   return refused(fault);
 }
@@ -246,16 +213,16 @@ struct gait_answer gait_of_text(const char *text)
   struct made *made = find(text);
   if (made)
     return (struct gait_answer){ made->gait, GAIT_FINE, NULL };
-  const struct kind *kind = kind_of(text);
+  const struct scallop_gait_family *family = family_of(text);
   const char *colon = strchr(text, ':');
-  if (!kind || !kind->make || (colon && !kind->allowed))
+  if (!family || family->fixed || (colon && !family->allowed))
     return unknown(text);
   if (strlen(text) > GAIT_TEXT - sizeof "--gait ") {
     snprintf(message, sizeof message, "'%.80s...' is too long", text);
     return refused(GAIT_UNKNOWN);
   }
-  const char *parameters = colon ? colon + 1 : kind->usual ? kind->usual : "";
-  return make(kind, text, parameters);
+  const char *parameters = colon ? colon + 1 : family->usual ? family->usual : "";
+  return make(family, text, parameters);
 }
 
 const char gait_no_ends[] =
@@ -304,7 +271,7 @@ bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
   struct made *made = made_of(gait);
   if (made)
-    *source = (struct gait_source){ .kind = made->kind->name,
+    *source = (struct gait_source){ .family = made->family,
                                     .number = made->number,
                                     .count = made->count,
                                     .file = file_of(made),

@@ -1,21 +1,14 @@
-/* Gaits by their names on the command line:
- *
- *     quadratic, sinusoidal, minimum-jerk
- *     trapezoidal[:UP,DOWN[,UP,DOWN]]    fractions of the phase; the second pair is for the contraction (0.25,0.25)
- *     skewed[:BETA[,BETA]]               (0.25)
- *     polynomial:C1,C2,...               coefficients of s, s^2, ... of l over the extension
- *     measured:FILE                      a table of t and l, through which a spline is laid
- *
- * model/gaits.h has what they are. */
+/* Gaits by their names on the command line: NAME or NAME:NUMBERS for the families of model/families.h, and measured:FILE, a table of t and l
+ * through which a spline is laid. */
 #ifndef SCALLOP_COMPARE_GAITS_H
 #define SCALLOP_COMPARE_GAITS_H
 
 #include <stdint.h>
 
-#include "model/model.h"
+#include "model/families.h"
 
-/* What --help says of them */
-extern const char gaits_help[];
+/* The families, measured last: i = 0, 1, ...; NULL after the last. */
+const struct scallop_gait_family *gait_family(int i);
 
 /* The text of a gait is shorter than this, with "--gait " before it. */
 enum { GAIT_TEXT = 4096 };
@@ -44,9 +37,9 @@ uint32_t gait_checksum(const struct scallop_gait *gait);
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_file;
 struct gait_source {
-  const char *kind;             /* "trapezoidal"                                                                   */
-  const char *const *number;    /* its numbers as they were written, with the default ones                          */
-  int count;                    /* of them: 4 of a trapezoidal gait, 2 of a skewed one                              */
+  const struct scallop_gait_family *family;
+  const char *const *number;    /* its numbers as they were written, or the usual ones                              */
+  int count;                    /* of them                                                                         */
   const struct gait_file *file; /* of a measured gait, which has no other numbers, or NULL                          */
   void **kept;                  /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
   void (**discard)(void *);     /* this, when the program ends                                                   */

@@ -1,7 +1,6 @@
 #include "compare/answers/point_flint.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "compare/answers/gait_file.h"
 #include "compare/answers/gaits.h"
@@ -32,13 +31,7 @@ static bool of_numbers(struct written *w, const struct scallop_gait *gait, const
   bool right = true;
   for (int i = 0; i < source->count; i++)
     right = right && scallop_rational_parse(x + i, source->number[i]);
-  if (right && strcmp(source->kind, "trapezoidal") == 0) {
-    fmpq_swap(x + 1, x + 2); /* up, down, up, down: to up, up, down, down */
-    scallop_exact_trapezoidal(&w->exact, gait, x, x + 2);
-  } else if (right && strcmp(source->kind, "skewed") == 0)
-    scallop_exact_skewed(&w->exact, gait, x);
-  else
-    right = right && scallop_exact_polynomial(&w->exact, gait, x, source->count);
+  right = right && scallop_exact_made(&w->exact, source->family, gait, x, source->count);
   _fmpq_vec_clear(x, source->count);
   return right;
 }

@@ -41,6 +41,17 @@ enum quantity_id quantity_of_name(const char *name)
   return (enum quantity_id)q;
 }
 
+const struct column_meaning *quantity_meaning(const char *name)
+{
+  static struct column_meaning meaning;
+  enum quantity_id q = quantity_of_name(name);
+  if (q == NAMED_QUANTITIES)
+    return NULL;
+  meaning = (struct column_meaning){ strcmp(quantity_rows[q].unit, "1") == 0 ? "" : quantity_rows[q].unit,
+                                     quantity_rows[q].sentence };
+  return &meaning;
+}
+
 /* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
 static const struct {
   enum quantity_id id[2];

@@ -22,6 +22,7 @@
 #include <stdbool.h>
 
 #include "asymptotics/asymptotics.h"
+#include "compare/text/aligned.h"
 #include "model/model.h"
 
 /* What a quantity is of: the steady state, or one phase from a start velocity. */
@@ -67,6 +68,9 @@ extern const struct quantity_row quantity_rows[NAMED_QUANTITIES];
 /* The columns of a motion: the first, and the one after the last; they stand together. */
 enum quantity_id quantity_first(enum quantity_of of);
 enum quantity_id quantity_end(enum quantity_of of);
+
+/* What the column of this name is, for people, in their units; NULL: it is none of these. */
+const struct column_meaning *quantity_meaning(const char *name);
 
 /* That of this name, or NAMED_QUANTITIES. */
 enum quantity_id quantity_of_name(const char *name);

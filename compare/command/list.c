@@ -2,6 +2,7 @@
 
 #include "compare/command/list.h"
 
+#include "compare/answers/gaits.h"
 #include "compare/command/commands.h"
 
 const struct command *const commands[] = { &command_phase,  &command_steady,    &command_trajectory, &command_series,
@@ -82,12 +83,31 @@ static void list_quantities(FILE *to, const struct quantity_row *row, const stru
     fprintf(to, "  %-18s  %s [%s]\n", row->name, row->sentence, row->unit);
 }
 
+/* What --gait takes, if the command has it */
+static void list_gaits(FILE *to, const struct command *command)
+{
+  const struct option *o = command->options;
+  const struct scallop_gait_family *family;
+  while (o->name && strcmp(o->name, "gait") != 0)
+    o++;
+  if (o->name)
+    fputs("\nGaits (with their usual numbers):\n", to);
+  for (int i = 0; o->name && (family = gait_family(i)) != NULL; i++) {
+    char name[40];
+    bool may = family->numbers && family->usual;
+    snprintf(name, sizeof name, "%s%s%s%s%s", family->name, may ? "[" : "", family->numbers ? ":" : "",
+             family->numbers ? family->numbers : "", may ? "]" : "");
+    fprintf(to, "  %-22s  %s%s%s%s\n", name, family->sentence, may ? " (" : "", may ? family->usual : "", may ? ")" : "");
+  }
+}
+
 void help_command(FILE *to, const struct command *command)
 {
   fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n", command->example, command->name,
           command->operand ? " " : "", command->operand ? command->operand : "", command->summary, command->about);
   if (command->quantities.end > 0)
     list_quantities(to, quantity_rows + command->quantities.first, quantity_rows + command->quantities.end);
+  list_gaits(to, command);
   fputs("\nOptions (defaults in brackets):\n", to);
   struct arguments initial;
   options_initial(&initial, command);

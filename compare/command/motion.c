@@ -73,7 +73,7 @@ static void write_parameter(struct table *t, bool certified, const char *written
     return;
   }
   number_text(text, value, 0);
-  if (written && !is_plain(written) && t->style->format == FORMAT_JSON)
+  if (written && !is_plain(written) && t->format == FORMAT_JSON)
     table_text(t, written);
   else
     table_digits(t, written ? written : text);

@@ -97,11 +97,13 @@ static const char *read_format(void *options, const struct option *o, const char
 {
   struct request *r = options;
   (void)o;
-  if (strcmp(text, "tsv") != 0 && strcmp(text, "json") != 0)
-    return not_allowed(text, "tsv or json");
-  r->style.format = *text == 't' ? FORMAT_TSV : FORMAT_JSON;
-  r->style.has_format = true;
-  return NULL;
+  for (int f = 0; format_names[f]; f++)
+    if (strcmp(text, format_names[f]) == 0) {
+      r->style.format = (enum format)f;
+      r->style.has_format = true;
+      return NULL;
+    }
+  return not_allowed(text, "tsv, json, csv, markdown or table");
 }
 
 static const char *no_digits(const char *text, const char *range)
@@ -285,7 +287,8 @@ void options_initial(struct arguments *a, const struct command *command)
   a->command = command;
   if (command->initial)
     memcpy(&a->options, command->initial, command->size);
-  a->options.request = (struct request){ .style = { .command = command->name }, .point = point_initial(command->defaults) };
+  a->options.request = (struct request){ .style = { .command = command->name, .meaning = quantity_meaning },
+                                         .point = point_initial(command->defaults) };
 }
 
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
@@ -305,6 +308,8 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   struct point *point = &a->options.request.point;
   *code = reading == READ_HELP ? EXIT_DONE : point->unreadable ? EXIT_FILE : EXIT_USAGE;
   point_complete(point);
+  if (a->options.request.points && strcmp(a->options.request.points, "-") == 0)
+    a->options.request.style.has_format = true; /* each row appears when its point has come, on a terminal too */
   if (reading == READ_RUN && !is_sound(a))
     return READ_REFUSED;
   if (reading == READ_RUN && a->options.request.book)

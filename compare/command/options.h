@@ -74,7 +74,7 @@ struct option_rule {
 #define OPTION_T(otherwise) OPTION_POINT("T", "T", "period", otherwise)
 #define OPTIONS_ALPHA_GAIT(numbers, gait) \
   OPTION_POINT("alpha", "A", "fraction of the period that the extension takes", numbers), \
-      OPTION_POINT("gait", "GAIT", gaits_help, gait)
+      OPTION_POINT("gait", "GAIT", "one of the gaits above", gait)
 #define OPTIONS_CRAWLER(numbers, gait) OPTIONS_TO_L(numbers), OPTION_T(numbers), OPTIONS_ALPHA_GAIT(numbers, gait)
 #define OPTION_PHASE(otherwise) OPTION_POINT("phase", "PHASE", "extension or contraction", otherwise)
 #define OPTION_V0(otherwise) OPTION_POINT("v0", "V", "velocity of both bodies at the start of the phase", otherwise)
@@ -95,7 +95,9 @@ struct option_rule {
   OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
               request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
-#define OPTION_FORMAT(otherwise) OPTION("format", "F", "tsv or json, one object a line", otherwise, .kind = &format_option)
+#define OPTION_FORMAT(otherwise) \
+  OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
+         .kind = &format_option)
 #define OPTION_DIGITS(range, otherwise, high) \
   OPTION("digits", "N", "significant digits " range, otherwise, .kind = &digits_option, .most = high, .allowed = range)
 #define READ_BACK "as many as read back exactly"
@@ -110,8 +112,6 @@ struct option_rule {
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
 #define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
-
-extern const char gaits_help[];
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
 bool digits_hold(const struct style *style, bool proven, const char *range);

@@ -45,8 +45,8 @@ static const struct option options_of_order[] = {
               order_options, columns.y, "a column, or several with commas between"),
   OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options, columns.values),
   OPTION_FLAG("rows", "print each row with its pairwise order and its use, and no verdicts", order_options, rows),
-  OPTION_WORD("format", "F", "tsv, json (one object a line), tap, junit or markdown", NULL, order_options, format,
-              report_formats),
+  OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
+              order_options, format, report_formats),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS),
   OPTIONS_LAST,
 };
@@ -56,19 +56,18 @@ static const struct option_rule rules[] = {
 };
 static const struct order_options initial = { .tolerance = { 0.1, false }, .format = { "tsv", false } };
 
-static enum report_format format_of(const struct order_options *o)
+static int format_of(const struct order_options *o)
 {
   int format = 0;
   while (strcmp(report_formats[format], o->format.value) != 0)
     format++;
-  return (enum report_format)format;
+  return format;
 }
 
 static bool is_sound(const void *options)
 {
   const struct order_options *o = options;
-  return !o->rows || format_of(o) <= REPORT_JSON
-         || complain("order", "--rows: '%s' is a format for verdicts: tsv or json", o->format.value);
+  return !o->rows || format_of(o) < FORMATS || complain("order", "--rows: '%s' is a format for verdicts", o->format.value);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
@@ -90,7 +89,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   struct style style = o->request.style;
   const struct report report = { &list, &wanted, format_of(o), &style };
-  style.format = report.format == REPORT_JSON ? FORMAT_JSON : FORMAT_TSV;
+  style.format = report.format < FORMATS ? (enum format)report.format : FORMAT_TSV;
+  style.has_format = o->format.given;
   if (code == EXIT_DONE)
     code = (o->rows ? report_write_rows : report_write)(&report);
   if (code == EXIT_DONE && report_failed(&report) > 0)

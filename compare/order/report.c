@@ -6,7 +6,7 @@
 
 #include "model/version.h"
 
-const char *const report_formats[] = { "tsv", "json", "tap", "junit", "markdown", NULL };
+const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "tap", "junit", NULL };
 
 static bool has_failed(const struct report *r, const struct series *s)
 {
@@ -52,7 +52,7 @@ static void write_counts(struct table *t, const struct report *r)
 {
   static const char *const counts[] = { "tables", "passed", "failed", NULL };
   int failed = report_failed(r);
-  if (r->format == REPORT_TSV) {
+  if (t->format != FORMAT_JSON) {
     table_note(t, "%d %s: %d passed, %d failed", r->list->count, r->list->count == 1 ? "table" : "tables",
                r->list->count - failed, failed);
     return;
@@ -213,9 +213,9 @@ static void write_markdown(FILE *out, const struct report *r)
 enum exit_code report_write(const struct report *r)
 {
   static void (*const writers[])(FILE *, const struct report *) = {
-    [REPORT_TAP] = write_tap, [REPORT_JUNIT] = write_junit, [REPORT_MARKDOWN] = write_markdown
+    [REPORT_TAP] = write_tap, [REPORT_JUNIT] = write_junit, [FORMAT_MARKDOWN] = write_markdown
   };
-  if (r->format == REPORT_TSV || r->format == REPORT_JSON)
+  if (r->format < FORMATS && r->format != FORMAT_MARKDOWN)
     return write_table(r);
   const char *output = r->style->output, *name = output ? output : "standard output";
   struct file file;

@@ -5,7 +5,8 @@
 #include "compare/order/series.h"
 #include "compare/text/table.h"
 
-enum report_format { REPORT_TSV, REPORT_JSON, REPORT_TAP, REPORT_JUNIT, REPORT_MARKDOWN };
+/* Those of tables (enum format), and two more. */
+enum report_format { REPORT_TAP = FORMATS, REPORT_JUNIT };
 /* Their names, NULL-terminated, in this order. */
 extern const char *const report_formats[];
 
@@ -13,7 +14,7 @@ extern const char *const report_formats[];
 struct report {
   const struct series_list *list;
   const struct scallop_order_wanted *wanted;
-  enum report_format format;
+  int format; /* enum format or enum report_format */
   const struct style *style;
 };
 
@@ -21,7 +22,7 @@ struct report {
 int report_failed(const struct report *report);
 /* Writes a verdict for each series and a summary to the output of the style. */
 enum exit_code report_write(const struct report *report);
-/* Writes each row with its pairwise order and its use; TSV or JSON. */
+/* Writes each row with its pairwise order and its use, in a format of tables. */
 enum exit_code report_write_rows(const struct report *report);
 
 #endif

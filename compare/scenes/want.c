@@ -123,11 +123,11 @@ static const struct {
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 #define OF_SERIES "series error orders"
-static const char *const formats[] = { "tsv", "json", NULL }, *const references[] = { "exact", "certified", NULL };
+static const char *const references[] = { "exact", "certified", NULL };
 static const struct member members[] = {
   MEMBER(TEXT, "what", scene_want, what, ),
   MEMBER(TEXT, "file", scene_want, file, ),
-  MEMBER(WORD, "format", scene_want, format, .words = formats),
+  MEMBER(WORD, "format", scene_want, format, .words = format_names),
   OTHER("plot"),
   MEMBER(COUNT, "digits", scene_want, digits, .low = 1, .high = MOST_CERTIFIED_DIGITS,
          .only = "trajectory phase steady " OF_SERIES),

@@ -89,6 +89,8 @@ static bool solve_motion(const struct stress_case *s, struct solutions *all, str
   const char *why = NULL;
   if (!answer_with_errors(&all->got, &m, all->errors))
     return fail(j, all->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN, scallop_status_text(all->got.status));
+  if (all->got.status == SCALLOP_INTERVAL)
+    return fail(j, STRESS_REFUSED, "the steady states fill an interval: none of them is the one to judge");
   for (int w = 0; w < 2; w++)
     if (!answer_in_wide(&all->wide[w], &m, (enum scallop_width)w))
       return fail(j, STRESS_BROKEN, "wider arithmetic finds no solution");
@@ -210,6 +212,7 @@ static void measure(const struct stress_case *s, const struct solutions *all, co
     n->ulp = fabs(y) > 0x1p53 * floor && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
     n->unit = fmax(fmax(unit[q], n->ulp), fmax(floor, DBL_MIN));
     n->error = distance(got, exact);
+    n->resolved = floor * 0x1p849; /* 2^-111 of what the floor is 2^-960 of */
     for (int w = 0; w < 2; w++)
       n->wide_error[w] = distance(&numbers(s, &all->wide[w])[q], exact);
     if (fabs(y) > floor && !isnormal(y) && n->exists)
@@ -284,7 +287,8 @@ const char *stress_broken(const struct stress_judgement *j, int q)
   bool resolved = n->unit <= 0x1p50 * n->ulp || n->ulp == 0; /* by 113 bits */
   if (resolved && !(n->estimate >= n->error))
     return "estimate of the error too small";
-  double negligible = 0x1p-7 * (n->ulp > 0 ? n->ulp : fmax(n->unit, DBL_MIN));
+  /* a number may be 0 whatever the parameters: then its unit is nothing but rounding of 113 bits */
+  double negligible = n->ulp > 0 ? 0x1p-7 * n->ulp : fmax(0x1p-7 * fmax(n->unit, DBL_MIN), n->resolved);
   if (!(n->estimate <= STRESS_GENEROUS * fmax(n->error, negligible)))
     return "estimate of the error too large";
   return NULL;

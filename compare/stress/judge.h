@@ -21,6 +21,7 @@ struct stress_number {
   double exact, got; /* exact: rounded to double; got: in double              */
   double error, unit;
   double ulp;           /* 0 where exact is 0 or tiny                           */
+  double resolved;      /* by 113 bits, of what the number is counted in        */
   double wide_error[2]; /* of long double and binary128                         */
   double estimate;      /* of the error, as a solve returns it                  */
   double rounding;      /* largest minus smallest result of the four rounding modes */
@@ -29,7 +30,7 @@ struct stress_number {
 
 enum stress_outcome {
   STRESS_SOLVED,
-  STRESS_REFUSED,   /* by the double solver: out of its range           */
+  STRESS_REFUSED,   /* by the double solver: out of its range; or the steady states fill an interval */
   STRESS_UNDECIDED, /* by the certified solver: binary128 replaces it   */
   STRESS_BROKEN     /* a promise is broken for the case as a whole      */
 };

@@ -5,14 +5,35 @@
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "compare/text/message.h"
 
-static bool is_json(const struct table *t) { return t->style->format == FORMAT_JSON; }
+enum { PEOPLE_DIGITS = 6 };
+
+const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
+
+/* What stands around the cells of a row */
+static const struct {
+  const char *begin, *between, *end;
+} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n" },
+                     [FORMAT_JSON] = { "{", ", ", "}\n" },
+                     [FORMAT_CSV] = { "", ",", "\n" },
+                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n" },
+                     [FORMAT_TABLE] = { "", "", "" } };
+
+static bool is_json(const struct table *t) { return t->format == FORMAT_JSON; }
+
+/* People read what goes to a terminal. */
+static enum format format_of(const struct style *style, const char *output)
+{
+  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
+  return to_people ? FORMAT_TABLE : style->format;
+}
 
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
-  *t = (struct table){ .style = style, .output = output };
+  *t = (struct table){ .style = style, .output = output, .format = format_of(style, output) };
   int error = file_open(&t->out, output);
   if (error != 0)
     complain(style->command, "cannot write %s: %s", output, strerror(error));
@@ -37,6 +58,10 @@ static void hand_on(struct table *t)
 
 static void put(struct table *t, const char *text, size_t size)
 {
+  if (t->format == FORMAT_TABLE) {
+    aligned_put(&t->aligned, text, size);
+    return;
+  }
   for (size_t now; size > 0; text += now, size -= now) {
     if (t->used == TABLE_PART)
       hand_on(t);
@@ -49,23 +74,34 @@ static void put(struct table *t, const char *text, size_t size)
 static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
 static void put_char(struct table *t, char c)
 {
+  if (t->format == FORMAT_TABLE) {
+    put(t, &c, 1);
+    return;
+  }
   if (t->used == TABLE_PART)
     hand_on(t);
   t->part[t->used++] = c;
 }
 
+static void print_aligned(struct table *t)
+{
+  if (t->aligned.count > 0 && !aligned_print(&t->aligned, t->file, t->style->meaning) && t->error == 0)
+    t->error = ENOMEM;
+}
+
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
-  if (is_json(t))
+  if (t->format != FORMAT_TSV && t->format != FORMAT_TABLE)
     return;
-  put_text(t, "# ");
+  if (t->format == FORMAT_TABLE)
+    print_aligned(t);
   hand_on(t);
+  note_error(t, fputs("# ", t->file) < 0);
   va_start(arguments, format);
   note_error(t, vfprintf(t->file, format, arguments) < 0);
   va_end(arguments);
-  put_char(t, '\n');
-  hand_on(t);
+  note_error(t, fputc('\n', t->file) < 0);
 }
 
 size_t number_text(char text[NUMBER_TEXT], double x, long digits)
@@ -83,21 +119,30 @@ void table_columns(struct table *t, const char *const *names)
 
 static void begin_cell(struct table *t)
 {
+  if (t->format == FORMAT_TABLE)
+    return;
+  if (t->format == FORMAT_TSV && t->at > 0)
+    put_char(t, '\t');
+  else
+    put_text(t, t->at == 0 ? marks[t->format].begin : marks[t->format].between);
   if (is_json(t)) {
-    put_text(t, t->at == 0 ? "{\"" : ", \"");
+    put_char(t, '"');
     put_text(t, t->columns[t->at]);
     put_text(t, "\": ");
-  } else if (t->at > 0)
-    put_char(t, '\t');
+  }
 }
 
 static void end_cell(struct table *t)
 {
+  if (t->format == FORMAT_TABLE)
+    aligned_end_cell(&t->aligned);
   if (++t->at < t->count)
     return;
-  put_text(t, is_json(t) ? "}\n" : "\n");
-  hand_on(t);
   t->at = 0;
+  if (t->format == FORMAT_TABLE)
+    return;
+  put_text(t, marks[t->format].end);
+  hand_on(t);
 }
 
 void table_digits(struct table *t, const char *number)
@@ -109,14 +154,18 @@ void table_digits(struct table *t, const char *number)
 
 void table_begin_rows(struct table *t)
 {
+  t->aligned.columns = t->count;
   for (int i = 0; i < t->count && !is_json(t); i++)
     table_digits(t, t->columns[i]);
+  for (int i = 0; i < t->count && t->format == FORMAT_MARKDOWN; i++)
+    table_digits(t, "---");
 }
 
 void table_number(struct table *t, double value)
 {
   char text[NUMBER_TEXT];
-  number_text(text, value, t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits);
+  long digits = t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits;
+  number_text(text, value, digits == 0 && t->format == FORMAT_TABLE ? PEOPLE_DIGITS : digits);
   table_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
 }
 
@@ -132,23 +181,28 @@ void table_rounded(struct table *t, double value, const char *format)
 /* Bytes that are no plain characters, in a message, must not make the table unreadable. */
 void table_text(struct table *t, const char *text)
 {
-  const bool json = is_json(t);
+  /* characters that have a meaning in the format, and what stands in front of them then */
+  static const char *const special[FORMATS] = { "", "\"\\", "\"", "|", "" };
+  static const char before[FORMATS] = { [FORMAT_JSON] = '\\', [FORMAT_CSV] = '"', [FORMAT_MARKDOWN] = '\\' };
+  const char *meant = special[t->format];
+  bool quoted = is_json(t) || (t->format == FORMAT_CSV && strpbrk(text, ",\""));
   begin_cell(t);
-  if (json)
+  if (quoted)
     put_char(t, '"');
   while (*text) {
     size_t plain = 0;
-    while (text[plain] >= 0x20 && text[plain] <= 0x7e && !(json && (text[plain] == '"' || text[plain] == '\\')))
+    while (text[plain] >= 0x20 && text[plain] <= 0x7e && !strchr(meant, text[plain]))
       plain++;
     put(t, text, plain);
     text += plain;
-    if (*text == '"' || *text == '\\')
-      put_char(t, '\\');
-    if (*text)
-      put_char(t, *text == '"' || *text == '\\' ? *text : (unsigned char)*text < 0x20 ? ' ' : '?');
+    if (*text && strchr(meant, *text)) {
+      put_char(t, before[t->format]);
+      put_char(t, *text);
+    } else if (*text)
+      put_char(t, (unsigned char)*text < 0x20 ? ' ' : '?');
     text += *text != '\0';
   }
-  if (json)
+  if (quoted)
     put_char(t, '"');
   end_cell(t);
 }
@@ -164,6 +218,8 @@ bool table_flush(struct table *t)
 
 bool table_close(struct table *t)
 {
+  if (t->format == FORMAT_TABLE)
+    print_aligned(t);
   int error = file_close(&t->out, t->error == 0);
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0)
@@ -171,4 +227,8 @@ bool table_close(struct table *t)
   return t->error == 0;
 }
 
-void table_abandon(struct table *t) { file_close(&t->out, false); }
+void table_abandon(struct table *t)
+{
+  aligned_free(&t->aligned);
+  file_close(&t->out, false);
+}

@@ -1,4 +1,4 @@
-/* Tables: TSV with '#' lines on top, or JSON with one object a line, to standard output, to a file that appears when it is complete
+/* Tables: TSV with '#' lines on top, JSON with one object a line, CSV, Markdown, or aligned for people, to standard output, to a file that appears when it is complete
  * (compare/text/file.h), or to a pipe or a device. */
 #ifndef SCALLOP_TABLE_H
 #define SCALLOP_TABLE_H
@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "compare/text/aligned.h"
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 
@@ -14,7 +15,9 @@ enum { TABLE_COLUMNS = 96, TABLE_PART = 4096, NUMBER_TEXT = DIGITS_TEXT };
 /* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);
 
-enum format { FORMAT_TSV, FORMAT_JSON };
+/* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is given */
+enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
+extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
 /* How a command writes its table. */
 struct style {
@@ -24,12 +27,15 @@ struct style {
   long digits; /* significant ones; 0: as many as read back exactly */
   bool quiet;
   bool has_output, has_format; /* are given */
+  column_meaning *meaning;     /* of columns, for people, or NULL */
 };
 
 struct table {
   FILE *file;
   const struct style *style;
-  const char *output; /* its name, NULL: standard output */
+  enum format format;
+  struct aligned aligned; /* what is kept of a FORMAT_TABLE */
+  const char *output;     /* its name, NULL: standard output */
   struct file out;
   const char *columns[TABLE_COLUMNS];
   int count, at; /* columns; the next one in this row */
@@ -43,7 +49,7 @@ struct table {
 bool table_open_at(struct table *table, const struct style *style, const char *output);
 /* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
-/* A '#' line before the columns or after the rows; nothing in JSON. */
+/* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The header row: NULL-terminated names, which must outlive the table. May be called in parts. */
 void table_columns(struct table *table, const char *const *names);

@@ -1,4 +1,4 @@
-/* The gaits of gaits.h in fractions: the pieces that the doubles make, each with what the fractions make of it. */
+/* The gaits of families.h in fractions, and splines: the pieces that the doubles make, each with what the fractions make of it. */
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
@@ -100,7 +100,8 @@ static void set_straight(struct scallop_fractions *f, const struct scallop_shape
   fmpq_zero(f->least);
   if (here == STAYS || here == FALLS_FROM_START)
     fmpq_set(f->least, is_from_start(&shape->pieces[i]) ? up : down);
-  fmpq_div(steep, height, here == RISES ? up : down);
+  if (here != STAYS)
+    fmpq_div(steep, height, here == RISES ? up : down);
   if (here == STAYS)
     fmpq_poly_set_coeff_fmpq(f->speed, 0, height);
   else if (here == FALLS_FROM_START) {
@@ -136,19 +137,30 @@ static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmp
   fmpq_clear(height);
 }
 
-void scallop_exact_trapezoidal(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *up,
-                               const fmpq *down)
+/* up: of each phase; down: likewise, `apart` numbers from one phase to the next */
+static void set_straights(struct scallop_exact_gait *e, const fmpq *up, const fmpq *down, int apart)
 {
-  scallop_exact_of(e, gait);
   for (int kind = 0; kind < 2; kind++)
-    set_straight_phase(e, kind, up + kind, down + kind);
+    set_straight_phase(e, kind, up + apart * kind, down + apart * kind);
   share(e);
   leave_out_empty(e);
 }
 
-void scallop_exact_skewed(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *beta)
+/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles say, which *e is. False: it is
+ * left as it is. */
+typedef bool exact_law(struct scallop_exact_gait *e, const fmpq *x, int count);
+
+static bool exact_trapezoidal(struct scallop_exact_gait *e, const fmpq *x, int count)
 {
-  scallop_exact_trapezoidal(e, gait, beta, beta); /* what falls is the rest */
+  set_straights(e, x, x + 1, count / 2);
+  return true;
+}
+
+/* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the rest */
+static bool exact_one_ramp(struct scallop_exact_gait *e, const fmpq *x, int count)
+{
+  set_straights(e, x, x, count / 2);
+  return true;
 }
 
 static bool never_turns(const struct scallop_gait *gait)
@@ -186,13 +198,13 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   return right;
 }
 
-bool scallop_exact_polynomial(struct scallop_exact_gait *e, const struct scallop_gait *gait, const fmpq *c, int degree)
+/* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are no fractions. */
+static bool exact_polynomial(struct scallop_exact_gait *e, const fmpq *c, int degree)
 {
   fmpq_poly_t forward, back;
   fmpq_poly_init(forward);
   fmpq_poly_init(back);
-  scallop_exact_of(e, gait);
-  bool right = never_turns(gait) && set_speeds(forward, back, c, degree);
+  bool right = never_turns(&e->gait) && set_speeds(forward, back, c, degree);
   for (int i = 0; right && i < e->count; i++) {
     fmpq_zero(e->fractions[i].origin);
     fmpq_poly_set(e->fractions[i].speed, is_from_start(&e->pieces[i]) ? forward : back);
@@ -202,6 +214,26 @@ bool scallop_exact_polynomial(struct scallop_exact_gait *e, const struct scallop
   fmpq_poly_clear(forward);
   fmpq_poly_clear(back);
   return right;
+}
+
+#define LAW(family, law) law,
+static exact_law *const laws[] = { SCALLOP_GAIT_FAMILIES(LAW) };
+
+bool scallop_exact_made(struct scallop_exact_gait *e, const struct scallop_gait_family *family,
+                        const struct scallop_gait *gait, const fmpq *x, int count)
+{
+  int of = 0, all = family->each == 0 ? count : 2 * family->each;
+  while (scallop_gait_family(of) != family)
+    of++;
+  scallop_exact_of(e, gait);
+  if (!laws[of])
+    return false;
+  fmpq *both = _fmpq_vec_init(all);
+  for (int i = 0; i < all; i++)
+    fmpq_set(both + i, x + i % count);
+  bool made = laws[of](e, both, all);
+  _fmpq_vec_clear(both, all);
+  return made;
 }
 
 struct points { /* of a phase */

@@ -5,7 +5,7 @@
 #define SCALLOP_FRACTIONS_H
 
 #include "model/exact/flint.h"
-#include "model/gaits.h"
+#include "model/families.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,15 +34,11 @@ void scallop_exact_clear(struct scallop_exact_gait *exact);
 /* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines) have no fractions. */
 void scallop_exact_of(struct scallop_exact_gait *exact, const struct scallop_gait *gait);
 
-/* The gaits of gaits.h with these numbers instead of the doubles nearest to them, which `gait` was made with. False: there is no such gait, and
- * *exact is what the doubles say.
- * trapezoidal, skewed: numbers of the extension, and then of the contraction. As there, UP + DOWN within a rounding of 1 is 1. */
-void scallop_exact_trapezoidal(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *up,
-                               const fmpq *down);
-void scallop_exact_skewed(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *beta);
-/* c: of s, s^2, ..., `degree` of them. False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are
- * no fractions. */
-bool scallop_exact_polynomial(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *c, int degree);
+/* The gait of a family with these numbers instead of the doubles nearest to them, which `gait` was made with: count of them, as for
+ * scallop_make_gait. As there, UP + DOWN within a rounding of 1 is 1. False: *exact is what the doubles say, as where l' of a polynomial is not
+ * exactly 0 at both ends, or changes its sign within a phase. */
+bool scallop_exact_made(struct scallop_exact_gait *exact, const struct scallop_gait_family *family,
+                        const struct scallop_gait *gait, const fmpq *x, int count);
 /* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and elsewhere Steffen's
  * (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
 bool scallop_exact_spline(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *const times[2],

@@ -39,19 +39,30 @@ static bool is_zero_at(const struct scallop_piece *piece, double u)
   return zero;
 }
 
-/* l' without jumps, and 0 at both ends of each phase. */
-static bool is_continuous(const struct scallop_gait *gait)
+static bool is_zero_at_end(const struct scallop_shape *shape)
+{
+  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
+  return is_zero_at(last, last->end);
+}
+
+/* Where a phase begins l' is 0, and was so at the end of the phase before, or jumps. */
+static bool is_told_of_jumps(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++) {
-    const struct scallop_piece *pieces = gait->phase[kind].pieces;
-    int count = gait->phase[kind].count;
-    for (int i = 0; i < count; i++)
-      if (pieces[i].jump)
-        return false;
-    if (!is_zero_at(&pieces[0], pieces[0].begin) || !is_zero_at(&pieces[count - 1], pieces[count - 1].end))
+    const struct scallop_piece *first = &gait->phase[kind].pieces[0];
+    if (!first->jump && !(is_zero_at(first, first->begin) && is_zero_at_end(&gait->phase[1 - kind])))
       return false;
   }
   return true;
+}
+
+static bool has_jump(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (gait->phase[kind].pieces[i].jump)
+        return true;
+  return false;
 }
 
 /* Velocities in L/T */
@@ -123,6 +134,7 @@ struct search {
   arb_t v, low, high; /* exact; the steady state is between low and high */
   arb_t gain, fall;   /* P(v) - v, and minus its slope there      */
   slong known;        /* the precision of these two, 0: not known */
+  bool jumps;         /* l' does: steady states may fill an interval */
 };
 
 enum { SEARCH_BALLS = 5 };
@@ -137,6 +149,7 @@ static void search_init(struct search *s, const struct scallop_rational_crawler 
   for (int i = 0; i < SEARCH_BALLS; i++)
     arb_init(search_ball(s, i));
   s->known = 0;
+  s->jumps = has_jump(crawler->gait);
   period_init(&s->period, crawler);
 }
 
@@ -174,7 +187,7 @@ static void bracket(struct search *s, const struct scallop_rational_crawler *c)
   arb_clear(term);
 }
 
-/* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed point to the
+/* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed points to the
  * same side, and nearer. */
 static bool probe(struct search *s, slong precision)
 {
@@ -269,21 +282,39 @@ static bool has_sign_at(struct search *s, const arb_t v, int sign, slong precisi
   return arb_sgn_nonzero(s->gain) == sign;
 }
 
+static const char not_unique[] =
+    "l' jumps, and the steady states fill an interval, or almost: in double the status has its ends";
+
+/* How far from v the sign of P(v) - v is looked for first: 4 (P(v) - v) over its slope */
+static void first_radius(arb_t radius, const struct search *s, slong precision)
+{
+  arb_div(radius, s->gain, s->fall, precision);
+  arb_get_mag(arb_radref(radius), radius);
+  arf_set_mag(arb_midref(radius), arb_radref(radius));
+  mag_zero(arb_radref(radius));
+  arb_mul_2exp_si(radius, radius, 2);
+  if (!arb_is_zero(radius))
+    return;
+  if (arb_is_zero(s->v)) /* exactly steady, as below */
+    arb_one(radius);
+  else
+    arb_abs(radius, s->v);
+  arb_mul_2exp_si(radius, radius, -precision);
+}
+
 /* A ball around v across which P(v) - v changes its sign, as narrow as it is easily had. */
 static bool prove(struct search *s, arb_t proven, slong precision)
 {
   enum { TRIES = 6, WIDER = 6 };
   arb_ptr t = _arb_vec_init(2), radius = t, side = t + 1;
   bool found = false, known = s->known == precision || probe(s, precision);
-  if (known && arb_is_zero(s->gain)) {
+  if (known && arb_is_zero(s->gain) && !s->jumps) {
     arb_set(proven, s->v);
     found = true;
+  } else if (known && s->jumps && arb_contains_zero(s->gain) && arb_contains_zero(s->fall)) {
+    s->period.why = not_unique;
   } else if (known) {
-    arb_div(radius, s->gain, s->fall, precision);
-    arb_get_mag(arb_radref(radius), radius);
-    arf_set_mag(arb_midref(radius), arb_radref(radius));
-    mag_zero(arb_radref(radius));
-    arb_mul_2exp_si(radius, radius, 2);
+    first_radius(radius, s, precision);
     for (int i = 0; i < TRIES && !found && arb_is_finite(radius); i++) {
       arb_sub(side, s->v, radius, ARF_PREC_EXACT);
       found = has_sign_at(s, side, 1, precision);
@@ -406,7 +437,7 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,
                                              struct scallop_certified_steady *steady, const char **why)
 {
-  if (!certified_domain(crawler, digits) || !is_continuous(crawler->gait))
+  if (!certified_domain(crawler, digits) || !is_told_of_jumps(crawler->gait))
     return SCALLOP_EDOMAIN;
   struct scallop_certified_steady result;
   struct search search;

@@ -356,7 +356,8 @@ static bool finish(struct scallop_march *m)
   _arb_vec_clear(t, 2);
   if (!right)
     return undecided(m, "the law of the gait contradicts its amplitude, or the bodies each other: a defect");
-  return m->piece->direction == 0 || !arb_is_zero(m->v_end) || turn_back(m);
+  bool rests = arb_is_zero(m->v_end) && arb_contains_zero(m->rate);
+  return m->piece->direction == 0 || !rests || turn_back(m);
 }
 
 bool scallop_march_phase(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)

@@ -162,7 +162,7 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
 static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
 {
   const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
-  if (!(s->eps < 0x1p-20 * fabs(c)) || has_jump(s))
+  if (!(s->eps < 0x1p-20 * fabs(c)))
     return;
   for (int kind = 0; kind < 2; kind++) {
     const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);

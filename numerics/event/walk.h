@@ -106,13 +106,12 @@ static void stick(struct walk *w)
  * jumps. On the curves' common point c = 0, l' = 0 it stands for c = 0+. */
 static void place(struct walk *w)
 {
-  real upper = w->curve[0] * w->here.speed, lower = w->curve[1] * w->here.speed;
   for (int j = 0; j < 2; j++)
-    w->v[j] = w->c - w->curve[j] * w->here.speed;
+    w->v[j] = above(w, w->rest, w->curve[j] * w->here.speed);
   w->stuck = w->left = -1;
   w->turned = true;
-  w->region = w->c >= upper ? 0 : w->c < lower ? 2 : 1;
-  if (w->c == upper)
+  w->region = w->v[0] >= 0 ? 0 : w->v[1] < 0 ? 2 : 1;
+  if (w->v[0] == 0)
     meet(w, 0, true);
 }
 

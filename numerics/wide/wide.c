@@ -27,7 +27,7 @@ static bool is_exact(const struct scallop_gait *gait)
   for (int kind = 0; kind < 2; kind++)
     for (int i = 0; i < gait->phase[kind].count; i++) {
       const struct scallop_piece *p = &gait->phase[kind].pieces[i];
-      if (p->jump || (!p->linear && !p->law))
+      if (!p->linear && !p->law)
         return false;
     }
   return true;
@@ -38,6 +38,8 @@ static enum scallop_status check(enum scallop_width width, const struct scallop_
 {
   if (status < 0)
     return status;
+  if (status == SCALLOP_INTERVAL) /* none of them is the one */
+    return SCALLOP_EDOMAIN;
   return scallop_width_bits(width) > 0 && is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
 

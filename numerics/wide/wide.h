@@ -3,8 +3,8 @@
  * the certified solver and FLINT; it proves nothing. The steady state is found from the walk alone, by none of the double
  * solver's short cuts.
  *
- * For gaits whose pieces have an exact law (struct scallop_law) or are linear, and whose l' does not jump; others are
- * SCALLOP_EDOMAIN. Parameters are taken for exactly the doubles they are. Allocates nothing.
+ * For gaits whose pieces have an exact law (struct scallop_law) or are linear; others are
+ * SCALLOP_EDOMAIN, and so are steady states that fill an interval, as they can where l' jumps. Parameters are taken for exactly the doubles they are. Allocates nothing.
  */
 #ifndef SCALLOP_WIDE_H
 #define SCALLOP_WIDE_H

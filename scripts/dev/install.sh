@@ -24,8 +24,8 @@ fi
 # shellcheck disable=SC2086
 "$INSTALL" $programs "$DESTDIR$bindir"
 for name in scallop-core scallop; do
-  put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$version"
-  ln -sf "lib$name.so.$version" "$DESTDIR$libdir/lib$name.so.$abi"
+  put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$abi.$version"
+  ln -sf "lib$name.so.$abi.$version" "$DESTDIR$libdir/lib$name.so.$abi"
   ln -sf "lib$name.so.$abi" "$DESTDIR$libdir/lib$name.so"
   put "$pkgconfigdir" "$build/$name.pc"
   sed -i -e "s|@PREFIX@|$PREFIX|" -e "s|@libdir@|$libdir|" -e "s|@includedir@|$includedir|" "$DESTDIR$pkgconfigdir/$name.pc"
@@ -36,7 +36,7 @@ done
 put "$mandir/man1" "$build"/man/*.1
 put "$completionsdir" scripts/dev/completion.bash
 mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
-put "$datadir/scallop/python" scripts/python/scallop.py
+put "$datadir/scallop/python" scripts/python/scallop.py scripts/python/scallop_exact.py
 # The Python module finds the library from its own place
 sed "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"

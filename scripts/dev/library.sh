@@ -13,8 +13,8 @@ echo "  LD $file"
 cat $headers | tr -c 'A-Za-z0-9_' '\n' | LC_ALL=C sort -u | LC_ALL=C comm -12 - "$file.defined" >"$file.names"
 { echo "SCALLOP_$abi { global:"; sed 's/$/;/' "$file.names"; echo 'local: *; };'; } >"$file.map"
 # shellcheck disable=SC2086
-$CC $LDFLAGS -shared -Wl,-soname,"lib$name.so.$abi" -Wl,--version-script="$file.map" -Wl,-Bsymbolic-functions -o "$file.so.$version" "$@" $needed
-ln -sf "lib$name.so.$version" "$file.so.$abi"
+$CC $LDFLAGS -shared -Wl,-soname,"lib$name.so.$abi" -Wl,--version-script="$file.map" -Wl,-Bsymbolic-functions -o "$file.so.$abi.$version" "$@" $needed
+ln -sf "lib$name.so.$abi.$version" "$file.so.$abi"
 ln -sf "lib$name.so.$abi" "$file.so"
 # shellcheck disable=SC2086
 $CC -r -nostdlib -o "$file.o" "$@"

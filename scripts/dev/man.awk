@@ -30,7 +30,7 @@ NR <= 2 { next }
   next
 }
 
-/^(Commands|Quantities .*|Options .*|Exit codes):$/ {
+/^(Commands|Quantities .*|Gaits .*|Options .*|Exit codes):$/ {
   print ".SH " toupper(substr($0, 1, length - 1))
   titled = 1
   commands = /^Commands/

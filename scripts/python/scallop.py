@@ -13,7 +13,7 @@ copied.
 A parameter outside its domain is a ValueError that names the first bad row; nothing is returned then. A row that is
 well posed and has no answer in doubles is nan, and its status says why.
 
-The library, libscallop.so.0 or libscallop-core.so.0 (which has no threads), is looked for at the first call, in this
+The library, libscallop.so.1 or libscallop-core.so.1 (which has no threads), is looked for at the first call, in this
 order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file
 (installed: the folder where `make install` has put the libraries), and where the system's loader looks. This module is
 written for version 0 of the binary interface, the number after .so, and refuses libraries of another one.
@@ -27,30 +27,65 @@ import ctypes
 import difflib
 import itertools
 import math
+import re
 import reprlib
+import weakref
 
 import numpy
 
+import scallop_exact
 import scallop_library as c
+from scallop_exact import Ball, Series, Terms
 from scallop_library import load
 
-__all__ = ["Gait", "Order", "Phase", "Steady", "Trajectory", "formulas", "load", "minimum_jerk", "order", "phase",
-           "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
-
-KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
+__all__ = ["Ball", "Formula", "Gait", "Intervals", "Order", "Phase", "Series", "Steady", "Terms", "Trajectory",
+           "constant", "formula", "formulas", "gait_of", "gaits", "intervals", "load", "minimum_jerk", "order",
+           "phase", "polynomial", "published", "series", "skewed", "steady", "trapezoidal", "trajectory"]
 
 
 class Gait:
-    """A gait made by trapezoidal(), skewed(), polynomial() or minimum_jerk(): a value for the parameter gait. Its
-    name is what the option --gait of the command calls it."""
+    """A gait made by gait_of(): a value for the parameter gait. Its name is what the option --gait of the command calls
+    it."""
 
     __slots__ = ("name", "_bytes", "_memory")
 
-    def __init__(self, name, memory):
-        self.name, self._bytes, self._memory = name, name.encode(), memory
+    def __init__(self, name):
+        self.name, self._bytes = name, name.encode()
+        self._memory = ctypes.create_string_buffer(ctypes.c_size_t.in_dll(c.library(), "scallop_made_gait_size").value)
 
     def __repr__(self):
         return f"<Gait {self.name}>"
+
+
+def _families():
+    entries = (c.library().scallop_gait_family(i) for i in itertools.count())
+    return {entry[0].name.decode(): entry for entry in itertools.takewhile(bool, entries)}
+
+
+def gaits():
+    """{name: (numbers, usual, sentence)} of the families of gaits: what gait_of() takes, the numbers that hold where none
+    are given, and what the gait is. numbers and usual are '' where there are none."""
+    return {name: tuple((text or b"").decode() for text in (entry[0].numbers, entry[0].usual, entry[0].sentence))
+            for name, entry in _families().items()}
+
+
+def gait_of(family, *numbers):
+    """A gait of a family that gaits() lists, of the numbers that --gait takes after its name: gait_of('skewed', 0.3) is
+    --gait skewed:0.3. Those of one phase hold for both, unless those of the contraction follow."""
+    known = {name: entry for name, entry in _families().items() if not entry[0].fixed}
+    if family not in known:
+        raise ValueError(f"family = {family!r}: {', '.join(known)}")
+    row, given = known[family][0], [float(x) for x in _column("numbers", numbers)]
+    if len(given) == 2 * row.each and given[:row.each] == given[row.each:]:
+        given = given[:row.each]
+    gait, why = Gait(family + (":" + _numbers_text(given) if given else "")), ctypes.c_char_p()
+    if given and not row.numbers or not given and not row.usual:
+        raise ValueError(f"numbers = {given}: {(row.allowed or b'none').decode()}")
+    given = given or [float(text) for text in row.usual.split(b",")]
+    array = (ctypes.c_double * len(given))(*given)
+    if c.library().scallop_make_gait(gait._memory, row, gait._bytes, array, len(given), why) < 0:
+        raise ValueError(f"numbers = {given}: {(why.value or row.allowed).decode()}")
+    return gait
 
 
 def _numbers_text(numbers):
@@ -66,45 +101,33 @@ def _pair(name, value):
 
 
 def trapezoidal(up=0.25, down=0.25):
-    """|l'| rises for a fraction `up` of the phase, stays, and falls for `down`: from 2^-100, up + down at most 1.
-    Each is a number, or a pair for extension and contraction."""
+    """gait_of('trapezoidal', ...): each number may be a pair for extension and contraction."""
     up, down = _pair("up", up), _pair("down", down)
-    numbers = [up[0], down[0], up[1], down[1]]
-    gait = Gait("trapezoidal:" + _numbers_text(numbers[:2] if numbers[:2] == numbers[2:] else numbers), c.Straight())
-    two = ctypes.c_double * 2
-    if c.library().scallop_make_trapezoidal(ctypes.byref(gait._memory), gait._bytes, two(*up), two(*down)) < 0:
-        raise ValueError(f"up = {up}, down = {down}: from 2^-100, and up + down at most 1 in both phases")
-    return gait
+    return gait_of("trapezoidal", up[0], down[0], up[1], down[1])
 
 
 def skewed(beta=0.25):
-    """|l'| rises for a fraction `beta` of the phase and falls for the rest: from 2^-100, below 1. A number, or a pair
-    for extension and contraction."""
-    beta = _pair("beta", beta)
-    gait = Gait("skewed:" + _numbers_text(beta[:1] if beta[0] == beta[1] else beta), c.Straight())
-    if c.library().scallop_make_skewed(ctypes.byref(gait._memory), gait._bytes, (ctypes.c_double * 2)(*beta)) < 0:
-        raise ValueError(f"beta = {beta}: from 2^-100, below 1")
-    return gait
+    """gait_of('skewed', ...): a number, or a pair for extension and contraction."""
+    return gait_of("skewed", *_pair("beta", beta))
+
+
+def constant(ramp=0):
+    """gait_of('constant', ...): a number, or a pair for extension and contraction. With 0, l' jumps, and a steady state
+    can be one of an interval: v_low to v_high."""
+    return gait_of("constant", *_pair("ramp", ramp))
 
 
 def polynomial(coefficients):
-    """l/L = (C1 s + C2 s^2 + ...)/(C1 + C2 + ...), s being the part of the extension that has passed, and the same
-    backward in the contraction. coefficients: C1, C2, ..., Cn with n from 3 to 16, such that l' = 0 at both ends."""
+    """gait_of('polynomial', *coefficients): C1, C2, ..., Cn with n from 3 to 16, such that l' = 0 at both ends."""
     numbers = _column("coefficients", coefficients)
-    if numbers.ndim != 1 or not 3 <= numbers.size <= c.DEGREE:
-        raise ValueError(f"coefficients: a sequence of 3 to {c.DEGREE} numbers, not {reprlib.repr(coefficients)}")
-    gait, why = Gait("polynomial:" + _numbers_text(numbers), c.Polynomial()), ctypes.c_char_p()
-    padded = (ctypes.c_double * (numbers.size + 1))(0, *numbers)
-    if c.library().scallop_make_polynomial(ctypes.byref(gait._memory), gait._bytes, padded, numbers.size, why) < 0:
-        raise ValueError(f"coefficients = {numbers.tolist()}: {(why.value or b'no gait').decode()}")
-    return gait
+    if numbers.ndim != 1 or not 3 <= numbers.size <= c.MOST_NUMBERS:
+        raise ValueError(f"coefficients: a sequence of 3 to {c.MOST_NUMBERS} numbers, not {reprlib.repr(coefficients)}")
+    return gait_of("polynomial", *numbers)
 
 
 def minimum_jerk():
-    """polynomial([0, 0, 10, -15, 6])"""
-    gait = polynomial([0, 0, 10, -15, 6])
-    gait.name = "minimum-jerk"
-    return gait
+    """gait_of('minimum-jerk')"""
+    return gait_of("minimum-jerk")
 
 
 def _address(gait):
@@ -118,8 +141,7 @@ def _address(gait):
 
 
 def _no_gait(gait):
-    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by trapezoidal(), skewed(), "
-                      "polynomial() or minimum_jerk()")
+    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by gait_of()")
 
 
 def _addresses(gait):
@@ -175,9 +197,9 @@ def _count(name, value):
 
 
 def _kind(kind):
-    if not isinstance(kind, str) or kind not in KINDS:
+    if not isinstance(kind, str) or kind not in c.KINDS:
         raise ValueError(f"kind = {kind!r}: 'extension' or 'contraction'")
-    return KINDS[kind]
+    return c.KINDS[kind]
 
 
 def _crawler(columns, row):
@@ -358,6 +380,31 @@ def trajectory(v0=0, periods=1, samples=100, m1=1, m2=1, F1=4, F2=1, L=10, T=1, 
     return Trajectory(*numpy.ascontiguousarray(table.T))
 
 
+Intervals = collections.namedtuple("Intervals", (*c.SPAN, "s1", "s2"))
+
+
+def intervals(phase, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic"):
+    """The intervals of one phase of one crawler in which the mode does not change: an Intervals of arrays, in the order of
+    time. t_begin and t_end count from the start of the phase, duration is t_end - t_begin unrounded; v1_begin, ... are velocities of the bodies just after the
+    beginning and just before the end, dx1 and dx2 their displacements, s1 and s2 whether each slides backward (-1),
+    is stuck (0) or slides forward (1). Parameters as for phase(), but numbers. ArithmeticError: it cannot be computed."""
+    columns, shape = _together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)
+    if shape:
+        raise ValueError("intervals are those of one crawler: its parameters are numbers")
+    crawler, values = _crawler(columns, 0)
+    kind, rows = _kind(phase), []
+
+    def keep(_, interval):
+        span = c.library().scallop_interval_span(interval, ctypes.byref(crawler), kind)
+        rows.append([getattr(span, name) for name in c.SPAN] + [span.mode.s1, span.mode.s2])
+
+    status = c.library().scallop_phase_intervals(ctypes.byref(crawler), kind, values["v0"], c.Visitor(keep), None)
+    if status < 0:
+        _complain(columns, shape, 0)
+        raise ArithmeticError(c.library().scallop_status_text(status).decode())
+    return Intervals(*numpy.array(rows).T)
+
+
 def _published():
     table = ctypes.pointer(c.Formula.in_dll(c.library(), "scallop_published"))
     entries = itertools.takewhile(lambda formula: formula.name, map(table.__getitem__, itertools.count()))
@@ -369,35 +416,124 @@ def formulas():
     return {name: (formula.equation.decode(), formula.text.decode()) for name, formula in _published().items()}
 
 
+class Formula:
+    """A formula that was read: made by formula(). Call it for its values.
+
+        f = scallop.formula("(F1 - F2)/M*T/4", "extension")
+        f(F1=numpy.linspace(1, 40, 1000), T=0.5)        # 1000 numbers
+
+    f(v0, m1, m2, F1, F2, L, T, alpha, gait, t1, dT, x_switch) takes numbers or arrays that broadcast together, and the
+    result has their common shape. T is the period, as everywhere here; in the text of a formula about a phase, T is the
+    duration of that phase. t1, dT and x_switch are for formulas that take these as given. Off the domain of a quotient, a
+    power or a function the value is nan or an infinity. Called in Python row by row: some microseconds for each.
+    """
+
+    __slots__ = ("text", "motion", "_library", "_read", "__weakref__")
+
+    def __init__(self, row, motion):
+        message = ctypes.create_string_buffer(c.MESSAGE)
+        self.text, self.motion = row.text.decode(), motion
+        self._library = c.library()
+        self._read = self._library.scallop_formula_read(row, message)
+        if not self._read:
+            raise ValueError(f"text = {self.text!r}: {message.value.decode()}")
+        weakref.finalize(self, self._library.scallop_formula_free, self._read)
+
+    def __repr__(self):
+        return f"<Formula {self.text!r} of {self.motion!r}>"
+
+    def __call__(self, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", t1=numpy.nan, dT=numpy.nan,
+                 x_switch=numpy.nan):
+        columns, shape = _together(
+            dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0, t1=t1, dT=dT, x_switch=x_switch), gait)
+        kind, check, value_of = self._kind(), self._library.scallop_crawler_check, self._library.scallop_formula_double
+        values = []
+        for *numbers, start, first, last, place, address in zip(*(column.ravel().tolist() for column in columns.values())):
+            crawler = c.Crawler(*numbers, address)
+            if check(crawler, None) < 0 or not math.isfinite(start):
+                _complain(columns, shape, len(values))
+            values.append(value_of(self._read, crawler, kind, start, first, last, place))
+        return numpy.array(values, float).reshape(shape)[()]
+
+    def ball(self, digits=17, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic"):
+        """The Ball that encloses the value for one crawler with exact parameters, to a relative radius of 10^-digits; a
+        value that cannot be told from 0 has a small ball around 0. Parameters as for series(). ArithmeticError: no finite
+        value, or t1, dT or x_switch in the formula. Needs libscallop with FLINT."""
+        return scallop_exact.enclosed(self._library, self._read, self._kind(), v0, digits,
+                                      dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha), _address(gait))
+
+    def _kind(self):
+        return c.KINDS.get(self.motion, 0)
+
+
+def formula(text, motion="steady", parts=None):
+    """A Formula of one's own, read once: call it for its values.
+
+    text: in the names of the paper's formulas, m1 m2 F1 F2 M L L_kin alpha T l0 lT k0 kT l_start l_end v0 t1 dT x_switch
+    (asymptotics/asymptotics.h says what they are; formulas() has examples), with decimal numbers, + - * / ^, parentheses,
+    pi, abs sqrt exp log log10 sin cos asin and min max. motion: what it is about, 'steady', 'extension' or 'contraction';
+    the steady state has no v0, t1, dT and x_switch. parts: {name: text}, names for parts of the text.
+    """
+    settings = {"steady": c.STEADY, "extension": c.MOVING_EXTENSION, "contraction": c.MOVING_CONTRACTION}
+    if not isinstance(motion, str) or motion not in settings:
+        raise ValueError(f"motion = {motion!r}: 'steady', 'extension' or 'contraction'")
+    if not isinstance(text, str) or not all(isinstance(each, str) for pair in dict(parts or {}).items() for each in pair):
+        raise ValueError(f"text = {text!r}, parts = {parts!r}: a text, and a dict of texts")
+    known = c.words(c.library(), "scallop_symbol_names", c.SYMBOLS)
+    for name in parts or {}:
+        if not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,62}", name) or name in (*known, "pi"):
+            raise ValueError(f"parts: {name!r} cannot be the name of a part")
+    pairs = [(name.encode(), part.encode()) for name, part in (parts or {}).items()]
+    row = c.Formula(setting=settings[motion], text=text.encode(), parts=0)
+    listed = (c.Part * (len(pairs) + 1))(*(c.Part(*pair) for pair in pairs))
+    row.parts = ctypes.addressof(listed)
+    try:
+        return Formula(row, motion)
+    except ValueError as error:
+        unknown = re.search(r"'(\w+)' is no quantity known here$", str(error))
+        near = difflib.get_close_matches(unknown[1], (*known, *(parts or {})), 1, 0.5) if unknown else []
+        raise ValueError(f"{error}; did you mean {near[0]!r}?" if near else str(error)) from None
+
+
 def published(name, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", t1=numpy.nan, dT=numpy.nan,
               x_switch=numpy.nan):
-    """A formula of the paper as printed, mistakes included: 'rest_xC_end' is equation (21). T is the period, as
-    everywhere here.
+    """A formula of the paper as printed, mistakes included: 'rest_xC_end' is equation (21). Values and parameters as those
+    of a Formula.
 
     A formula for one phase is that of the extension or of the contraction that it was printed for, from rest or from
-    v0. t1, dT and x_switch are for formulas that take these as given. Where a gait has l'' = 0 at the start or end of
-    a phase most formulas are not finite. Called in Python row by row: some microseconds for each.
+    v0. Where a gait has l'' = 0 at the start or end of a phase most formulas are not finite.
     """
     known = _published()
     if not isinstance(name, str) or name not in known:
         near = difflib.get_close_matches(str(name), known, 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise ValueError(f"name = {name!r}: a formula that formulas() lists{hint}")
-    formula, library = known[name], c.library()
-    columns, shape = _together(
-        dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0, t1=t1, dT=dT, x_switch=x_switch), gait)
-    kind = KINDS["contraction" if formula.setting == c.MOVING_CONTRACTION else "extension"]
-    values = []
-    for *numbers, start, first, last, place, address in zip(*(column.ravel().tolist() for column in columns.values())):
-        crawler = c.Crawler(*numbers, address)
-        if library.scallop_crawler_check(crawler, None) < 0 or not math.isfinite(start):
-            _complain(columns, shape, len(values))
-        start = 0 if formula.setting == c.AT_REST_START else start
-        values.append(library.scallop_published_value(formula, crawler, kind, start, first, last, place))
-    return numpy.array(values, float).reshape(shape)[()]
+    motion = {c.STEADY: "steady", c.MOVING_CONTRACTION: "contraction"}.get(known[name].setting, "extension")
+    return Formula(known[name], motion)(v0, m1, m2, F1, F2, L, T, alpha, gait, t1, dT, x_switch)
 
 
-Order = collections.namedtuple("Order", "verdict passed order low high interval used gci asymptotic_ratio reason pairwise uses")
+def series(motion="steady", v0=0, order=8, digits=17, m1=1, m2=1, F1=4, F2=1, L=10, alpha=0.75, gait="quadratic"):
+    """The series that follow from the equations of motion, all terms below T^order: a Series, of the steady state in powers
+    of the period, of an 'extension' or a 'contraction' from v0 in powers of the duration of the phase.
+
+        scallop.series().displacement               # <(120/37) T^0 + (-711/350464) T^4 + O(T^8)>
+        scallop.series().displacement[4]            # Fraction(-711, 350464)
+
+    Quantities: v_start v_mid displacement mean_velocity friction_work of 'steady'; t1 dT v_end dx1 dx2 dxC of a phase (t1
+    and dT are nothing but 0 where the mode does not change). A coefficient is a fractions.Fraction where gait and
+    parameters are rational, else, and for friction_work, a Ball with a relative radius of at most 10^-digits, or around 0.
+
+    Parameters are exact numbers: int, Fraction, Decimal, a text such as '0.7' or '1/3', or a float, which stands for the
+    decimal that Python prints: 0.7 is 7/10. The numbers of a Gait are the doubles that they are. order and digits are from
+    1 to 1000. ValueError: a parameter outside its domain, or a gait for which there is no series in T; ArithmeticError: the
+    limit T -> 0 is not decided. Needs libscallop with FLINT (OSError).
+    """
+    return scallop_exact.series(motion, v0, order, digits, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=1, alpha=alpha),
+                                _address(gait))
+
+
+Order = collections.namedtuple("Order", "verdict passed order low high interval used gci asymptotic_ratio reason pairwise "
+                                        "uses")
 
 
 def order(h, err, expect=None, at_least=None, tol=0.1, noise=0, values=False):

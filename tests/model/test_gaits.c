@@ -171,6 +171,39 @@ TEST(pieces_begin_at_doubles)
   assert_int_equal(g.gait.phase[1].count, 3);
 }
 
+/* Ramps of R are a trapezoid of R and R; R = 0 is |l'| = 1 with jumps, in one phase or in both. */
+TEST(constant_gaits)
+{
+  struct scallop_straight constant, trapezoid;
+  const double ramp[2] = { 0.125, 0.5 }, bad[] = { -0.1, 0x1p-101, 0.5 + 0x1p-53, 1, NAN, INFINITY };
+  assert_int_equal(scallop_make_constant(&constant, "constant", ramp), SCALLOP_OK);
+  assert_int_equal(scallop_make_trapezoidal(&trapezoid, "trapezoidal", ramp, ramp), SCALLOP_OK);
+  check_same_motions(&constant.gait, &trapezoid.gait, 0);
+  for (int which = 1; which < 4; which++) {
+    const double some[2] = { which & 1 ? 0 : 0.25, which & 2 ? 0 : 0.5 };
+    assert_int_equal(scallop_make_constant(&constant, "constant", some), SCALLOP_OK);
+    for (int kind = 0; kind < 2; kind++) {
+      const struct scallop_shape *shape = &constant.gait.phase[kind];
+      double sign = kind == SCALLOP_EXTENSION ? 1 : -1;
+      assert_true(shape->pieces[0].jump && !shape->pieces[1].jump && !shape->concave && !shape->ramps);
+      CHECK_EQUAL(shape->net, sign);
+      CHECK_EQUAL(shape->peak, some[kind] == 0 ? 1 : 1 / (1 - some[kind]));
+      for (int i = 0; i <= 8; i++) {
+        double s = i / 8., length, velocity;
+        scallop_gait_at(&constant.gait, (enum scallop_phase_kind)kind, s, &length, &velocity, NULL);
+        if (some[kind] != 0)
+          continue;
+        CHECK_EQUAL(length, kind == SCALLOP_EXTENSION ? s : 1 - s);
+        CHECK_EQUAL(velocity, sign);
+      }
+    }
+  }
+  for (size_t i = 0; i < 2 * sizeof bad / sizeof *bad; i++) {
+    const double some[2] = { i % 2 ? 0 : bad[i / 2], i % 2 ? bad[i / 2] : 0.25 };
+    assert_int_equal(scallop_make_constant(&constant, "", some), SCALLOP_EDOMAIN);
+  }
+}
+
 TEST(bad_straight_gaits)
 {
   static const double bad[] = { 0, -0.1, 1, 1.5, 0x1p-101, NAN, INFINITY };
@@ -184,6 +217,36 @@ TEST(bad_straight_gaits)
     }
   const double much[2] = { 0.5, 0.5 }, more[2] = { 0.5, 0.5 + 0x1p-52 };
   assert_int_equal(scallop_make_trapezoidal(&g, "", much, more), SCALLOP_EDOMAIN);
+}
+
+/* Every family: its sample is one of its gaits; how many numbers it takes, and that those of the extension hold for the contraction. */
+TEST(families)
+{
+  static union scallop_made_gait one, two;
+  const struct scallop_gait_family *family;
+  const double x[SCALLOP_GAIT_NUMBERS + 1] = { 0.125, 0.25, 0.375, 0.0625 };
+  const char *why;
+  assert_null(scallop_gait_family(-1));
+  assert_true(scallop_made_gait_size == sizeof one);
+  for (int i = 0; (family = scallop_gait_family(i)) != NULL; i++) {
+    const struct scallop_gait *sample = gait_of_text(family->sample).gait;
+    int each = family->each;
+    assert_non_null(sample);
+    assert_int_equal(strncmp(family->sample, family->name, strlen(family->name)), 0);
+    assert_true(family->sentence && !family->numbers == !family->allowed && !family->fixed == (family->make != NULL));
+    assert_true(!family->fixed || family->fixed == sample);
+    for (int count = 0; count <= SCALLOP_GAIT_NUMBERS + 1; count++)
+      if (each == 0 || (count != each && count != 2 * each))
+        assert_int_equal(scallop_make_gait(&one, family, "", x, count, &why), SCALLOP_EDOMAIN);
+    if (each == 0)
+      continue;
+    const double twice[4] = { x[0], x[1 % each], x[0], x[1 % each] };
+    assert_int_equal(scallop_make_gait(&one, family, "one", x, each, &why), SCALLOP_OK);
+    assert_int_equal(scallop_make_gait(&two, family, "two", twice, 2 * each, &why), SCALLOP_OK);
+    check_same_motions(&one.gait, &two.gait, 0);
+    assert_int_equal(scallop_make_gait(&two, family, "two", x, 2 * each, &why), SCALLOP_OK);
+    assert_false(scallop_gait_mirrors(&two.gait));
+  }
 }
 
 TEST(bad_polynomials)

@@ -215,6 +215,8 @@ TEST(few_rows)
   TABLE(1, 0, 0.5, 0, 0.25, 0);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, "exact: every err is 0");
+  judge(NAN, false, false);
+  expect(SCALLOP_ORDER_MEASURED, "exact: every err is 0");
   TABLE(1, 1e-16, 0.5, 0, 0.25, 1e-16);
   for (int i = 0; i < 3; i++)
     points[i].noise = 1e-16;

@@ -85,7 +85,8 @@ static slong first_wrong(struct subject *s, const struct scallop_formula *f, enu
                                                             : scallop_phase_quantity(&s->phase, kind, f->quantity);
   SCOPED(series, text, v0);
   assert_non_null(right);
-  assert_true(scallop_formula_expand(&text, f, &s->symbols, kind, &ring));
+  char message[FORMULA_MESSAGE];
+  assert_null(scallop_formula_expand(&text, f, &s->symbols, kind, &ring, message));
   series_set_rational(&v0, s->v0);
   if (f->quantity == SCALLOP_VELOCITY_CHANGE)
     series_add(&text, &text, &v0, &ring);

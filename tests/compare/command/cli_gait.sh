@@ -1,5 +1,6 @@
 #!/bin/sh
 # --gait: gaits with parameters and measured ones, on every command that takes one.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 . tests/support/common.sh
 
 refuse() { # CODE PATTERN ARGUMENT...: nothing on standard output, and this on standard error
@@ -11,7 +12,7 @@ refuse() { # CODE PATTERN ARGUMENT...: nothing on standard output, and this on s
 }
 
 # ---- names are printed so that they read back ----
-for gait in quadratic trapezoidal trapezoidal:0.2,0.3 trapezoidal:0.2,0.3,0.1,0.9 skewed:0.3 skewed:0.7,0.2 minimum-jerk polynomial:0,3,-2; do
+for gait in quadratic trapezoidal trapezoidal:0.2,0.3 trapezoidal:0.2,0.3,0.1,0.9 constant:0.1 constant:0 constant:0,0.2 skewed:0.3 skewed:0.7,0.2 minimum-jerk polynomial:0,3,-2; do
   run 0 steady --gait "$gait"
   [ "$(cells out gait status)" = "$gait ok" ] || note "$gait: $(cells out gait status)"
   cp out first
@@ -24,10 +25,21 @@ run 0 steady
 [ "$(cells out v_start displacement multiplier modes)" = "$half" ] || note "trapezoidal:0.5,0.5 is not quadratic: $half"
 finish "gaits read back what they print"
 
+# ---- the families that --help lists are those of the README ----
+run 0 steady --help
+families=$(sed -n '/^Gaits/,/^$/s/^  \([a-z-]*\).*/\1/p' out)
+[ "$(echo "$families" | wc -l)" -ge 7 ] || note "families: $families"
+for family in $families; do
+  grep -q "\`$family" "$root/README.md" || note "README.md has no $family"
+done
+finish "the README has every gait of --help"
+
 # ---- refused ----
 refuse 2 "did you mean 'trapezoidal'" steady --gait trapezodal
 refuse 2 "UP + DOWN at most 1" phase --gait trapezoidal:0.7,0.4
 refuse 2 "below 1" steady --gait skewed:1
+for R in 0.51 -0.1 1e-31 0,-1 0.1,0.2,0.3; do refuse 2 "2^-100 to 0.5" steady --gait constant:$R; done
+refuse 2 "it takes constant:R" steady --gait constant
 refuse 2 "'x' is not a number" trajectory --gait skewed:x
 refuse 2 "l' not at the end" steady --gait polynomial:0,3,-2.1
 refuse 2 "so near to 0" steady --gait polynomial:0,0.125,-0.4166666666666667,0.5,-0.2
@@ -76,6 +88,27 @@ run 0 stress --gait skewed:0.3 --T 0.5
 run 0 stress --gait trapezoidal:0.2,0.3 --family ordinary --cases 10
 [ "$(cells out gait verdict)" = 'trapezoidal:0.2,0.3 holds' ] || note "stress: $(cells out gait verdict)"
 finish "commands with gaits of all kinds"
+
+# ---- constant:R; with R = 0 l' jumps, and by hand: v_start = L (m2/(M alpha T) - (F1 - F2)(1 - alpha) T/(M L)), v_mid = m2 L/(M alpha T) ----
+run 0 steady --gait constant:0.1
+same=$(cells out v_start v_mid displacement multiplier modes)
+run 0 steady --gait trapezoidal:0.1,0.1
+[ "$(cells out v_start v_mid displacement multiplier modes)" = "$same" ] || note "constant:0.1: $same"
+run 0 steady --gait constant:0 --certified --digits 12
+[ "$(cells out v_start v_mid displacement modes status)" = '6.29166666667 6.66666666667 6.57291666667 -+ 0+ | +- certified' ] || note "certified: $(rows out)"
+run 0 steady --gait constant:0 --error
+cells out v_start_error | grep -q '^[0-9]' || note "no estimate of an error: $(rows out)"
+run 0 steady --gait constant:0 --alpha 0.5
+cells out status | grep -qx 'interval of steady states: v_start from -10 to 9.25' || note "interval: $(rows out)"
+run 3 steady --gait constant:0 --alpha 0.5 --certified
+cells out status | grep -q "l' jumps, and the steady states fill an interval" || note "certified: $(rows out)"
+run 0 phase --gait constant:0 --certified
+run 3 series --source derived --order 4 --gait constant:0 # but not of the steady state
+rows out | grep -q '^extension.*dxC.2.3/4' || note "series: $(rows out)"
+run 3 stress --gait constant:0 --alpha 0.5
+run 0 stress --gait constant:0 --cases 10
+[ "$(cells out verdict | sort -u)" = holds ] || note "stress: $(cells out verdict | sort -u)"
+finish "constant speed out and back"
 
 printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >noisy.txt
 run 0 steady --gait measured:noisy.txt

@@ -27,7 +27,7 @@ names() { nm "$@" --defined-only | awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $3 !~ /^(SC
 for name in scallop-core scallop; do
   library=$place/usr/lib/lib$name
   [ "$(readlink "$library.so")" = "lib$name.so.$abi" ] || note "lib$name.so leads elsewhere"
-  [ "$(readlink "$library.so.$abi")" = "lib$name.so.$version" ] || note "lib$name.so.$abi leads elsewhere"
+  [ "$(readlink "$library.so.$abi")" = "lib$name.so.$abi.$version" ] || note "lib$name.so.$abi leads elsewhere"
   readelf -d "$library.so" | grep -q "SONAME.*\[lib$name.so.$abi\]" || note "lib$name: another soname"
   names -D "$library.so" >visible
   names -g "$library.a" >global
@@ -83,12 +83,20 @@ for name in scallop-core scallop; do
   ! readelf -d static | grep -q 'NEEDED.*libscallop' || note "loads the shared library"
   agrees static "a program with lib$name, static"
 done
-sed -n '/^```c$/,/^```$/{/^```/!p}' "$root/docs/library.md" >example.c
-# shellcheck disable=SC2046
-quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example example.c $(flags --cflags --libs scallop-core)
-LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1
-grep -q -F "It prints \`$(cat got)\`." "$root/docs/library.md" || note "it prints: $(cat got)"
-finish "the example of docs/library.md"
+# Each block of C is a program, which prints a line. What includes a header of derived/ needs libscallop, and calls FLINT itself.
+awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/library.md"
+for example in example1 example2 example3; do
+  name=scallop-core flint=
+  if grep -q '/derived/' $example.c; then
+    name=scallop flint=-lflint
+    [ "${WITH_FLINT:-1}" != 0 ] || continue
+  fi
+  # shellcheck disable=SC2046,SC2086
+  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o $example $example.c $(flags --cflags --libs $name) $flint
+  LD_LIBRARY_PATH=$place/usr/lib ./$example >got 2>&1 || note "$example: exit code $?"
+  tr '\n' ' ' <"$root/docs/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
+done
+finish "the examples of docs/library.md"
 if command -v c++ >/dev/null 2>&1; then
   printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_published_value(scallop_formula_named("text_steady_xC"), &c, SCALLOP_EXTENSION, 0, 0, 0, 0) > 0); }\n' >main.cc
   # shellcheck disable=SC2046
@@ -126,10 +134,10 @@ fi
 if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import scallop; scallop.steady(); print(scallop.load())' 2>err; }
   loaded elsewhere/usr/share/scallop/python >got || note "$(tail -n 1 err)"
-  [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.0" ] || note "it loads '$(cat got)'"
+  [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.$abi" ] || note "it loads '$(cat got)'"
   (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
   loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
-  [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.0" ] || note "with a libdir of its own it loads '$(cat got)'"
+  [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.$abi" ] || note "with a libdir of its own it loads '$(cat got)'"
   finish "the Python module finds the library"
 fi
 run 0 --help

@@ -42,7 +42,7 @@ finish "every page has its sections and options"
 # Words, punctuation aside, so often as they are there
 words() { tr -s ' ' '\n' | tr -d '`.,:;' | sed '/^$/d' | sort; }
 for page in scallop*.1; do
-  sed '1,2d; s/^\(Options\|Commands\|Quantities\|Exit codes\).*//' "${page%.1}" | words >told
+  sed '1,2d; s/^\(Options\|Commands\|Quantities\|Gaits\|Exit codes\).*//' "${page%.1}" | words >told
   [ "$(wc -l <told)" -gt 80 ] || note "$(wc -l <told) words in the help of ${page%.1}"
   sed "s/\\\\f[BR]//g; s/\\\\(aq/'/g; s/\\\\(ha/^/g; s/\\\\(ti/~/g; s/\\\\&//g; s/\\\\-/-/g" "$page" | words | comm -23 told - >lost
   [ ! -s lost ] || note "$page: lost: $(head -n 5 lost | tr '\n' ' ')"

@@ -81,7 +81,7 @@ says() { # ROW STATUS
 }
 for row in 1 1024 4999; do says $row "line $((row + 1)): T: '-1' is not allowed here: it takes a finite number > 0"; done
 for row in 2 1025 5000; do says $row 'out of range: a scaled quantity overflows or underflows'; done
-says 700 "line 701: gait: 'walk' is not allowed here: it takes quadratic, sinusoidal, trapezoidal, skewed, minimum-jerk, polynomial:C1,C2,... or measured:FILE"
+says 700 "line 701: gait: 'walk' is not allowed here: it takes quadratic, sinusoidal, trapezoidal, skewed, constant:R, minimum-jerk, polynomial:C1,C2,... or measured:FILE"
 says 701 'line 702: 2 columns where the header has 8'
 says 702 'line 703: 9 columns where the header has 8'
 says 703 "line 704: m2: 'x' is not allowed here: it takes a finite number > 0"

@@ -32,10 +32,67 @@ columns 't_over_T x1_over_L x2_over_L v1_T_over_L v2_T_over_L' figure 3
 columns 'F1_over_F2 T dxC_over_L series_dxC_over_L dvC_T_over_L series_dvC_T_over_L onset' figure 4
 columns 'panel alpha F2 F1_over_F2 mean_velocity series_mean_velocity v_start regime' figure 5
 
+# ---- a terminal gets what people read, anything else TSV ----
+python "$tool" <<'END'
+import os, pty, subprocess
+def on_terminal(*arguments):
+    try:
+        master, slave = pty.openpty()
+    except OSError:  # a container without /dev/pts
+        sys.exit(0)
+    subprocess.run([sys.argv[1], *arguments], stdout=slave, stderr=subprocess.DEVNULL, check=True)
+    os.close(slave)
+    seen = b""
+    try:
+        while True:
+            seen += os.read(master, 65536)
+    except OSError:
+        os.close(master)
+    return seen.decode().replace("\r\n", "\n")
+if "\ndisplacement   3.24121 L " not in on_terminal("steady"):
+    bad("not upright:", on_terminal("steady"))
+if "\ndisplacement   3.2412122 L " not in on_terminal("steady", "--digits", "8"):
+    bad("--digits:", on_terminal("steady", "--digits", "8"))
+if on_terminal("steady", "--format", "tsv") != subprocess.run([sys.argv[1], "steady"], capture_output=True, text=True).stdout:
+    bad("--format tsv is not what a pipe gets")
+lines = on_terminal("steady", "--points", "points.tsv").splitlines()
+names = [l for l in lines if not l.startswith("#")][0]
+if "  v_start" not in names or "L/T" not in lines[lines.index(names) + 1]:
+    bad("no names and units:", lines)
+END
+finish "a terminal gets an aligned table"
+
 # ---- header lines, and the same bytes ----
 all='steady|steady --gait sinusoidal|steady --points points.tsv|phase|phase --phase contraction --v0 2|trajectory --start steady|
 trajectory --start 1.5 --periods 2|series|series --points points.tsv|order square.txt --expect 2|figure 2|figure 3|figure 4|figure 5|claims'
 version=$("$tool" --version)
+# The other formats have the cells of the TSV table, which is in `first`; aligned ones have 6 digits
+other_formats() { # COMMAND...
+  for format in csv markdown table; do
+    "$tool" "$@" --format $format >$format 2>err || note "$format: exit code $?"
+  done
+  python first csv markdown table <<'END'
+import csv, re
+names, *rows = list(csv.reader(open(sys.argv[2], encoding="utf-8")))
+table = read(sys.argv[1])
+if rows != [list(r.values()) for r in table] or names != list(table[0]):
+    bad("csv differs")
+lines = [l.rstrip("\n") for l in open(sys.argv[3], encoding="utf-8")]
+cells = [re.split(r" (?<!\\)\| ", l[2:-2]) for l in lines]
+if cells[1] != ["---"] * len(names) or [[c.replace("\\|", "|") for c in r] for r in cells[2:]] != rows or cells[0] != names:
+    bad("markdown differs")
+kept = [l.rstrip("\n") for l in open(sys.argv[4], encoding="utf-8") if not l.startswith("#")]
+if len(rows) == 1:
+    kept = [list(c) for c in zip(*(l.split(None, 1) for l in kept))]
+    values = [v.split("  ")[0] for v in kept[1]]
+    if kept[0] != names or [v for v, w in zip(values, rows[0]) if v.split(" ")[0] != w.split(" ")[0]
+                            and "%.6g" % float(w) != v.split(" ")[0]]:
+        bad("table:", kept)
+elif len(kept) not in (len(rows) + 1, len(rows) + 2) or kept[0].split() != names:
+    bad("table of", len(kept), "lines for", len(rows), "rows")
+END
+  finish "csv, markdown, table: scallop $arguments"
+}
 IFS='|'
 for arguments in $(printf '%s' "$all" | tr -d '\n'); do
   unset IFS
@@ -90,6 +147,7 @@ for i, (o, r) in enumerate(zip(objects, table)):
             bad("row", i + 1, key, "tsv", text, "json", value)
 END
   finish "json: scallop $arguments"
+  [ "$1" = claims ] || other_formats "$@" # seconds each
   IFS='|'
 done
 unset IFS

@@ -120,7 +120,7 @@ refuse 4 "cannot read a: No such file" order a b
 refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
 refuse 2 "--rows: 'tap' is a format for verdicts" order a --rows --format tap
 refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
-refuse 2 "--format: 'xml'.*tsv, json, tap, junit or markdown" order a --format xml
+refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table, tap or junit" order a --format xml
 refuse 2 "unexpected argument '3'" figure 2 3
 refuse 2 "unexpected argument '-'" steady -
 finish "unexpected operands"
@@ -181,7 +181,7 @@ finish "--v0, --start, --expect, --tol: values that are not allowed"
 for value in foo Quadratic quad '' 1; do
   refuse 2 "--gait: '$value'.*quadratic, sinusoidal" steady --gait "$value"
   refuse 2 "--phase: '$value'.*extension or contraction" phase --phase "$value"
-  refuse 2 "--format: '$value'.*tsv or json" steady --format "$value"
+  refuse 2 "--format: '$value'.*tsv, json, csv, markdown or table" steady --format "$value"
 done
 finish "--gait, --phase, --format: unknown words"
 for name in periods samples; do

@@ -69,16 +69,43 @@ TEST(fractions_by_hand)
 {
   struct random r = { 20261512 };
   struct scallop_exact_gait by_hand;
+  struct gait_source source;
   fmpq *x = _fmpq_vec_init(4);
   scallop_exact_init(&by_hand);
   for (int i = 0; i < 4; i++)
-    fmpq_set_si(x + i, i < 2 ? 1 : 3, i < 2 ? 5 : 10);
+    fmpq_set_si(x + i, i % 2 ? 3 : 1, i % 2 ? 10 : 5);
   const struct scallop_gait *gait = gait_of("trapezoidal:0.2,0.3");
-  scallop_exact_trapezoidal(&by_hand, gait, x, x + 2);
+  assert_true(gait_source_of(gait, &source) && scallop_exact_made(&by_hand, source.family, gait, x, 4));
   compare(&r, &by_hand.gait, written_gait(gait), true);
   compare(&r, gait, written_gait(gait), false);
   scallop_exact_clear(&by_hand);
   _fmpq_vec_clear(x, 4);
+}
+
+/* Ramps of a decimal are those of the trapezoid, and R = 0 is a limit of R to more digits than doubles have. */
+TEST(constant_speeds)
+{
+  struct random r = { 20261517 };
+  for (int i = 0; i < 6; i++) {
+    compare(&r, written_gait(gait_of("constant:0.1")), written_gait(gait_of("trapezoidal:0.1,0.1")), true);
+    compare(&r, written_gait(gait_of("constant:0.1,0.3")), written_gait(gait_of("trapezoidal:0.1,0.1,0.3,0.3")), true);
+  }
+  struct scallop_crawler c = { 1, 2, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
+  SCOPED(scallop_certified_steady, s, near);
+  solve(&s, &c, written_gait(gait_of("constant:0")));
+  solve(&near, &c, written_gait(gait_of("constant:1e-30")));
+  assert_true(apart(s.v_mid, near.v_mid) < 1e-28 && !arb_overlaps(s.v_mid, near.v_mid));
+}
+
+/* A family without numbers: the doubles stand for it, as for any without a law. */
+TEST(without_a_law)
+{
+  struct scallop_exact_gait exact;
+  scallop_exact_init(&exact);
+  assert_null(exact.pieces);
+  assert_false(scallop_exact_made(&exact, gait_family(0), gait_family(0)->fixed, NULL, 0));
+  assert_int_equal(exact.count, 4);
+  scallop_exact_clear(&exact);
 }
 
 /* Coefficients times one decimal: the same gait. */

@@ -188,22 +188,29 @@ TEST(polynomial_gaits)
 
 TEST(refusals)
 {
-  struct scallop_crawler c = scallop_crawler_default(), small = c, jumping = c;
+  struct scallop_crawler c = scallop_crawler_default(), small = c, lawless = c, many = c;
+  struct scallop_piece pieces[] = { scallop_gait_sinusoidal.phase[0].pieces[0], scallop_gait_sinusoidal.phase[0].pieces[1] };
+  struct scallop_gait unknown = scallop_gait_sinusoidal;
   const struct scallop_steady_result steady = { 0 };
   const struct scallop_phase_result phase = { .t1 = 0 };
   const struct scallop_period_result period = { 0 };
   c.m1 = -1;
   small.T = 1e-200;
-  jumping.gait = &sawtooth_gait;
+  pieces[0].law = NULL;
+  unknown.phase[0].pieces = pieces;
+  lawless.gait = &unknown;
+  many.gait = &sawtooth_gait; /* steady states that fill an interval */
+  many.alpha = 0.5;
   for (int i = 0; i < 2; i++) {
     enum scallop_width width = i ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
     REFUSES(scallop_wide_steady, scallop_wide_steady(width, &c, &out), SCALLOP_EDOMAIN);
     REFUSES(scallop_wide_phase, scallop_wide_phase(width, &c, SCALLOP_EXTENSION, 0, &out), SCALLOP_EDOMAIN);
     REFUSES(scallop_wide_period, scallop_wide_period(width, &c, 0, &out), SCALLOP_EDOMAIN);
     REFUSES(scallop_wide_steady, scallop_wide_steady(width, &small, &out), SCALLOP_ERANGE);
-    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &jumping, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &lawless, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_steady, scallop_wide_steady(width, &many, &out), SCALLOP_EDOMAIN);
     REFUSES(scallop_wide_phase, scallop_wide_phase(width, &small, SCALLOP_EXTENSION, NAN, &out), SCALLOP_ERANGE);
-    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &jumping, SCALLOP_EXTENSION, NAN, &out), SCALLOP_EDOMAIN);
+    REFUSES(scallop_wide_phase, scallop_wide_phase(width, &lawless, SCALLOP_EXTENSION, 1, &out), SCALLOP_EDOMAIN);
   }
   REFUSES(scallop_steady_error, scallop_steady_error(&c, &steady, &out), SCALLOP_EDOMAIN);
   REFUSES(scallop_phase_error, scallop_phase_error(&c, SCALLOP_EXTENSION, 0, &phase, &out), SCALLOP_EDOMAIN);
@@ -241,18 +248,18 @@ TEST(long_double_rounded_to_double)
 }
 #endif
 
-/* One phase, or a period, in double; the largest of the numbers in *size */
+/* One phase, or a period, in double; the largest of the numbers in *size; nan: there are none */
 static enum scallop_status solve_double(bool whole, const struct scallop_crawler *c, double v0, double *size)
 {
   struct scallop_phase_result phase;
   struct scallop_period_result period;
   if (whole) {
     enum scallop_status status = scallop_period(c, v0, &period);
-    *size = fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
+    *size = status < 0 ? NAN : fmax(fabs(period.displacement), fmax(fabs(period.v_mid), fabs(period.v_end)));
     return status;
   }
   enum scallop_status status = scallop_phase(c, SCALLOP_EXTENSION, v0, &phase);
-  *size = fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
+  *size = status < 0 ? NAN : fmax(fabs(phase.v_end), fmax(fabs(phase.dx1), fmax(fabs(phase.dx2), fabs(phase.dxC))));
   return status;
 }
 
