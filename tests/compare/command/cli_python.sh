@@ -45,7 +45,7 @@ END
 # ---- the same as the command ----
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
 if scallop.os.environ["WITH_FLINT"] != "0":
     print('#include "model/exact/ball.h"')
 else:
