@@ -171,7 +171,8 @@ version   := $(shell sed -n 's/^.define SCALLOP_VERSION "\(.*\)"/\1/p' model/ver
 abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
-core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h families.h) asymptotics/asymptotics.h numerics/numerics.h numerics/wide/wide.h
+core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h families.h) asymptotics/asymptotics.h asymptotics/observed/order.h \
+             numerics/numerics.h numerics/wide/wide.h
 headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode arkode) \
              $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h \
              numerics/certified/certified.h)
