@@ -83,12 +83,15 @@ for name in scallop-core scallop; do
   ! readelf -d static | grep -q 'NEEDED.*libscallop' || note "loads the shared library"
   agrees static "a program with lib$name, static"
 done
-sed -n '/^```c$/,/^```$/{/^```/!p}' "$root/docs/library.md" >example.c
-# shellcheck disable=SC2046
-quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example example.c $(flags --cflags --libs scallop-core)
-LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1
-grep -q -F "It prints \`$(cat got)\`." "$root/docs/library.md" || note "it prints: $(cat got)"
-finish "the example of docs/library.md"
+# Each block of C is a program, which prints a line
+awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/library.md"
+for example in example*.c; do
+  # shellcheck disable=SC2046
+  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example "$example" $(flags --cflags --libs scallop-core)
+  LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1 || note "$example: exit code $?"
+  grep -q -F "It prints \`$(cat got)\`." "$root/docs/library.md" || note "$example prints: $(cat got)"
+done
+finish "the examples of docs/library.md"
 if command -v c++ >/dev/null 2>&1; then
   printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_published_value(scallop_formula_named("text_steady_xC"), &c, SCALLOP_EXTENSION, 0, 0, 0, 0) > 0); }\n' >main.cc
   # shellcheck disable=SC2046
