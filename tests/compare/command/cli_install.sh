@@ -133,7 +133,10 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
   loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
   [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.$abi" ] || note "with a libdir of its own it loads '$(cat got)'"
-  finish "the Python module finds the library"
+  mkdir copied
+  cp elsewhere/usr/share/scallop/python/*.py copied
+  SCALLOP_LIBRARY=$scratch/elsewhere/usr/lib/libscallop.so PYTHONPATH=copied /usr/bin/python3 -c 'import scallop; scallop.steady()' 2>err || note "$(tail -n 1 err)"
+  finish "the Python module finds the library, and can be copied"
 fi
 run 0 --help
 for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p' out) ''; do
