@@ -145,7 +145,7 @@ libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 in_library = $(filter $(patsubst %,$(B)/%/%,model asymptotics numerics threads),$(1))
 core_headers := scallop.h $(shell sed -n 's/^.include "\(.*\)"/\1/p' scallop.h)
 headers   := $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode) \
-             $(call built,model/exact/flint.h model/exact/ball.h numerics/certified/certified.h)
+             $(call built,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h numerics/certified/certified.h)
 passed     = NM OBJCOPY AR LDFLAGS INSTALL DESTDIR PREFIX bindir libdir includedir datadir mandir pkgconfigdir completionsdir
 to_script  = CC="$(CC) $(ALL_CFLAGS)" $(foreach name,$(passed),$(name)="$($(name))") sh scripts/dev
 $(B)/libscallop-core.a: $(filter-out $(B)/numerics/rivals/%,$(call in_library,$(core))) $(core_headers)

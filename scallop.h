@@ -13,13 +13,14 @@
  *     model/families.h            the families of gaits, by name
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
- *     asymptotics/asymptotics.h   the formulas of the paper as published
+ *     asymptotics/asymptotics.h   the formulas of the paper as published, and formulas of one's own
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
+ *     asymptotics/derived/expansion.h       the derived series, term by term, and formulas in balls (FLINT)
  *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
  *
- * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either. All of it
- * can be called from several threads at once. */
+ * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either, but for
+ * scallop_formula_read. All of it can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 

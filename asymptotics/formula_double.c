@@ -40,16 +40,17 @@ static double of_two(enum formula_operation operation, double a, double b)
 
 double formula_double(const struct formula *formula, const double *values)
 {
-  double stack[FORMULA_DEPTH] = { 0 }, *top = stack; /* the last value is at top[-1] */
+  double below[FORMULA_DEPTH + 1], *top = below, last = 0; /* the last value, and those below it */
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end; s++) {
-    if (s->operation < FORMULA_NEGATE)
-      *top++ = s->operation == FORMULA_NUMBER ? s->number : s->operation == FORMULA_PI ? PI : values[s->place];
-    else if (s->operation < FORMULA_ADD)
-      top[-1] = of_one[s->operation](top[-1]);
+    if (s->operation < FORMULA_NEGATE) {
+      *top++ = last;
+      last = s->operation == FORMULA_NUMBER ? s->number : s->operation == FORMULA_PI ? PI : values[s->place];
+    } else if (s->operation < FORMULA_ADD)
+      last = of_one[s->operation](last);
     else {
-      top--;
-      top[-1] = of_two(s->operation, top[-1], top[0]);
+      top--; /* formula_read has put both operands there: NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
+      last = of_two(s->operation, *top, last);
     }
   }
-  return top[-1];
+  return last;
 }

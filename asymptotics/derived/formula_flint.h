@@ -5,8 +5,6 @@
 #include "asymptotics/formula.h"
 #include "asymptotics/derived/series.h"
 
-enum { FORMULA_SERIES_POWER = 64 };
-
 /* A number of a formula, exactly as it is written */
 void formula_number(fmpq_t number, const struct formula_step *step);
 

@@ -76,17 +76,25 @@ double scallop_formula_value(const struct formula *read, const struct scallop_fo
   return formula_double(read, exchange ? exchanged.of : values->of);
 }
 
-double scallop_published_value(const struct scallop_formula *formula, const struct scallop_crawler *crawler,
-                               enum scallop_phase_kind kind, double v0, double t1, double dT, double x_switch)
+double scallop_formula_at(const struct formula *read, const struct scallop_formula *formula,
+                          const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double t1,
+                          double dT, double x_switch)
 {
   bool steady = formula->setting == SCALLOP_STEADY;
-  struct formula read;
-  char message[FORMULA_MESSAGE];
   struct scallop_values values = steady ? scallop_steady_values(crawler) : scallop_phase_values(crawler, kind, v0);
   values.of[SCALLOP_SYMBOL_t1] = t1;
   values.of[SCALLOP_SYMBOL_dT] = dT;
   values.of[SCALLOP_SYMBOL_x_switch] = x_switch;
-  return scallop_formula_text(&read, formula, NULL, message) ? NAN : scallop_formula_value(&read, formula, kind, &values);
+  return scallop_formula_value(read, formula, kind, &values);
+}
+
+double scallop_published_value(const struct scallop_formula *formula, const struct scallop_crawler *crawler,
+                               enum scallop_phase_kind kind, double v0, double t1, double dT, double x_switch)
+{
+  struct formula read;
+  char message[FORMULA_MESSAGE];
+  bool is_read = !scallop_formula_text(&read, formula, NULL, message);
+  return is_read ? scallop_formula_at(&read, formula, crawler, kind, v0, t1, dT, x_switch) : NAN;
 }
 
 const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,

@@ -27,4 +27,16 @@ const char *scallop_condition_value(double *left, char *sign, double *right, con
 /* Do all conditions hold under which the formula is claimed? One that cannot be read does not. */
 bool scallop_formula_is_claimed(const struct scallop_formula *formula, const struct scallop_values *values);
 
+/* The value of a formula that was read, for the steady state or the phase of this kind; as scallop_published_value. */
+double scallop_formula_at(const struct formula *read, const struct scallop_formula *formula,
+                          const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double t1,
+                          double dT, double x_switch);
+
+/* What scallop_formula_read makes */
+struct scallop_read_formula {
+  struct formula operations;
+  struct scallop_formula formula; /* its setting, and nothing else */
+  char texts[];                   /* those that the operations refer to */
+};
+
 #endif

@@ -224,6 +224,14 @@ const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of,
   return text;
 }
 
+enum scallop_turns turns_in_modes(const char *modes)
+{
+  const char *bar = strchr(modes, '|');
+  return bar && strcmp(bar, "| ++") == 0         ? SCALLOP_NO_TURN_IN_CONTRACTION
+         : bar && strncmp(modes, "++ |", 4) == 0 ? SCALLOP_NO_TURN_IN_EXTENSION
+                                                 : SCALLOP_TURNS_IN_BOTH;
+}
+
 bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2])
 {
   for (int phase = 0; phase < 2; phase++) {

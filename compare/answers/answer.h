@@ -53,6 +53,8 @@ double published_value(const struct scallop_formula *formula, const struct motio
 /* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
 enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };
 const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of, const struct scallop_modes modes[2]);
+/* In which phases of a steady state with such modes a body turns: "++ -+ ++ | ++" has none that turns in the contraction. */
+enum scallop_turns turns_in_modes(const char *modes);
 /* Of a phase modes[1] is empty. */
 bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 

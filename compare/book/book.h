@@ -11,6 +11,11 @@
 /* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. */
 enum exit_code book_read(const char *command, const char *path);
 
+/* Likewise of a text, which is called path in messages. */
+enum exit_code book_read_text(const char *command, const char *path, const char *text);
+/* Forgets all books: for tests. No formula of theirs may be in use. */
+void books_forget(void);
+
 /* A formula by itself, as the texts of the members that a book would give it; NULL where it would not. name is "formula". */
 struct formula_given {
   const char *text, *of, *start, *phase, *claimed;

@@ -22,6 +22,22 @@ struct entry {
 /* The books that were read, in the order of reading. The texts of a formula are those of its file. */
 static struct entry **entries;
 static int count;
+static struct config **books;
+static int book_count;
+
+void books_forget(void)
+{
+  while (count > 0)
+    free(entries[--count]);
+  while (book_count > 0) {
+    config_close(books[--book_count]);
+    free(books[book_count]);
+  }
+  free(entries);
+  free(books);
+  entries = NULL;
+  books = NULL;
+}
 
 const struct scallop_formula *book_formula(int i) { return i < count ? &entries[i]->formula : NULL; }
 
@@ -242,9 +258,10 @@ static bool read_root(struct config *c)
   return count > before || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-static enum exit_code read_config(const char *command, const char *path, const char *text)
+enum exit_code book_read_text(const char *command, const char *path, const char *text)
 {
-  struct config *c = malloc(sizeof *c); /* for as long as the program runs */
+  struct config **more = with_room(books, book_count, sizeof(struct config *)), *c = more ? malloc(sizeof *c) : NULL;
+  books = more ? more : books;
   if (!c) {
     complain(command, "out of memory");
     return EXIT_UNSOLVED;
@@ -252,10 +269,7 @@ static enum exit_code read_config(const char *command, const char *path, const c
   enum exit_code code = config_open(c, command, path, text);
   if (code == EXIT_DONE && !read_root(c))
     code = EXIT_USAGE;
-  if (code != EXIT_DONE) {
-    config_close(c);
-    free(c);
-  }
+  books[book_count++] = c;
   return code;
 }
 
@@ -264,7 +278,7 @@ enum exit_code book_read(const char *command, const char *path)
   for (int i = 0; i < count; i++)
     if (strcmp(entries[i]->path, path) == 0)
       return EXIT_DONE;
-  return read_config(command, path, NULL);
+  return book_read_text(command, path, NULL);
 }
 
 /* name = "value"; as libconfig reads it */
@@ -296,7 +310,7 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
   write_member(file, "claimed", given->claimed);
   fprintf(file, " } );");
   fclose(file);
-  enum exit_code code = read_config(command, "--formula", text);
+  enum exit_code code = book_read_text(command, "--formula", text);
   free(text);
   return code;
 }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/answers/answer.h"
 #include "compare/answers/point_flint.h"
 #include "compare/answers/quantities.h"
 #include "compare/book/book.h"
@@ -52,6 +53,22 @@ static void write_change(struct claim_row *row, const struct scallop_rational_cr
     }
 }
 
+/* Why nothing can be said of the claim, or NULL. trial: NULL where the motion has no expansion. */
+static const char *undecided(const struct condition *condition, const struct trial *trial, bool is_met)
+{
+  static const char *const turns[] = { "in the limit T -> 0 a body turns in both phases of this crawler",
+                                       "in the limit T -> 0 no body turns in the contraction of this crawler",
+                                       "in the limit T -> 0 no body turns in the extension of this crawler" };
+  if (!is_met)
+    return "no crawler was found for which the conditions hold";
+  if (!trial)
+    return "this motion has no expansion in powers of T";
+  if (!trial_is_steady(trial) || !condition->formula->turns)
+    return NULL;
+  enum scallop_turns found = turns_in_modes(trial_modes(trial));
+  return found == condition->formula->turns ? NULL : turns[found];
+}
+
 static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                     const struct scallop_formula *f)
 {
@@ -76,12 +93,15 @@ static void add_row(struct ledger *ledger, const struct scallop_rational_crawler
   bool expands = trial_init(&trial, &fitted, &condition, false);
   trial.samples = expands ? samples_take(&trial) : NULL;
   proof_init(&proof);
-  if (expands && trial_prove(&proof, &trial, f)) {
+  const char *why = undecided(&condition, expands ? &trial : NULL, is_given || row.inside);
+  if (!why && !trial_prove(&proof, &trial, f))
+    why = proof.why;
+  if (why) {
+    row.verdict = CLAIM_UNDECIDED;
+    snprintf(row.reason, sizeof row.reason, "%s", why);
+  } else {
     samples_measure(&row, &trial, f);
     ledger_judge(&row, &proof);
-  } else {
-    row.verdict = CLAIM_UNDECIDED;
-    snprintf(row.reason, sizeof row.reason, "%s", expands ? proof.why : "this motion has no expansion in powers of T");
   }
   ledger_enter(ledger, &row);
   samples_free(trial.samples);

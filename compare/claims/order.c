@@ -97,10 +97,7 @@ static void clear_part(struct part *part)
 static enum scallop_turns turns_in_limit(struct part *part, const struct condition *condition)
 {
   const struct trial *trial = solve(part, condition, condition->reversed);
-  const char *modes = trial ? trial_modes(trial) : "", *bar = strchr(modes, '|');
-  if (bar && strcmp(bar, "| ++") == 0)
-    return SCALLOP_NO_TURN_IN_CONTRACTION;
-  return strncmp(modes, "++ |", 4) == 0 ? SCALLOP_NO_TURN_IN_EXTENSION : SCALLOP_TURNS_IN_BOTH;
+  return turns_in_modes(trial ? trial_modes(trial) : "");
 }
 
 /* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of it down. */

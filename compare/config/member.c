@@ -103,7 +103,7 @@ static bool read_word(struct config *c, const config_setting_t *at, const struct
 
 bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
 {
-  void *field = (char *)into + m->field;
+  void *field = m->kind == MEMBER_OTHER ? NULL : (char *)into + m->field;
   const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;

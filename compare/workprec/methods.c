@@ -70,9 +70,7 @@ static enum scallop_turns turns_in_limit(const struct reference *reference)
   series_answer_init(&limit);
   if (scallop_gait_is_rational(reference->exact.gait)
       && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64))
-    turns = strcmp(strchr(limit.modes, '|'), "| ++") == 0 ? SCALLOP_NO_TURN_IN_CONTRACTION
-            : strncmp(limit.modes, "++ |", 4) == 0        ? SCALLOP_NO_TURN_IN_EXTENSION
-                                                          : SCALLOP_TURNS_IN_BOTH;
+    turns = turns_in_modes(limit.modes);
   series_answer_clear(&limit);
   return turns;
 }

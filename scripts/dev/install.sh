@@ -36,7 +36,7 @@ done
 put "$mandir/man1" "$build"/man/*.1
 put "$completionsdir" scripts/dev/completion.bash
 mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
-put "$datadir/scallop/python" scripts/python/scallop.py
+put "$datadir/scallop/python" scripts/python/scallop.py scripts/python/scallop_exact.py
 # The Python module knows the number of the interface, and finds the library from its own place
 sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
   -e "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \

@@ -27,17 +27,20 @@ import ctypes
 import difflib
 import itertools
 import math
+import re
 import reprlib
+import weakref
 
 import numpy
 
+import scallop_exact
 import scallop_library as c
+from scallop_exact import Ball, Series, Terms
 from scallop_library import load
 
-__all__ = ["Gait", "Phase", "Steady", "Trajectory", "constant", "formulas", "gait_of", "gaits", "Intervals", "intervals", "load",
-           "minimum_jerk", "phase", "polynomial", "published", "skewed", "steady", "trapezoidal", "trajectory"]
-
-KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
+__all__ = ["Ball", "Formula", "Gait", "Intervals", "Phase", "Series", "Steady", "Terms", "Trajectory", "constant", "formula",
+           "formulas", "gait_of", "gaits", "intervals", "load", "minimum_jerk", "phase", "polynomial", "published", "series",
+           "skewed", "steady", "trapezoidal", "trajectory"]
 
 
 class Gait:
@@ -194,9 +197,9 @@ def _count(name, value):
 
 
 def _kind(kind):
-    if not isinstance(kind, str) or kind not in KINDS:
+    if not isinstance(kind, str) or kind not in c.KINDS:
         raise ValueError(f"kind = {kind!r}: 'extension' or 'contraction'")
-    return KINDS[kind]
+    return c.KINDS[kind]
 
 
 def _crawler(columns, row):
@@ -413,29 +416,117 @@ def formulas():
     return {name: (formula.equation.decode(), formula.text.decode()) for name, formula in _published().items()}
 
 
+class Formula:
+    """A formula that was read: made by formula(). Call it for its values.
+
+        f = scallop.formula("(F1 - F2)/M*T/4", "extension")
+        f(F1=numpy.linspace(1, 40, 1000), T=0.5)        # 1000 numbers
+
+    f(v0, m1, m2, F1, F2, L, T, alpha, gait, t1, dT, x_switch) takes numbers or arrays that broadcast together, and the
+    result has their common shape. T is the period, as everywhere here; in the text of a formula about a phase, T is the
+    duration of that phase. t1, dT and x_switch are for formulas that take these as given. Off the domain of a quotient, a
+    power or a function the value is nan or an infinity. Called in Python row by row: some microseconds for each.
+    """
+
+    __slots__ = ("text", "motion", "_library", "_read", "__weakref__")
+
+    def __init__(self, row, motion):
+        message = ctypes.create_string_buffer(c.MESSAGE)
+        self.text, self.motion = row.text.decode(), motion
+        self._library = c.library()
+        self._read = self._library.scallop_formula_read(row, message)
+        if not self._read:
+            raise ValueError(f"text = {self.text!r}: {message.value.decode()}")
+        weakref.finalize(self, self._library.scallop_formula_free, self._read)
+
+    def __repr__(self):
+        return f"<Formula {self.text!r} of {self.motion!r}>"
+
+    def __call__(self, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", t1=numpy.nan, dT=numpy.nan,
+                 x_switch=numpy.nan):
+        columns, shape = _together(
+            dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0, t1=t1, dT=dT, x_switch=x_switch), gait)
+        kind, check, value_of = self._kind(), self._library.scallop_crawler_check, self._library.scallop_formula_double
+        values = []
+        for *numbers, start, first, last, place, address in zip(*(column.ravel().tolist() for column in columns.values())):
+            crawler = c.Crawler(*numbers, address)
+            if check(crawler, None) < 0 or not math.isfinite(start):
+                _complain(columns, shape, len(values))
+            values.append(value_of(self._read, crawler, kind, start, first, last, place))
+        return numpy.array(values, float).reshape(shape)[()]
+
+    def ball(self, digits=17, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic"):
+        """The Ball that encloses the value for one crawler with exact parameters, to a relative radius of 10^-digits; a
+        value that cannot be told from 0 has a small ball around 0. Parameters as for series(). ArithmeticError: no finite
+        value, or t1, dT or x_switch in the formula. Needs libscallop with FLINT."""
+        return scallop_exact.enclosed(self._library, self._read, self._kind(), v0, digits,
+                                      dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha), _address(gait))
+
+    def _kind(self):
+        return c.KINDS.get(self.motion, 0)
+
+
+def formula(text, motion="steady", parts=None):
+    """A Formula of one's own, read once: call it for its values.
+
+    text: in the names of the paper's formulas, m1 m2 F1 F2 M L L_kin alpha T l0 lT k0 kT l_start l_end v0 t1 dT x_switch
+    (asymptotics/asymptotics.h says what they are; formulas() has examples), with decimal numbers, + - * / ^, parentheses,
+    pi, abs sqrt exp log log10 sin cos asin and min max. motion: what it is about, 'steady', 'extension' or 'contraction';
+    the steady state has no v0, t1, dT and x_switch. parts: {name: text}, names for parts of the text.
+    """
+    settings = {"steady": c.STEADY, "extension": c.MOVING_EXTENSION, "contraction": c.MOVING_CONTRACTION}
+    if not isinstance(motion, str) or motion not in settings:
+        raise ValueError(f"motion = {motion!r}: 'steady', 'extension' or 'contraction'")
+    if not isinstance(text, str) or not all(isinstance(each, str) for pair in dict(parts or {}).items() for each in pair):
+        raise ValueError(f"text = {text!r}, parts = {parts!r}: a text, and a dict of texts")
+    known = c.words(c.library(), "scallop_symbol_names", c.SYMBOLS)
+    for name in parts or {}:
+        if not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,62}", name) or name in (*known, "pi"):
+            raise ValueError(f"parts: {name!r} cannot be the name of a part")
+    pairs = [(name.encode(), part.encode()) for name, part in (parts or {}).items()]
+    row = c.Formula(setting=settings[motion], text=text.encode(), parts=0)
+    listed = (c.Part * (len(pairs) + 1))(*(c.Part(*pair) for pair in pairs))
+    row.parts = ctypes.addressof(listed)
+    try:
+        return Formula(row, motion)
+    except ValueError as error:
+        unknown = re.search(r"'(\w+)' is no quantity known here$", str(error))
+        near = difflib.get_close_matches(unknown[1], (*known, *(parts or {})), 1, 0.5) if unknown else []
+        raise ValueError(f"{error}; did you mean {near[0]!r}?" if near else str(error)) from None
+
+
 def published(name, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", t1=numpy.nan, dT=numpy.nan,
               x_switch=numpy.nan):
-    """A formula of the paper as printed, mistakes included: 'rest_xC_end' is equation (21). T is the period, as
-    everywhere here.
+    """A formula of the paper as printed, mistakes included: 'rest_xC_end' is equation (21). Values and parameters as those
+    of a Formula.
 
     A formula for one phase is that of the extension or of the contraction that it was printed for, from rest or from
-    v0. t1, dT and x_switch are for formulas that take these as given. Where a gait has l'' = 0 at the start or end of
-    a phase most formulas are not finite. Called in Python row by row: some microseconds for each.
+    v0. Where a gait has l'' = 0 at the start or end of a phase most formulas are not finite.
     """
     known = _published()
     if not isinstance(name, str) or name not in known:
         near = difflib.get_close_matches(str(name), known, 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise ValueError(f"name = {name!r}: a formula that formulas() lists{hint}")
-    formula, library = known[name], c.library()
-    columns, shape = _together(
-        dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0, t1=t1, dT=dT, x_switch=x_switch), gait)
-    kind = KINDS["contraction" if formula.setting == c.MOVING_CONTRACTION else "extension"]
-    values = []
-    for *numbers, start, first, last, place, address in zip(*(column.ravel().tolist() for column in columns.values())):
-        crawler = c.Crawler(*numbers, address)
-        if library.scallop_crawler_check(crawler, None) < 0 or not math.isfinite(start):
-            _complain(columns, shape, len(values))
-        start = 0 if formula.setting == c.AT_REST_START else start
-        values.append(library.scallop_published_value(formula, crawler, kind, start, first, last, place))
-    return numpy.array(values, float).reshape(shape)[()]
+    motion = {c.STEADY: "steady", c.MOVING_CONTRACTION: "contraction"}.get(known[name].setting, "extension")
+    return Formula(known[name], motion)(v0, m1, m2, F1, F2, L, T, alpha, gait, t1, dT, x_switch)
+
+
+def series(motion="steady", v0=0, order=8, digits=17, m1=1, m2=1, F1=4, F2=1, L=10, alpha=0.75, gait="quadratic"):
+    """The series that follow from the equations of motion, all terms below T^order: a Series, of the steady state in powers
+    of the period, of an 'extension' or a 'contraction' from v0 in powers of the duration of the phase.
+
+        scallop.series().displacement               # <(120/37) T^0 + (-711/350464) T^4 + O(T^8)>
+        scallop.series().displacement[4]            # Fraction(-711, 350464)
+
+    Quantities: v_start v_mid displacement mean_velocity friction_work of 'steady'; t1 dT v_end dx1 dx2 dxC of a phase (t1
+    and dT are nothing but 0 where the mode does not change). A coefficient is a fractions.Fraction where gait and
+    parameters are rational, else, and for friction_work, a Ball with a relative radius of at most 10^-digits, or around 0.
+
+    Parameters are exact numbers: int, Fraction, Decimal, a text such as '0.7' or '1/3', or a float, which stands for the
+    decimal that Python prints: 0.7 is 7/10. The numbers of a Gait are the doubles that they are. order and digits are from
+    1 to 1000. ValueError: a parameter outside its domain, or a gait for which there is no series in T; ArithmeticError: the
+    limit T -> 0 is not decided. Needs libscallop with FLINT (OSError).
+    """
+    return scallop_exact.series(motion, v0, order, digits, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=1, alpha=alpha),
+                                _address(gait))

@@ -20,6 +20,7 @@ LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscal
 
 DOMAIN = -1  # SCALLOP_EDOMAIN
 AT_REST_START, MOVING_EXTENSION, MOVING_CONTRACTION, STEADY = range(4)  # enum scallop_setting
+KINDS = {"extension": 0, "contraction": 1}  # enum scallop_phase_kind
 
 
 def _structure(name, *fields):
@@ -55,6 +56,11 @@ Sampler = ctypes.CFUNCTYPE(ctypes.c_bool, _pointer, _pointer)
 # asymptotics/asymptotics.h
 Formula = _structure("scallop_formula", (_text, "name equation"), (_int, "setting quantity remainder"),
                      (_text, "text"), (_pointer, "parts when"), (_text, "corrected"), (_int, "turns"))
+Part = _structure("scallop_part", (_text, "name text"))
+SYMBOLS, QUANTITIES, MESSAGE = 19, 16, 320  # SCALLOP_SYMBOLS, SCALLOP_QUANTITIES, SCALLOP_FORMULA_MESSAGE
+# model/exact/ball.h, and numbers of FLINT
+Fmpq, Arb = ctypes.c_long * 2, ctypes.c_long * 6
+RationalCrawler = _structure("scallop_rational_crawler", (Fmpq, " ".join(PARAMETERS)), (_pointer, "gait"))
 
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),
@@ -69,7 +75,31 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_phase_intervals": (_int, ctypes.POINTER(Crawler), _int, _double, Visitor, _pointer),
     "scallop_interval_span": (Span, _pointer, ctypes.POINTER(Crawler), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
-    "scallop_published_value": (_double, ctypes.POINTER(Formula), ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
+    "scallop_formula_read": (_pointer, ctypes.POINTER(Formula), _text),
+    "scallop_formula_free": (None, _pointer),
+    "scallop_formula_double": (_double, _pointer, ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
+}
+PROVEN = {  # those of libscallop built with FLINT: asymptotics/derived/expansion.h, model/exact/ball.h, FLINT
+    "scallop_rational_init": (None, ctypes.POINTER(RationalCrawler)),
+    "scallop_rational_clear": (None, ctypes.POINTER(RationalCrawler)),
+    "scallop_series_of_phase": (_int, ctypes.POINTER(_pointer), ctypes.POINTER(RationalCrawler), _int, Fmpq, ctypes.c_long,
+                                ctypes.c_long, ctypes.POINTER(_text)),
+    "scallop_series_of_steady": (_int, ctypes.POINTER(_pointer), ctypes.POINTER(RationalCrawler), ctypes.c_long, ctypes.c_long,
+                                 ctypes.POINTER(_text)),
+    "scallop_series_free": (None, _pointer),
+    "scallop_series_rational": (ctypes.c_bool, Fmpq, _pointer, _int, ctypes.c_long),
+    "scallop_series_ball": (ctypes.c_bool, Arb, _pointer, _int, ctypes.c_long),
+    "scallop_series_first": (ctypes.c_long, _pointer, _int),
+    "scallop_series_modes": (_text, _pointer),
+    "scallop_formula_ball": (_int, Arb, _pointer, ctypes.POINTER(RationalCrawler), _int, Fmpq, _pointer, ctypes.c_long),
+    "fmpq_init": (None, Fmpq),
+    "fmpq_clear": (None, Fmpq),
+    "fmpq_set_str": (_int, Fmpq, _text, _int),
+    "fmpq_get_str": (_pointer, _pointer, _int, Fmpq),
+    "arb_init": (None, Arb),
+    "arb_clear": (None, Arb),
+    "arb_get_str": (_pointer, Arb, ctypes.c_long, ctypes.c_ulong),
+    "flint_free": (None, _pointer),
 }
 
 
@@ -82,7 +112,7 @@ def load(path=None):
     version. Returns its name."""
     global _loaded
     path = path or os.environ.get("SCALLOP_LIBRARY")
-    _loaded = _bind(_open(_versioned(os.fspath(path))) if path else _found())
+    _loaded = _bind(_open(_versioned(os.fspath(path))) if path else _found(), PROTOTYPES)
     return _loaded._name
 
 
@@ -123,11 +153,23 @@ def _found():
                   "or name it in SCALLOP_LIBRARY or scallop.load(path)")
 
 
-def _bind(loaded):
-    for name, (result, *arguments) in PROTOTYPES.items():
+def _bind(loaded, prototypes):
+    for name, (result, *arguments) in prototypes.items():
         try:
             function = getattr(loaded, name)
         except AttributeError:
             raise OSError(f"{loaded._name} has no {name}: it is older than scallop.py, or another library") from None
         function.restype, function.argtypes = result, arguments
     return loaded
+
+
+def proven(loaded):
+    """The same library with its fractions and balls. OSError: it has none."""
+    if not hasattr(loaded, "scallop_series_of_steady"):
+        raise OSError(f"{loaded._name} has no derived series and no proven digits: {LIBRARIES[0]}, built with FLINT, has")
+    return _bind(loaded, PROVEN)
+
+
+def words(loaded, name, count):
+    """A table of that many texts"""
+    return [text.decode() for text in (_text * count).in_dll(loaded, name)]

@@ -83,13 +83,18 @@ for name in scallop-core scallop; do
   ! readelf -d static | grep -q 'NEEDED.*libscallop' || note "loads the shared library"
   agrees static "a program with lib$name, static"
 done
-# Each block of C is a program, which prints a line
+# Each block of C is a program, which prints a line. What includes a header of derived/ needs libscallop, and calls FLINT itself.
 awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/library.md"
 for example in example*.c; do
-  # shellcheck disable=SC2046
-  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example "$example" $(flags --cflags --libs scallop-core)
+  name=scallop-core flint=
+  if grep -q '/derived/' "$example"; then
+    name=scallop flint=-lflint
+    [ "${WITH_FLINT:-1}" != 0 ] || continue
+  fi
+  # shellcheck disable=SC2046,SC2086
+  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example "$example" $(flags --cflags --libs $name) $flint
   LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1 || note "$example: exit code $?"
-  grep -q -F "It prints \`$(cat got)\`." "$root/docs/library.md" || note "$example prints: $(cat got)"
+  tr '\n' ' ' <"$root/docs/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
 done
 finish "the examples of docs/library.md"
 if command -v c++ >/dev/null 2>&1; then

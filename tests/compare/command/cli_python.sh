@@ -47,9 +47,18 @@ END
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
 print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
+if scallop.os.environ["WITH_FLINT"] != "0":
+    print('#include "model/exact/ball.h"')
+else:
+    del scallop.RationalCrawler
 def fact(text, value):
     print('_Static_assert(%s == %d, "");' % (text, value))
 fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
+for name in ("SYMBOLS", "QUANTITIES", "FORMULA_MESSAGE"):
+    fact("SCALLOP_" + name, getattr(scallop, name.replace("FORMULA_", "")))
+if scallop.os.environ["WITH_FLINT"] != "0":
+    fact("sizeof(fmpq_t)", ctypes.sizeof(scallop.Fmpq))
+    fact("sizeof(arb_t)", ctypes.sizeof(scallop.Arb))
 fact("sizeof(struct scallop_sample)", 8 * len(scallop.SAMPLE))
 for place, name in enumerate(scallop.SAMPLE):
     fact(f"offsetof(struct scallop_sample, {name})", 8 * place)
@@ -59,7 +68,7 @@ for each in [each for each in vars(scallop).values() if isinstance(each, type) a
         fact(f"offsetof(struct {each.__name__}, {name})", getattr(each, name).offset)
         fact(f"sizeof(((struct {each.__name__} *)0)->{name})", getattr(each, name).size)
 END
-/usr/bin/python3 layout.py >layout.c || note "no layout"
+WITH_FLINT=${WITH_FLINT:-1} /usr/bin/python3 layout.py >layout.c || note "no layout"
 [ "$(grep -c _Static_assert layout.c)" -gt 100 ] || note "$(grep -c _Static_assert layout.c) facts"
 cc -std=c11 -I"$root" -fsyntax-only layout.c 2>err || note "$(head -n 3 err)"
 finish "structures are those of the headers"
@@ -158,6 +167,117 @@ if scallop.published("A_x1_end_from_dT_short", 2.5, dT=0.1, x_switch=[1, 2]).sha
     bad("given values do not broadcast")
 END
 finish "published: the values of series"
+
+# ---- formulas of one's own ----
+python <<'END'
+numbers = dict(m1=numpy.array([1.3, 0.2, 7]), m2=numpy.array([[0.9], [2]]), F1=3.7, F2=numpy.linspace(1, 2, 3), L=2.3,
+               T=numpy.array([[0.7], [0.1]]), alpha=0.6)
+m1, m2, F1, F2, L, T, alpha = numbers.values()
+M = m1 + m2
+for text, motion, wanted in (
+    ("-(F1 - F2)/M*T^2/8", "steady", -(F1 - F2) / M * (T * T) / 8),
+    ("-(F1 - F2)/M*T^2/8 + v0", "extension", -(F1 - F2) / M * (alpha * T * (alpha * T)) / 8 + 0.5),
+    ("l0*m1 - lT*l_start", "contraction", -4 * L * m1 - 4 * L * L + 0 * M),
+    ("max(F2, L^-1)*abs(l0)/mstar", "extension", numpy.maximum(F2, 1 / L) * (4 * L) / (m1 * m2 / M)),
+    ("t1*2 + dT/x_switch", "extension", 0.25 * 2 + 8 / numpy.array([1.0, 2, 4]) + 0 * M),
+):
+    made = scallop.formula(text, motion, {"mstar": "m1*m2/M"})
+    taken = dict(t1=0.25, dT=8, x_switch=[1.0, 2, 4]) if "t1" in text else {}
+    got = made(0.5, **numbers, **taken)
+    if got.shape != (2, 3) or not numpy.allclose(got, wanted, rtol=24 * 2**-53, atol=0):  # at most 12 roundings each
+        bad(text, motion, got, wanted)
+    if made.text != text or made.motion != motion:
+        bad(made)
+made = scallop.formula("T*L/F1")
+if not isinstance(made(), float) or made(F1=[]).shape != (0,) or made() != 2.5:
+    bad("not a number, or not nothing:", made(), made(F1=[]))
+if not math.isinf(scallop.formula("1/(F1 - F2)")(F1=1)) or not math.isnan(scallop.formula("sqrt(-L)")()):
+    bad("off its domain")
+END
+finish "formulas of one's own: NumPy's values, in the common shape"
+
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  run 0 series --source derived --order 8 --F1 3 --m2 0.7 --v0 0.4
+  cp out derived.tsv
+  run 0 series --source derived --order 8 --F1 3 --m2 0.7 --v0 0.4 --gait sinusoidal
+  cp out derived_sine.tsv
+  python <<'END'
+import decimal, fractions, scallop_exact
+def compare_series(rows, gait, digits=17, **more):
+    for motion, names in scallop_exact.QUANTITIES.items():
+        got = scallop.series(motion, 0.4, 8, digits, F1=3, m2=0.7, gait=gait, **more)
+        for name in names:
+            some = {int(row["power"]): row["coefficient"] for row in rows
+                    if row["phase"].replace("period", "steady") == motion and row["start"] != "rest" and row["quantity"] == name}
+            terms = getattr(got, name)
+            if name != "friction_work" and (not some or sorted(some) != sorted(terms)):
+                bad(motion, name, "has other powers:", *terms)
+            for power, text in some.items():
+                a, wanted = terms[power], fractions.Fraction(text)
+                if isinstance(a, fractions.Fraction):
+                    right = a == wanted
+                else:
+                    unit = fractions.Fraction(10) ** decimal.Decimal(text).as_tuple().exponent
+                    right = abs(fractions.Fraction(a.middle) - wanted) <= unit + fractions.Fraction(a.radius)
+                    right = right and fractions.Fraction(a.radius) * 10**digits <= abs(wanted) + unit
+                if not right or isinstance(a, scallop.Ball) != (gait == "sinusoidal"):
+                    bad(motion, name, power, a, text)
+compare_series(read("derived.tsv"), "quadratic")
+compare_series(read("derived_sine.tsv"), "sinusoidal")
+compare_series(read("derived_sine.tsv"), "sinusoidal", digits=60, alpha="3/4")
+END
+  finish "series: the coefficients of series --source derived"
+
+  python "$root/docs/python.md" <<'END'
+from decimal import Decimal
+from fractions import Fraction
+third = Fraction(1, 3)
+for same_number in (Fraction(7, 10), Decimal("0.7"), "0.7", "7/10", 0.7, numpy.float64(0.7), numpy.array(0.7)):
+    if scallop.series(F1=3, m2=same_number, order=3).displacement != scallop.series(F1=3, m2="7/10", order=3).displacement:
+        bad(repr(same_number), "is another number")
+s = scallop.series("extension", v0=third, order=6, F1=3)
+if s.v_end[0] != third or s.v_end[-5] != 0 or s.dx1[0] != -5 or type(s.v_end[0]) is not Fraction or s.modes != "++ -+ ++":
+    bad("coefficients:", s)
+try:
+    bad("beyond the order:", s.v_end[6])
+except KeyError:
+    pass
+T = numpy.array([[0.01, 0.005], [0.0025, 0.02]])
+off = scallop.series("extension", v0=0.25, order=5, F1=3).dxC(T) - scallop.phase("extension", 0.25, F1=3, T=T / 0.75).dxC
+if off.shape != T.shape or (abs(off) > 10 * T**5).any() or not isinstance(s.dxC(0.5), float):
+    bad("the sums of the terms:", off)
+if "`# " + repr(scallop.series().displacement) not in open(sys.argv[1]).read().replace("s.displacement        ", "`"):
+    bad("not as in docs/python.md:", scallop.series().displacement)
+rest = scallop.series("extension", F1=2, F2=2, order=4)
+if rest.t1 or rest.dT or rest.modes != "-+" or rest.dx2 != {0: 5}:
+    bad("equal forces:", rest)
+work = scallop.series(order=4, digits=30).friction_work
+if set(work) != {0} or abs(Fraction(work[0].middle) - Fraction(1760, 37)) > Fraction(work[0].radius) or work[0].radius > 1e-28:
+    bad("friction_work:", work)
+END
+  finish "series: fractions, floats and arrays"
+
+  python <<'END'
+from fractions import Fraction
+def holds(ball, wanted, digits):
+    error = abs(Fraction(ball.middle) - wanted)
+    return error <= ball.radius and Fraction(ball.radius) * 10**digits <= abs(wanted) and float(ball) == float(ball.middle)
+made = scallop.formula("(F1 - F2)/M*T^2/8 + v0/mstar", "extension", {"mstar": "m1*m2/M"})
+wanted = (Fraction(10, 3) - 1) / Fraction(17, 10) * Fraction(3, 8)**2 / 8 + Fraction(1, 7) / Fraction(7, 17)
+for digits in (1, 17, 300):
+    if not holds(made.ball(digits, v0="1/7", F1="10/3", m2=0.7, T=0.5), wanted, digits):
+        bad(digits, made.ball(digits, v0="1/7", F1="10/3", m2=0.7, T=0.5), wanted)
+if made.ball(F1=1, v0=0) != (0, 0) or "+/-" not in str(made.ball()):
+    bad("not 0:", made.ball(F1=1, v0=0))
+root = scallop.formula("sqrt(2)^2 - 2 + L^3*1e-40").ball(20)
+if not holds(root, Fraction(1, 10**37), 20):
+    bad("cancelled:", root)
+zero = scallop.formula("sqrt(2)^2 - 2").ball()
+if zero.middle != 0 or not 0 < zero.radius < 1e-300:
+    bad("around 0:", zero)
+END
+  finish "formulas in balls"
+fi
 
 # ---- arrays ----
 python <<'END'
@@ -360,6 +480,15 @@ for call, wanted in {
     (lambda: scallop.published("rest_xC", F1=2)): 
         "name = 'rest_xC': a formula that formulas() lists; did you mean 'rest_xC_end'?",
     (lambda: scallop.published("rest_xC_end", L=[1, 0])): "row 1: L = 0.0: a finite number > 0",
+    (lambda: scallop.formula("F1*(T")): "text = 'F1*(T': character 4: this '(' is not closed",
+    (lambda: scallop.formula("alfa*T")): "text = 'alfa*T': character 1: 'alfa' is no quantity known here; did you mean 'alpha'?",
+    (lambda: scallop.formula("q", parts={"q": "2*F1 +"})): 
+        "text = 'q': q, character 7: a number, a name or '(' is missing before the end",
+    (lambda: scallop.formula("T*v0")): "text = 'T*v0': the steady state has no v0",
+    (lambda: scallop.formula("T", "period")): "motion = 'period': 'steady', 'extension' or 'contraction'",
+    (lambda: scallop.formula(1)): "text = 1, parts = None: a text, and a dict of texts",
+    (lambda: scallop.formula("T", parts={"F1": "2"})): "parts: 'F1' cannot be the name of a part",
+    (lambda: scallop.formula("T")(F1=[1, -2])): "row 1: F1 = -2.0: a finite number > 0",
 }.items():
     try:
         bad("no error:", wanted, call())
@@ -368,6 +497,43 @@ for call, wanted in {
             bad("got:", error, "wanted:", wanted)
 END
 finish "bad input is a ValueError that says where, what and what is allowed"
+
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  python <<'END'
+import pathlib, scallop_library
+with_series, core = scallop_library.LIBRARIES
+for call, kind, wanted in (
+    (lambda: scallop.series("rest"), ValueError, "motion = 'rest': 'steady', 'extension' or 'contraction'"),
+    (lambda: scallop.series(order=0), ValueError, "order = 0: a whole number from 1 to 1000"),
+    (lambda: scallop.series(digits=1.5), ValueError, "digits = 1.5: a whole number from 1 to 1000"),
+    (lambda: scallop.series(F1="-1/3"), ValueError, "F1 = '-1/3': a finite number > 0"),
+    (lambda: scallop.series(alpha=1), ValueError, "alpha = 1: a number between 0 and 1, both excluded"),
+    (lambda: scallop.series(m1="1/0"), ValueError, "m1: a finite number is wanted, not '1/0'"),
+    (lambda: scallop.series(m1=math.inf), ValueError, "m1: a finite number is wanted, not inf"),
+    (lambda: scallop.series(m1=[1, 2]), ValueError, "m1: a finite number is wanted, not [1, 2]"),
+    (lambda: scallop.series("extension", v0=math.nan), ValueError, "v0: a finite number is wanted, not nan"),
+    (lambda: scallop.series(gait="walk"), ValueError, "gait = 'walk': 'quadratic', 'sinusoidal', or a Gait made by gait_of()"),
+    (lambda: scallop.series("extension", gait=scallop.minimum_jerk()), ValueError, None),
+    (lambda: scallop.formula("1/(F1 - F2)").ball(F1=1), ArithmeticError, "the formula has no finite value here, or none that is proven"),
+    (lambda: scallop.formula("t1", "extension").ball(), ArithmeticError, "the formula has no finite value here, or none that is proven"),
+    (lambda: scallop.formula("T").ball(0), ValueError, "digits = 0: a whole number from 1 to 1000"),
+    (lambda: scallop.formula("T").ball(T=0), ValueError, "T = 0: a finite number > 0"),
+):
+    try:
+        bad("no error:", wanted, call())
+    except kind as error:
+        if str(error) != wanted and wanted:
+            bad("got:", error, "wanted:", wanted)
+core = pathlib.Path(scallop.load()).with_name(core)
+scallop.load(core)
+try:
+    bad("libscallop-core has", scallop.series())
+except OSError as error:
+    if str(error) != f"{core} has no derived series and no proven digits: {with_series}, built with FLINT, has":
+        bad(error)
+END
+  finish "exact parameters that are bad, and a library without series"
+fi
 
 python <<'END'
 far, reason = dict(m1=[1, 1e-300], T=[1, 1e200]), "out of range: a scaled quantity overflows or underflows"
@@ -398,7 +564,7 @@ finish "an interrupt ends a trajectory"
 # ---- finding the library ----
 mkdir -p tree/scripts/python tree/build tree/model
 cp "$root/model/version.h" tree/model
-cp "$root/scripts/python/scallop.py" "$root/scripts/python/scallop_library.py" tree/scripts/python
+cp "$root"/scripts/python/scallop*.py tree/scripts/python
 loads() { # FILE, or part of the message
   PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"

@@ -1,0 +1,70 @@
+/* The reader of books, beside the table that the build makes of the paper's book by other means (scripts/dev/book.awk). */
+#include "compare/book/book.h"
+#include "tests/support/check.h"
+
+static void check_texts(const char *a, const char *b)
+{
+  assert_true(!a == !b);
+  if (a)
+    assert_string_equal(a, b);
+}
+
+static void check_same(const struct scallop_formula *read, const struct scallop_formula *built)
+{
+  check_texts(read->name, built->name);
+  check_texts(read->equation, built->equation);
+  check_texts(read->text, built->text);
+  check_texts(read->corrected, built->corrected);
+  assert_int_equal(read->setting, built->setting);
+  assert_int_equal(read->quantity, built->quantity);
+  assert_int_equal(read->remainder, built->remainder);
+  assert_int_equal(read->turns, built->turns);
+  const struct scallop_part none = { NULL, NULL }, *part = built->parts ? built->parts : &none;
+  for (int i = 0; i == 0 || part[i - 1].name; i++) {
+    check_texts(read->parts[i].name, part[i].name);
+    check_texts(read->parts[i].text, part[i].text);
+  }
+  assert_true(!read->when == !built->when);
+  for (int i = 0; built->when && (i == 0 || built->when[i - 1]); i++)
+    check_texts(read->when[i], built->when[i]);
+}
+
+TEST(the_papers_book_in_both_readers)
+{
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
+  int n = 0;
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg"), EXIT_DONE);
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg"), EXIT_DONE); /* once */
+  for (int i = 0; i < 2; i++)
+    for (const struct scallop_formula *f = lists[i]; f->name; f++, n++) {
+      assert_non_null(book_formula(n));
+      check_same(book_formula(n), f);
+      assert_ptr_equal(formula_named(f->name), book_formula(n)); /* before the one that comes with the tool */
+    }
+  assert_null(book_formula(n));
+  books_forget();
+  assert_ptr_equal(formula_named("rest_dT"), scallop_formula_named("rest_dT"));
+  assert_null(book_formula(0));
+}
+
+TEST(places_of_formulas)
+{
+  static const char book[] =
+      "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = \"dx2\"; text = \"t1\"; } );";
+  int listed = 0, all = 0, published = 0, corrected = 0, conditional = 0;
+  for (const struct scallop_formula *f = scallop_published; f->name; f++, published++)
+    conditional += f->when != NULL;
+  for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
+    corrected++;
+  assert_int_equal(book_read_text("test", "a text", book), EXIT_DONE);
+  while (listed_formula(listed))
+    listed++;
+  while (formula_at(all))
+    all++;
+  assert_int_equal(listed, 2 + published - conditional);
+  assert_int_equal(all, 2 + published + corrected);
+  assert_int_equal(formula_at(1)->quantity, SCALLOP_FRONT_AT_END);
+  assert_true(formula_takes(formula_at(1), SCALLOP_SYMBOL_t1));
+  assert_false(formula_takes(formula_at(0), SCALLOP_SYMBOL_t1));
+  assert_string_equal(listed_formula(2)->name, "rest_v1_switch");
+}
