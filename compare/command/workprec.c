@@ -39,6 +39,7 @@ const struct command command_workprec = {
   .about =
       "One row for each method, setting, gait, T and quantity: v_start (velocity at the start of the extension) and\n"
       "displacement (of the geometric centre over a period). \n"
+      "kind: formula, exact, root or simulation (both of rivals), or other, which answers another question than the rest.\n"
       "error: |answer - certified| / |certified|; over L/T and L where the certified value is 0; of a certified answer\n"
       "the far end of its ball. Parameters are the doubles nearest to what is written, for every method.\n"
       "time: seconds for one solve: median, minimum and quartiles over the repetitions. Methods take turns; fast ones are\n"
@@ -55,8 +56,8 @@ const struct command command_workprec = {
       "start velocity. certified: ball arithmetic. Known coefficients, batch and one period answer other questions than\n"
       "the rest: for them pareto is '-', and --summary passes over them.\n"
       "The rivals, each simulated from rest until its periods repeat, and as the root of its period map: gsl rkf45, rk8pd,\n"
-      "msadams and SUNDIALS cvode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff steppers;\n"
-      "moreau: time stepping, which steps over events.\n"
+      "msadams, SUNDIALS cvode and arkode, with events located; smoothed: tanh(v/delta) for sgn v, on GSL's stiff\n"
+      "steppers; moreau: time stepping, which steps over events.\n"
       "--summary: for each wanted error that a setting reaches the cheapest method; how many times as long the next method\n"
       "takes (next_ratio) and the exact or certified solver (exact_ratio); and how many times as long as that solver the\n"
       "cheapest rival (rival_over_exact) and the cheapest simulation (simulation_over_exact).",

@@ -62,6 +62,12 @@ SYMBOLS, QUANTITIES, MESSAGE = 19, 16, 320  # SCALLOP_SYMBOLS, SCALLOP_QUANTITIE
 Fmpq, Arb = ctypes.c_long * 2, ctypes.c_long * 6
 RationalCrawler = _structure("scallop_rational_crawler", (Fmpq, " ".join(PARAMETERS)), (_pointer, "gait"))
 
+# asymptotics/observed/order.h
+OrderPoint = _structure("scallop_order_point", (_double, "h err noise"), (ctypes.c_long, "row"), (_double, "pairwise"), (_int, "use"))
+OrderWanted = _structure("scallop_order_wanted", (_double, "order tolerance"), (ctypes.c_bool, "at_least values"))
+OrderResult = _structure("scallop_order_result", (_int, "verdict"), (_double, "order low high"), (_int, "interval used"),
+                         (_double, "gci asymptotic_ratio"), (ctypes.c_char * 400, "reason"))  # SCALLOP_ORDER_REASON
+
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),
     "scallop_regime_text": (_text, _int),
@@ -75,6 +81,11 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_phase_intervals": (_int, ctypes.POINTER(Crawler), _int, _double, Visitor, _pointer),
     "scallop_interval_span": (Span, _pointer, ctypes.POINTER(Crawler), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
+    "scallop_order": (None, ctypes.POINTER(OrderPoint), ctypes.POINTER(_int), ctypes.POINTER(OrderWanted),
+                      ctypes.POINTER(OrderResult)),
+    "scallop_order_use_text": (_text, _int),
+    "scallop_order_verdict_text": (_text, _int),
+    "scallop_order_interval_text": (_text, _int),
     "scallop_formula_read": (_pointer, ctypes.POINTER(Formula), _text),
     "scallop_formula_free": (None, _pointer),
     "scallop_formula_double": (_double, _pointer, ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),

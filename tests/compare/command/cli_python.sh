@@ -46,7 +46,7 @@ END
 # ---- the same as the command ----
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
 if scallop.os.environ["WITH_FLINT"] != "0":
     print('#include "model/exact/ball.h"')
 else:
@@ -596,6 +596,52 @@ if scallop.load(sys.argv[1]) != sys.argv[1] or scallop.steady().v_start != 3.016
     bad("the argument does not come first")
 END
 finish "the library is found, in order, and refused when it is another one"
+
+# ---- order ----
+printf '0.1 0.011\n0.05 0.0026\n0.025 6.3e-4\n0.0125 1.57e-4\n' >textbook.txt
+printf '0.1 0.011\n0.05 0.0026\n0.05 nan\n0.0125 1.57e-4\n' >invalid.txt
+printf 'h value\n1 4.25\n0.5 3.5\n0.25 3.3125\n0.125 3.265625\n0.0625 3.25390625\n' >values.txt
+: >orders.json
+for table in textbook invalid values; do
+  "$tool" order $table.txt --expect 2 --format json 2>err | head -n 1 >>orders.json
+done
+"$tool" order textbook.txt --at-least 3 --tol 0.2 --format json | head -n 1 >>orders.json
+"$tool" order textbook.txt --format json | head -n 1 >>orders.json
+python <<'END'
+import json
+import math
+def numbers(name):
+    rows = [line.split() for line in open(name) if line[0] != "h"]
+    return [float(row[0]) for row in rows], [float(row[1]) for row in rows]
+found = [scallop.order(*numbers("textbook.txt"), expect=2), scallop.order(*numbers("invalid.txt"), expect=2),
+         scallop.order(*numbers("values.txt"), expect=2, values=True),
+         scallop.order(*numbers("textbook.txt"), at_least=3, tol=0.2), scallop.order(*numbers("textbook.txt"))]
+for order, line in zip(found, open("orders.json")):
+    row = json.loads(line)
+    for name in ("verdict", "interval", "reason"):
+        if row[name] != getattr(order, name):
+            bad(name, getattr(order, name), row)
+    for name in ("order", "low", "high", "gci", "asymptotic_ratio"):
+        number, wanted = getattr(order, name), row.get(name)
+        if not (math.isnan(number) if wanted is None else abs(number - wanted) < 1e-4):
+            bad(name, number, row)
+    if order.passed != (row["verdict"] == "pass") or order.used != row["points"]:
+        bad(order, row)
+if [order.passed for order in found] != [True, False, True, False, False]:
+    bad(found)
+if scallop.order([0.5, 1, 0.25], [0.25, 0, 0.0625]).uses != ["used", "zero", "used"]:
+    bad("uses in another order")
+for wrong in (dict(expect=2, at_least=2), dict(tol=0), dict(tol=math.nan)):
+    try:
+        bad(scallop.order([1, 2, 3], [1, 2, 3], **wrong))
+    except ValueError:
+        pass
+try:
+    bad(scallop.order([1, 2, 3], [1, 2]))
+except ValueError:
+    pass
+END
+finish "order: the verdicts and the words of the command"
 
 # ---- the example ----
 run 0 figure 4 --digits 17
