@@ -13,10 +13,10 @@ copied.
 A parameter outside its domain is a ValueError that names the first bad row; nothing is returned then. A row that is
 well posed and has no answer in doubles is nan, and its status says why.
 
-The library, libscallop.so.1 or libscallop-core.so.1 (which has no threads), is looked for at the first call, in this
+The library, libscallop or libscallop-core (which has no threads), is looked for at the first call, in this
 order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file
-(installed: the folder where `make install` has put the libraries), and where the system's loader looks. This module is
-written for version 0 of the binary interface, the number after .so, and refuses libraries of another one.
+(installed: the folder where `make install` has put the libraries), and where the system's loader looks. The number after
+.so is the version of the binary interface; this module wants the version that it came with and refuses any other.
 
 ctypes releases the global interpreter lock while the library computes, so that other threads of Python run meanwhile;
 they must leave the arrays alone that are being read. Needs Python 3.9 or later and NumPy.

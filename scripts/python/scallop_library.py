@@ -4,8 +4,18 @@ import ctypes
 import os
 import re
 
-ABI_VERSION = 1
-BESIDE = "../../build"  # the folder of the library, from that of this file; `make install` writes its own
+HERE = os.path.dirname(os.path.realpath(__file__))
+
+
+def _abi_version():
+    """The number of the binary interface, from its one place."""
+    with open(os.path.join(HERE, "../../model/version.h"), encoding="utf-8") as header:
+        return int(re.search(r"^#define SCALLOP_ABI (\d+)$", header.read(), re.MULTILINE)[1])
+
+
+# `make install` writes its own: the number itself, so that the two files can be copied, and the folder of the library from HERE
+ABI_VERSION = _abi_version()
+BESIDE = "../../build"
 LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
 
 DOMAIN = -1  # SCALLOP_EDOMAIN
@@ -109,7 +119,7 @@ _loaded = None
 
 def load(path=None):
     """Loads the library in file `path`, or the one found as said above, and uses it from now on. Its name must end in
-    .so.1 or .so.1.MINOR..., or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
+    .so.N or .so.N.MINOR..., N being ABI_VERSION, or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
     version. Returns its name."""
     global _loaded
     path = path or os.environ.get("SCALLOP_LIBRARY")
@@ -141,7 +151,7 @@ def _open(path):
 
 
 def _found():
-    beside = os.path.normpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), BESIDE))
+    beside = os.path.normpath(os.path.join(HERE, BESIDE))
     for name in LIBRARIES:
         if os.path.exists(os.path.join(beside, name)):
             return _open(os.path.join(beside, name))

@@ -6,10 +6,11 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 . "$(dirname "$0")/../../support/common.sh"
 
 /usr/bin/python3 -c 'import numpy' 2>err || { echo "ok python: not tried, /usr/bin/python3 has no NumPy"; exit 0; }
+abi=$(sed -n 's/^#define SCALLOP_ABI //p' "$root/model/version.h")
 for name in libscallop-core libscallop; do
-  [ ! -f "$(dirname "$tool")/$name.so.1" ] || beside=$(dirname "$tool")/$name.so.1
+  [ ! -f "$(dirname "$tool")/$name.so.$abi" ] || beside=$(dirname "$tool")/$name.so.$abi
 done
-library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.1}}
+library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.$abi}}
 if readelf -d "$library" 2>err | grep -q 'NEEDED.*lib\(asan\|ubsan\)'; then
   echo "ok python: not tried, the library wants the runtime of a sanitizer"
   exit 0
@@ -561,35 +562,36 @@ END
 finish "an interrupt ends a trajectory"
 
 # ---- finding the library ----
-mkdir -p tree/scripts/python tree/build
+mkdir -p tree/scripts/python tree/build tree/model
+cp "$root/model/version.h" tree/model
 cp "$root"/scripts/python/scallop*.py tree/scripts/python
 loads() { # FILE, or part of the message
   PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
 }
 loads "$library"
-cp "$library" libscallop.so.7
+cp "$library" libscallop.so.9$abi
 cp "$library" libscallop.so
-cp "$library" libscallop.so.1.9.8
-ln -s libscallop.so.1.9.8 link.so
-echo text >libscallop.so.1
-cc -shared -o libscallop-core.so.1 -x c /dev/null
-for pair in "libscallop.so.7=libscallop.so.7: version 7 of the binary interface: version 1 is wanted" \
-  "libscallop.so=the name does not say the version of the binary interface: .so.1 is wanted" \
-  "link.so=$scratch/link.so" "libscallop.so.1=cannot load the library of scallop: $scratch/libscallop.so.1: " \
-  "libscallop-core.so.1=has no scallop_status_text: it is older than scallop.py, or another library" \
-  "none.so.1=cannot load the library of scallop: $scratch/none.so.1: cannot open"; do
+cp "$library" libscallop.so.$abi.9.8
+ln -s libscallop.so.$abi.9.8 link.so
+echo text >libscallop.so.$abi
+cc -shared -o libscallop-core.so.$abi -x c /dev/null
+for pair in "libscallop.so.9$abi=libscallop.so.9$abi: version 9$abi of the binary interface: version $abi is wanted" \
+  "libscallop.so=the name does not say the version of the binary interface: .so.$abi is wanted" \
+  "link.so=$scratch/link.so" "libscallop.so.$abi=cannot load the library of scallop: $scratch/libscallop.so.$abi: " \
+  "libscallop-core.so.$abi=has no scallop_status_text: it is older than scallop.py, or another library" \
+  "none.so.$abi=cannot load the library of scallop: $scratch/none.so.$abi: cannot open"; do
   SCALLOP_LIBRARY=${pair%%=*} loads "${pair#*=}"
 done
 unset SCALLOP_LIBRARY
-mv libscallop.so.1.9.8 libscallop.so.1
-loads "neither libscallop.so.1 nor libscallop-core.so.1 is in $scratch/tree/build"
-LD_LIBRARY_PATH=$scratch loads libscallop.so.1
-cp "$library" tree/build/libscallop-core.so.1
-LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.1"
+mv libscallop.so.$abi.9.8 libscallop.so.$abi
+loads "neither libscallop.so.$abi nor libscallop-core.so.$abi is in $scratch/tree/build"
+LD_LIBRARY_PATH=$scratch loads libscallop.so.$abi
+cp "$library" tree/build/libscallop-core.so.$abi
+LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.$abi"
 export SCALLOP_LIBRARY="$library"
 loads "$library"
-python "$scratch/tree/build/libscallop-core.so.1" <<'END'
+python "$scratch/tree/build/libscallop-core.so.$abi" <<'END'
 if scallop.load(sys.argv[1]) != sys.argv[1] or scallop.steady().v_start != 3.0166206576889527:
     bad("the argument does not come first")
 END

@@ -233,9 +233,7 @@ TEST(any_units)
 /* A workspace used before, with another tolerance, gives what a new one gives. */
 TEST(workspace_forgets)
 {
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct scallop_crawler other;
-  other = c;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal), other = c;
   other.T = 37;
   for (int k = 0; k < CVODE; k++) {
     enum scallop_odeiv_stepper stepper = (enum scallop_odeiv_stepper)k;
