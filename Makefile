@@ -36,7 +36,7 @@ SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_arko
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
 rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
 all_parts := $(basename $(wildcard $(rooms:=/*.c))) asymptotics/published/paper
-in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
+in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
 flint     := $(filter $(in_flint) %flint,$(all_parts))
 sundials_parts := $(addprefix numerics/rivals/,sundials cvode arkode)
 parts     := $(filter-out compare/command/main $(sundials_parts),$(all_parts))
