@@ -120,6 +120,18 @@ static struct symbols list(void)
   return s;
 }
 
+static const char quotient_in_mathml[] =
+    "<mfrac><mrow><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub><mi>F</mi><mi>2</mi>"
+    "</msub></mrow><mrow><msub><mi>m</mi><mi>1</mi></msub></mrow></mfrac>";
+static const char power_in_mathml[] =
+    "<mfrac><mrow><msup><mrow><mo>(</mo><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub>"
+    "<mi>F</mi><mi>2</mi></msub><mo>)</mo></mrow><mn>2</mn></msup></mrow><mrow><msup><mi>T</mi>"
+    "<mn>2</mn></msup></mrow></mfrac>";
+static const char product_in_mathml[] =
+    "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow><mo>&#x2062;</mo>"
+    "<mi>T</mi><mo>&#x2062;</mo><mrow><mo>(</mo><mn>2</mn><mo>&#x2062;</mo><mi>&#x3B1;</mi><mo>&#x2212;"
+    "</mo><mn>1</mn><mo>)</mo></mrow>";
+
 TEST(each_language)
 {
   struct symbols s = list();
@@ -132,24 +144,15 @@ TEST(each_language)
                                   "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>" });
   check_written(&s, symbolic_div(&s, sum, m1), 0, false,
                 (const char *[]){ "(F1 - F2)/m1", "(F1 - F2)/m1", "(F1 - F2)/m1", "\\frac{F_{1} - F_{2}}{m_{1}}",
-                                  "<mfrac><mrow><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub><mi>F</mi><mi>2</mi>"
-                                  "</msub></mrow><mrow><msub><mi>m</mi><mi>1</mi></msub></mrow></mfrac>" });
-  check_written(
-      &s, symbolic_mul(&s, sum, sum), -2, false,
-      (const char *[]){ "(F1 - F2)^2/T^2", "pow((F1 - F2), 2)/pow(T, 2)", "(F1 - F2)**2/T**2",
-                        "\\frac{(F_{1} - F_{2})^{2}}{T^{2}}",
-                        "<mfrac><mrow><msup><mrow><mo>(</mo><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub>"
-                        "<mi>F</mi><mi>2</mi></msub><mo>)</mo></mrow><mn>2</mn></msup></mrow><mrow><msup><mi>T</mi>"
-                        "<mn>2</mn></msup></mrow></mfrac>" });
+                                  quotient_in_mathml });
+  check_written(&s, symbolic_mul(&s, sum, sum), -2, false,
+                (const char *[]){ "(F1 - F2)^2/T^2", "pow((F1 - F2), 2)/pow(T, 2)", "(F1 - F2)**2/T**2",
+                                  "\\frac{(F_{1} - F_{2})^{2}}{T^{2}}", power_in_mathml });
   /* alpha - beta is 2 alpha - 1, alpha + beta is 1, and beta alone is 1 - alpha or stays */
   symbolic times = symbolic_mul(&s, symbolic_sub(&s, symbolic_mul(&s, alpha, alpha), symbolic_mul(&s, beta, beta)), beta);
-  check_written(
-      &s, times, 1, false,
-      (const char *[]){ "(1 - alpha)*T*(2*alpha - 1)", "beta*T*(2.0*alpha - 1.0)", "beta*T*(2*alpha - 1)",
-                        "(1 - \\alpha) T (2 \\alpha - 1)",
-                        "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow><mo>&#x2062;</mo>"
-                        "<mi>T</mi><mo>&#x2062;</mo><mrow><mo>(</mo><mn>2</mn><mo>&#x2062;</mo><mi>&#x3B1;</mi><mo>&#x2212;"
-                        "</mo><mn>1</mn><mo>)</mo></mrow>" });
+  check_written(&s, times, 1, false,
+                (const char *[]){ "(1 - alpha)*T*(2*alpha - 1)", "beta*T*(2.0*alpha - 1.0)", "beta*T*(2*alpha - 1)",
+                                  "(1 - \\alpha) T (2 \\alpha - 1)", product_in_mathml });
   /* by powers of T, with factored coefficients; derivatives, the second phase's with a name of its own */
   symbolic of_T = symbolic_sub(&s, symbolic_mul(&s, m1, symbolic_place(&s, 6)),
                                symbolic_mul(&s, symbolic_mul(&s, T, T), symbolic_mul(&s, sum, symbolic_place(&s, 7))));
@@ -172,13 +175,15 @@ static void check_decimal(const char *decimal, slong power, const char *const wa
   }
 }
 
+static const char decimal_in_mathml[] = "<mn>1.25</mn><mo>&#xB7;</mo><msup><mn>10</mn><mn>-7</mn></msup><mo>&#x2062;</mo>"
+                                        "<msup><mi>T</mi><mn>2</mn></msup>";
+
 TEST(decimal_numbers)
 {
   check_decimal("-1.25", 0, (const char *[]){ "1.25", "1.25", "1.25", "1.25", "<mn>1.25</mn>" });
   check_decimal("1.25e-7", 2,
                 (const char *[]){ "1.25e-7*T^2", "1.25e-7*pow(T, 2)", "1.25e-7*T**2", "1.25 \\cdot 10^{-7} T^{2}",
-                                  "<mn>1.25</mn><mo>&#xB7;</mo><msup><mn>10</mn><mn>-7</mn></msup><mo>&#x2062;</mo>"
-                                  "<msup><mi>T</mi><mn>2</mn></msup>" });
+                                  decimal_in_mathml });
 }
 
 TEST(symbols_that_are_used)

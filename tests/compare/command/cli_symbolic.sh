@@ -119,7 +119,8 @@ run 0 steady --digits 15
 [ "$(cat numbers)" = "$(cells out v_start displacement)" ] || note "$(cat numbers) is not $(cells out v_start displacement)"
 run 0 series --symbolic --source limit --gait sinusoidal --order 4 --emit c -o limit.c
 printf '#include "limit.c"\nint main(void)\n{\n  return period_product_U(1, 1, 4, 1, 0.75, 1, 1) < 0;\n}\n' >limit_main.c
-compile limit_main.c -o limit && ./limit || note "the limit's program fails"
+compile limit_main.c -o limit
+./limit || note "the limit's program fails"
 finish "--emit c: the closed form is the steady state, and the limit is a function without T"
 
 # ---- documents ----
