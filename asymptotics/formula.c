@@ -117,6 +117,8 @@ static enum formula_operation function_named(const char *name)
   return FORMULA_NUMBER;
 }
 
+bool formula_is_word(const char *name) { return function_named(name) != FORMULA_NUMBER || strcmp(name, "pi") == 0; }
+
 static bool read_sum(struct parser *p);
 
 /* After the parenthesis at open */
@@ -218,7 +220,8 @@ static bool read_factor(struct parser *p)
   bool is_negative = next(p) == '-';
   const char *sign = p->at;
   if (p->nested == FORMULA_NESTED)
-    return fail(p, sign, "too much within one another: %d parentheses, minus signs and powers are allowed", FORMULA_NESTED);
+    return fail(p, sign, "too much within one another: %d parentheses, minus signs and powers are allowed%s", FORMULA_NESTED,
+                p->part ? "; does the part use itself?" : "");
   p->nested++;
   p->at += is_negative;
   bool read = is_negative ? read_factor(p) && add(p, sign, FORMULA_NEGATE) : read_value(p);

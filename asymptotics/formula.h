@@ -41,6 +41,8 @@
 #ifndef SCALLOP_FORMULA_H
 #define SCALLOP_FORMULA_H
 
+#include <stdbool.h>
+
 enum {
   FORMULA_STEPS = 256,                   /* numbers, names and operations of a formula              */
   FORMULA_NESTED = 64,                   /* parentheses, minus signs and powers within one another  */
@@ -107,6 +109,9 @@ double formula_double(const struct formula *formula, const double *values);
 
 /* The places that a formula uses, each once, in the order in which it first does. Returns how many. */
 int formula_places(const struct formula *formula, int places[FORMULA_STEPS]);
+
+/* Is it a word of the language: the name of a function, or pi? */
+bool formula_is_word(const char *name);
 
 /* How an operation is written: "+", "sqrt" */
 const char *formula_operation_text(enum formula_operation operation);

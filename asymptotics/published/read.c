@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CONDITION = 400 }; /* characters of a condition and its NUL */
-
 const struct scallop_formula *scallop_formula_named(const char *name)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
@@ -97,24 +95,31 @@ double scallop_published_value(const struct scallop_formula *formula, const stru
   return is_read ? scallop_formula_at(&read, formula, crawler, kind, v0, t1, dT, x_switch) : NAN;
 }
 
+char scallop_condition_split(struct scallop_sides *sides, const char *condition)
+{
+  int length = (int)strcspn(condition, "<>=");
+  if (condition[length] == '\0' || strlen(condition) >= SCALLOP_CONDITION)
+    return '\0';
+  snprintf(sides->left, sizeof sides->left, "%.*s", length, condition);
+  snprintf(sides->right, sizeof sides->right, "%*s%s", length + 1, "", condition + length + 1);
+  return condition[length];
+}
+
 const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
                                     const struct scallop_formula *formula, const struct scallop_values *values,
                                     char message[FORMULA_MESSAGE])
 {
   struct formula side;
-  char text[CONDITION];
-  size_t length = strcspn(condition, "<>=");
-  if (condition[length] == '\0' || length >= sizeof text) {
+  struct scallop_sides sides;
+  *sign = scallop_condition_split(&sides, condition);
+  if (!*sign) {
     snprintf(message, FORMULA_MESSAGE, "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT");
     return message;
   }
-  *sign = condition[length];
-  memcpy(text, condition, length);
-  text[length] = '\0';
-  if (read_text(&side, text, formula, NULL, message))
+  if (read_text(&side, sides.left, formula, NULL, message))
     return message;
   *left = formula_double(&side, values->of);
-  if (read_text(&side, condition + length + 1, formula, NULL, message))
+  if (read_text(&side, sides.right, formula, NULL, message))
     return message;
   *right = formula_double(&side, values->of);
   return NULL;

@@ -18,6 +18,14 @@ bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum sc
 double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula, enum scallop_phase_kind kind,
                              const struct scallop_values *values);
 
+/* The sides of a condition "LEFT < RIGHT", each at its place: what is left of right is blank. Returns the < > or = between them; '\0': there is none,
+ * or the condition is too long. */
+enum { SCALLOP_CONDITION = 400 }; /* characters of a condition and its NUL */
+struct scallop_sides {
+  char left[SCALLOP_CONDITION], right[SCALLOP_CONDITION];
+};
+char scallop_condition_split(struct scallop_sides *sides, const char *condition);
+
 /* A condition "LEFT < RIGHT", with < > or =, in the names of the formula and its parts: the values of both sides, and *sign is the character between
  * them. Returns NULL, or `message`. */
 const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,

@@ -157,6 +157,16 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
   return false;
 }
 
+bool quantity_is_other(const char *name)
+{
+  static const struct quantities none = { .count = 0 };
+  struct quantity q;
+  for (int i = 0; i < PREFIXES; i++)
+    if (strncmp(name, prefixes[i].text, strlen(prefixes[i].text)) == 0)
+      return true;
+  return plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED;
+}
+
 /* Past the N. of derived_N., or NULL */
 static const char *read_order(struct quantity *q, const char *text)
 {

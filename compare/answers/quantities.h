@@ -132,6 +132,8 @@ struct quantities {
 int quantity_named(struct quantities *all, const char *name);
 /* Its place if it is there already, or -1. */
 int quantity_find(const struct quantities *all, const char *name);
+/* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
+bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */
 const char *quantity_near(const struct quantities *all, const char *name);
 

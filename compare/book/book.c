@@ -1,8 +1,38 @@
-#include "compare/book/book.h"
-
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "compare/book/entry.h"
+#include "compare/text/memory.h"
+
+/* The formulas of the books that were read, in the order of reading, and the files, which have their texts */
+static struct entry **entries;
+static int count;
+static struct config **files;
+static int file_count;
+
+bool book_keep(struct entry *e)
+{
+  struct entry **more = with_room(entries, count, sizeof(struct entry *));
+  if (!more)
+    return false;
+  entries = more;
+  entries[count++] = e;
+  return true;
+}
+
+struct config *book_config(void)
+{
+  struct config **more = with_room(files, file_count, sizeof(struct config *)), *c = more ? calloc(1, sizeof *c) : NULL;
+  files = more ? more : files;
+  if (c)
+    files[file_count++] = c;
+  return c;
+}
+
+int book_count(void) { return count; }
+const struct entry *book_entry(int i) { return entries[i]; }
+const struct scallop_formula *book_formula(int i) { return i < count ? &entries[i]->formula : NULL; }
 
 /* The formula at place i of a list, or NULL; of the list behind it the place is then *i */
 static const struct scallop_formula *in_list(const struct scallop_formula *list, int *i)
@@ -46,21 +76,21 @@ const struct scallop_formula *formula_named(const char *name)
   return scallop_formula_named(name);
 }
 
-struct kept {
-  const struct kept *next;
+struct read_once {
+  struct read_once *next;
   const struct scallop_formula *formula;
   struct formula read;
 };
-static _Atomic(const struct kept *) all;
+static _Atomic(struct read_once *) all;
 
 const struct formula *formula_read_once(const struct scallop_formula *formula)
 {
   char message[FORMULA_MESSAGE];
-  const struct kept *first = atomic_load(&all);
-  for (const struct kept *k = first; k; k = k->next)
+  struct read_once *first = atomic_load(&all);
+  for (const struct read_once *k = first; k; k = k->next)
     if (k->formula == formula)
       return &k->read;
-  struct kept *made = malloc(sizeof *made);
+  struct read_once *made = malloc(sizeof *made);
   if (!made || scallop_formula_text(&made->read, formula, NULL, message)) {
     free(made);
     return NULL;
@@ -80,4 +110,22 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   for (int i = read ? formula_places(read, places) : 0; i-- > 0;)
     takes = takes || places[i] == (int)symbol;
   return takes;
+}
+
+void books_forget(void)
+{
+  for (struct read_once *first; (first = atomic_load(&all));) {
+    atomic_store(&all, first->next);
+    free(first);
+  }
+  while (count > 0)
+    free(entries[--count]);
+  while (file_count > 0) {
+    config_close(files[--file_count]);
+    free(files[file_count]);
+  }
+  free(entries);
+  free(files);
+  entries = NULL;
+  files = NULL;
 }

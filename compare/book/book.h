@@ -8,15 +8,24 @@
 #include "asymptotics/published/read.h"
 #include "compare/text/message.h"
 
-/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. */
-enum exit_code book_read(const char *command, const char *path);
+/* Is the name that of something else, in whose place the formula would stand? */
+typedef bool name_is_taken(const char *name);
+
+/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. taken: may be NULL. */
+enum exit_code book_read(const char *command, const char *path, name_is_taken *taken);
 
 /* Likewise of a text, which is called path in messages. */
-enum exit_code book_read_text(const char *command, const char *path, const char *text);
+enum exit_code book_read_text(const char *command, const char *path, const char *text, name_is_taken *taken);
 /* Forgets all books: for tests. No formula of theirs may be in use. */
 void books_forget(void);
 
-/* A formula by itself, as the texts of the members that a book would give it; NULL where it would not. name is "formula". */
+/* The words of a book, NULL-terminated: what formulas give, of one phase and, from place BOOK_STEADY on, of the steady state; where
+ * motions start; and the phases. */
+enum { BOOK_STEADY = 11 };
+extern const char *const book_quantities[], *const book_starts[], *const book_phases[];
+
+/* A formula by itself, "formula", as options give it: its text; words of these lists, where start and phase may be NULL; and the claim, a
+ * number or "equality". What is wrong is on stderr. */
 struct formula_given {
   const char *text, *of, *start, *phase, *claimed;
 };

@@ -28,12 +28,17 @@ static struct condition condition_of(const struct scallop_formula *f)
   };
 }
 
+static const char *const turns_text[] = { "a body turns in both phases", "no body turns in the contraction",
+                                          "no body turns in the extension" };
+
 /* "alpha > 1/2, F1 > F2", behind the motion */
 static void write_conditions(struct claim_row *row, const struct condition *condition)
 {
   size_t used = (size_t)snprintf(row->conditions, sizeof row->conditions, "%s", condition->text);
   for (const char *const *when = condition->formula->when; when && *when && used < sizeof row->conditions; when++)
     used += (size_t)snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", *when);
+  if (condition->formula->turns != SCALLOP_TURNS_IN_BOTH && used < sizeof row->conditions)
+    snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", turns_text[condition->formula->turns]);
 }
 
 /* The numbers of the crawler that the conditions have changed, as "F1=3/2 F2=1/2" */
@@ -56,9 +61,7 @@ static void write_change(struct claim_row *row, const struct scallop_rational_cr
 /* Why nothing can be said of the claim, or NULL. trial: NULL where the motion has no expansion. */
 static const char *undecided(const struct condition *condition, const struct trial *trial, bool is_met)
 {
-  static const char *const turns[] = { "in the limit T -> 0 a body turns in both phases of this crawler",
-                                       "in the limit T -> 0 no body turns in the contraction of this crawler",
-                                       "in the limit T -> 0 no body turns in the extension of this crawler" };
+  static char text[200];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
   if (!trial)
@@ -66,7 +69,11 @@ static const char *undecided(const struct condition *condition, const struct tri
   if (!trial_is_steady(trial) || !condition->formula->turns)
     return NULL;
   enum scallop_turns found = turns_in_modes(trial_modes(trial));
-  return found == condition->formula->turns ? NULL : turns[found];
+  if (found == condition->formula->turns)
+    return NULL;
+  snprintf(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
+           turns_text[condition->formula->turns], turns_text[found]);
+  return text;
 }
 
 static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,

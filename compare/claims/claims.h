@@ -87,7 +87,8 @@ struct claims_options {
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */
   bool check;
-  struct formula_given formula; /* its claim, instead of the paper's, as those of request.book */
+  const char *formula, *claimed; /* one formula instead of the paper's or of request.book; NULL: none */
+  struct given_word of, start, phase;
 };
 enum exit_code claims_table(const struct claims_options *options);
 /* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */

@@ -80,22 +80,40 @@ static void summarise(const struct ledger *ledger)
           ours[CLAIM_HOLDS], ours[CLAIM_SHARPER], ours[CLAIM_REFUTED] + ours[CLAIM_UNDECIDED]);
 }
 
-static int count_verdict(const struct ledger *ledger, enum claim_verdict verdict)
+/* inside or outside of the conditions of the formulas */
+static int count_verdict(const struct ledger *ledger, enum claim_verdict verdict, bool inside)
 {
   int count = 0;
   for (int i = 0; i < ledger->count; i++)
-    count += ledger->rows[i].verdict == verdict;
+    count += ledger->rows[i].verdict == verdict && ledger->rows[i].inside == inside;
   return count;
 }
 
 static void summarise_book(const struct ledger *ledger)
 {
-  fprintf(stderr, "%d hold, %d are sharper than claimed, %d refuted, %d undecided\n", count_verdict(ledger, CLAIM_HOLDS),
-          count_verdict(ledger, CLAIM_SHARPER), count_verdict(ledger, CLAIM_REFUTED),
-          count_verdict(ledger, CLAIM_UNDECIDED));
+  for (int inside = 1; inside >= 0; inside--) {
+    int v[4], all = 0;
+    for (int i = 0; i < 4; i++)
+      all += v[i] = count_verdict(ledger, (enum claim_verdict)i, inside);
+    if (inside || all > 0)
+      fprintf(stderr, "%s%d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
+              inside ? "" : "where the conditions of a formula are not met: ", v[CLAIM_HOLDS], v[CLAIM_SHARPER],
+              v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
+  }
 }
 
-static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula.text; }
+/* A formula is not refuted by a crawler that it is not for; but then it is not proven, either. */
+static enum exit_code code_of_book(const struct ledger *ledger)
+{
+  int outside = 0;
+  for (int i = 0; i < ledger->count; i++)
+    outside += !ledger->rows[i].inside;
+  return count_verdict(ledger, CLAIM_REFUTED, true) > 0               ? EXIT_CHECK_FAILED
+         : outside + count_verdict(ledger, CLAIM_UNDECIDED, true) > 0 ? EXIT_UNSOLVED
+                                                                      : EXIT_DONE;
+}
+
+static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }
 
 /* Is a number of the crawler given on the command line? */
 static bool has_crawler(const struct point *p)
@@ -130,8 +148,8 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
   table_note(table, "scallop " SCALLOP_VERSION);
   if (o->request.book)
     table_note(table, "book: %s", o->request.book);
-  if (o->formula.text)
-    table_note(table, "formula: %s", o->formula.text);
+  if (o->formula)
+    table_note(table, "formula: %s", o->formula);
   table_note(table, "command: claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
              o->check ? " --check" : "", o->verdict.given ? " --verdict " : "", o->verdict.given ? o->verdict.value : "");
   note_parameters(table, &o->request.point, varied, false);
@@ -175,9 +193,7 @@ static enum exit_code write_ledger(const struct claims_options *o)
   if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)
     (is_of_book(o) ? summarise_book : summarise)(&ledger);
   if (code == EXIT_DONE && is_of_book(o))
-    code = count_verdict(&ledger, CLAIM_REFUTED) > 0     ? EXIT_CHECK_FAILED
-           : count_verdict(&ledger, CLAIM_UNDECIDED) > 0 ? EXIT_UNSOLVED
-                                                         : EXIT_DONE;
+    code = code_of_book(&ledger);
   ledger_free(&ledger);
   return code;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "asymptotics/published/read.h"
+#include "compare/answers/answer.h"
 #include "compare/claims/evidence.h"
 
 enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, IDENTITY_TRIES = 400 };
@@ -137,6 +138,17 @@ static void set_equalities(const struct condition *condition, struct scallop_rat
   }
 }
 
+/* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
+static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
+{
+  struct scallop_steady_expansion limit;
+  scallop_steady_expansion_init(&limit);
+  bool expands = scallop_expand_steady(c, 1, PRECISION, &limit, NULL) == SCALLOP_OK;
+  bool there = expands && turns_in_modes(limit.modes) == f->turns;
+  scallop_steady_expansion_clear(&limit);
+  return there;
+}
+
 bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *c)
 {
   const struct scallop_formula *f = condition->formula;
@@ -147,7 +159,9 @@ bool condition_allows(const struct condition *condition, const struct scallop_ra
   const struct scallop_values values = f && f->setting == SCALLOP_STEADY
                                            ? scallop_steady_values(&rounded)
                                            : scallop_phase_values(&rounded, condition->kind, condition->v0);
-  return !f || (scallop_crawler_check(&rounded, NULL) == SCALLOP_OK && scallop_formula_is_claimed(f, &values));
+  return !f
+         || (scallop_crawler_check(&rounded, NULL) == SCALLOP_OK && scallop_formula_is_claimed(f, &values)
+             && (f->turns == SCALLOP_TURNS_IN_BOTH || turns_there(f, c)));
 }
 
 static void random_crawler(struct scallop_rational_crawler *r, uint64_t *state)

@@ -18,17 +18,17 @@ static const struct option options_of_claims[] = {
   OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
               claims_options, verdict, verdicts),
   OPTION_BOOK("decide the formulas of this book instead of the paper's: exit code 1 if one is refuted"),
-  OPTION_TEXT("formula", "TEXT", "decide this formula instead: \"(F1 - F2)/M*T\"", NULL, claims_options, formula.text,
+  OPTION_TEXT("formula", "TEXT", "decide this formula instead: \"(F1 - F2)/M*T\"", NULL, claims_options, formula,
               "a formula"),
-  OPTION_TEXT("of", "QUANTITY",
-              "what the formula gives: dxC, dT, v_end, displacement, v_start or another of docs/formulas.md", NULL,
-              claims_options, formula.of, "a quantity"),
-  OPTION_TEXT("claimed", "N", "its claim + O(T^N), or equality", NULL, claims_options, formula.claimed,
+  OPTION_WORD("of", "QUANTITY",
+              "what the formula gives: dxC, dT, v_end, displacement, v_start or another of docs/formulas.md",
+              "--formula needs one", claims_options, of, book_quantities),
+  OPTION_TEXT("claimed", "N", "its claim + O(T^N), or equality", "--formula needs one", claims_options, claimed,
               "a power of T, or equality"),
-  OPTION_TEXT("start", "START", "where its motion starts: rest, v0 or steady; not needed of the steady state and from rest",
-              NULL, claims_options, formula.start, "rest, v0 or steady"),
-  OPTION_TEXT("phase", "PHASE", "of its motion from v0: extension, which is not needed, or contraction", NULL,
-              claims_options, formula.phase, "extension or contraction"),
+  OPTION_WORD("start", "START", "where its motion starts: rest, v0 or steady",
+              "steady for quantities of the steady state, else rest", claims_options, start, book_starts),
+  OPTION_WORD("phase", "PHASE", "of its motion from v0: extension or contraction", "extension", claims_options, phase,
+              book_phases),
   OPTION_DROPPED("against",
                  "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
   OPTIONS_OF_DOUBLES,
@@ -47,16 +47,22 @@ static const struct option_rule rules[] = {
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
+/* The claims of a book, or of --formula */
+static enum exit_code prove(const struct arguments *arguments, const struct claims_options *o)
+{
+  const struct formula_given given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
+  if (!has_flint(arguments, "the proof"))
+    return EXIT_UNSOLVED;
+  enum exit_code code = o->formula ? book_add("claims", &given) : EXIT_DONE;
+  return code == EXIT_DONE ? claims_table(o) : code;
+}
+
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct claims_options *o = options;
   const struct scallop_crawler *c = &o->request.point.crawler;
-  if (o->formula.text || o->request.book) {
-    enum exit_code code = has_flint(arguments, "the proof") ? EXIT_DONE : EXIT_UNSOLVED;
-    if (code == EXIT_DONE && o->formula.text)
-      code = book_add("claims", &o->formula);
-    return code == EXIT_DONE ? claims_table(o) : code;
-  }
+  if (o->formula || o->request.book)
+    return prove(arguments, o);
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
@@ -101,7 +107,13 @@ const struct command command_claims = {
       "--check: the verdicts are compared with those of the ledger that comes with the tool (data/claims.tsv of its\n"
       "sources); anything that differs is printed, and the exit code is 1.\n"
       "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
-      "`scallop order` reads such a table.",
+      "`scallop order` reads such a table.\n"
+      "--book, --formula: the same table for formulas of your own (source 'book'), one row for each formula with a claim\n"
+      "and gait; docs/formulas.md describes both. A crawler that is not given is one for which the conditions of the\n"
+      "formula hold; 'measured' has the numbers that were changed for that. inside: whether the conditions hold for a "
+      "given\n"
+      "crawler. Exit code 1 if a formula is refuted where its conditions hold, else 3 if one is undecided, or its\n"
+      "conditions do not hold.",
   .defaults = &generic,
   .run = run,
 };

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/auxv.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "compare/command/options.h"
@@ -52,4 +53,11 @@ bool has_flint(const struct arguments *arguments, const char *what)
   else
     complain(command, "%s needs FLINT: cannot run %s: %s", what, path, strerror(error));
   return false;
+}
+
+void hand_over_before(const struct arguments *arguments, const char *path)
+{
+  struct stat there;
+  if (strcmp(path, "-") == 0 || (stat(path, &there) == 0 && !S_ISREG(there.st_mode)))
+    has_flint(arguments, NULL);
 }

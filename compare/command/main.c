@@ -9,6 +9,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/command/list.h"
+#include "compare/command/with_flint.h"
 #include "compare/text/shipped.h"
 
 static int unknown_command(const char *name)
@@ -128,7 +129,11 @@ int main(int count, char **arguments)
     code = flushed();
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
-    code = command->run(&read, &read.options);
+    if (read.options.request.book)
+      hand_over_before(&read, read.options.request.book);
+    code = options_book(&read);
+    if (code == EXIT_DONE)
+      code = command->run(&read, &read.options);
   }
   options_free(&read);
   return (int)code;

@@ -67,14 +67,15 @@ static void show_whole(const void *options, const struct option *o, char text[OP
 
 static const char *read_word(void *options, const struct option *o, const char *text)
 {
-  char allowed[120];
-  int used = 0;
+  char allowed[240];
+  size_t used = 0;
   for (const char *const *w = o->words; *w; w++) {
     if (strcmp(text, *w) == 0) {
       *(struct given_word *)field_of(options, o) = (struct given_word){ *w, true };
       return NULL;
     }
-    used += snprintf(allowed + used, sizeof allowed - (size_t)used, "%s%s", w == o->words ? "" : w[1] ? ", " : " or ", *w);
+    if (used < sizeof allowed)
+      used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", w == o->words ? "" : w[1] ? ", " : " or ", *w);
   }
   return not_allowed(text, allowed);
 }
@@ -310,11 +311,13 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   point_complete(point);
   if (a->options.request.points && strcmp(a->options.request.points, "-") == 0)
     a->options.request.style.has_format = true; /* each row appears when its point has come, on a terminal too */
-  if (reading == READ_RUN && !is_sound(a))
-    return READ_REFUSED;
-  if (reading == READ_RUN && a->options.request.book)
-    *code = book_read(command->name, a->options.request.book);
-  return reading == READ_RUN && a->options.request.book && *code != EXIT_DONE ? READ_REFUSED : reading;
+  return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
+}
+
+enum exit_code options_book(const struct arguments *a)
+{
+  const char *book = a->options.request.book;
+  return book ? book_read(a->command->name, book, quantity_is_other) : EXIT_DONE;
 }
 
 void options_free(struct arguments *a)

@@ -171,6 +171,8 @@ enum reading { READ_RUN, READ_HELP, READ_REFUSED };
  * READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is, options_free ends it. */
 enum reading options_read(struct arguments *arguments, const struct command *command, const struct command *const *commands,
                           int count, char **all, enum exit_code *code);
+/* Reads the book that the options name, if they do: the exit code, the message being on stderr. */
+enum exit_code options_book(const struct arguments *arguments);
 void options_free(struct arguments *arguments);
 
 #endif

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
@@ -129,10 +128,10 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   if (o->request.style.digits > 0 && option_of(command, "digits"))
     arguments[count++] = digits;
   if (options_read(&read, command, wanted, count, arguments, &code) == READ_RUN) {
-    code = EXIT_DONE;
+    code = options_book(&read);
     read.options.request.style.output = w->file;
     read.options.request.style.format = w->format;
-    if (!only_read)
+    if (code == EXIT_DONE && !only_read)
       code = command->run(&read, &read.options);
   }
   options_free(&read);
@@ -193,13 +192,6 @@ enum exit_code run_scenes(const struct arguments *arguments, const struct scene_
   return code;
 }
 
-/* Standard input, a pipe: what is read here, scallop-flint could not read again. */
-static bool is_read_once(const struct scene_source *source)
-{
-  struct stat there;
-  return !source->text && (strcmp(source->path, "-") == 0 || (stat(source->path, &there) == 0 && !S_ISREG(there.st_mode)));
-}
-
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
@@ -207,15 +199,13 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("run", "out of memory");
     return EXIT_UNSOLVED;
   }
-  bool read_once = false;
   for (int i = 0; i < arguments->operand_count; i++) {
     const char *operand = arguments->operands[i];
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
-    read_once |= is_read_once(&sources[i]);
+    if (!sources[i].text)
+      hand_over_before(arguments, sources[i].path);
   }
-  if (read_once)
-    has_flint(arguments, NULL);
   enum exit_code code = run_scenes(arguments, options, sources, arguments->operand_count);
   free(sources);
   return code;

@@ -15,4 +15,7 @@
 struct arguments;
 bool has_flint(const struct arguments *arguments, const char *what);
 
+/* Before a file is read: standard input, or a pipe, which is read once, is left to the other program where there is one. */
+void hand_over_before(const struct arguments *arguments, const char *path);
+
 #endif

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "compare/text/message.h"
+#include "compare/text/shipped.h"
 
 enum { CONFIG_INCLUDED = 64 };
 
@@ -22,8 +23,9 @@ struct config {
 };
 
 /* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on stderr. To be closed all the
- * same. */
-enum exit_code config_open(struct config *config, const char *command, const char *path, const char *text);
+ * same. shipped: those whose names a mistyped path may mean, or NULL. */
+enum exit_code config_open(struct config *config, const char *command, const char *path, const char *text,
+                           const struct shipped *shipped);
 void config_close(struct config *config);
 const config_setting_t *config_root(const struct config *config);
 
@@ -82,7 +84,7 @@ const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
 
 /* text.c: the whole file, to be freed. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code config_text(const char *command, const char *path, char **text);
+enum exit_code config_text(const char *command, const char *path, const struct shipped *shipped, char **text);
 /* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are noted. */
 bool config_check_text(struct config *config, const char *text);
 

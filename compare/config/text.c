@@ -8,19 +8,18 @@
 #include <sys/stat.h>
 
 #include "compare/config/config.h"
-#include "compare/text/shipped.h"
 
 enum { MOST_INCLUDED = 10 };
 
-static void complain_of_file(const char *command, const char *path, int error)
+static void complain_of_file(const char *command, const char *path, const struct shipped *shipped, int error)
 {
-  const char *near = strpbrk(path, "/.") ? NULL : shipped_near(shipped_scenes, path);
+  const char *near = strpbrk(path, "/.") || !shipped ? NULL : shipped_near(shipped, path);
   complain(command, "cannot read %s: %s%s", strcmp(path, "-") == 0 ? "standard input" : path, strerror(error),
            did_you_mean(near));
 }
 
 /* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
-enum exit_code config_text(const char *command, const char *path, char **text)
+enum exit_code config_text(const char *command, const char *path, const struct shipped *shipped, char **text)
 {
   size_t room = 0;
   errno = 0;
@@ -40,7 +39,7 @@ enum exit_code config_text(const char *command, const char *path, char **text)
   if (is_text && strncmp(*text, "\xef\xbb\xbf", 3) == 0)
     memmove(*text, *text + 3, (size_t)length - 2);
   if (error != 0)
-    complain_of_file(command, path, error);
+    complain_of_file(command, path, shipped, error);
   else if (!is_text)
     complain(command, "%s: this is not a text file", path);
   if (!is_text) {
@@ -92,7 +91,7 @@ static bool check_included(const struct scan *s, const char *at)
     return refuse(s, name, length, "there is no such file to include");
   if (s->depth == MOST_INCLUDED)
     return refuse(s, name, length, "files include each other more than 10 deep");
-  if (config_text(c->command, path, &text) != EXIT_DONE)
+  if (config_text(c->command, path, NULL, &text) != EXIT_DONE)
     return false;
   if (c->included < CONFIG_INCLUDED)
     c->include[c->included++] = path;

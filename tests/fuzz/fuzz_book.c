@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/quantities.h"
 #include "compare/book/book.h"
 #include "tests/fuzz/target.h"
 
@@ -27,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   char *text = fuzz_text(data, size);
   if (text && !strstr(text, "@include")) {
     written_begin(&written);
-    enum exit_code code = book_read_text("claims", "x.cfg", text);
+    enum exit_code code = book_read_text("claims", "x.cfg", text, quantity_is_other);
     written_end(&written);
     if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE) || (code != EXIT_DONE && code != EXIT_USAGE))
       fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", (int)code, written.out, written.err);

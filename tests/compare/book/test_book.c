@@ -1,6 +1,9 @@
 /* The reader of books, beside the table that the build makes of the paper's book by other means (scripts/dev/book.awk). */
+#include "compare/answers/quantities.h"
 #include "compare/book/book.h"
-#include "tests/support/check.h"
+#include "tests/support/said.h"
+
+#include <string.h>
 
 static void check_texts(const char *a, const char *b)
 {
@@ -33,8 +36,8 @@ TEST(the_papers_book_in_both_readers)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
   int n = 0;
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg"), EXIT_DONE);
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg"), EXIT_DONE); /* once */
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", quantity_is_other), EXIT_DONE);
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", quantity_is_other), EXIT_DONE); /* once */
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++, n++) {
       assert_non_null(book_formula(n));
@@ -56,7 +59,7 @@ TEST(places_of_formulas)
     conditional += f->when != NULL;
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     corrected++;
-  assert_int_equal(book_read_text("test", "a text", book), EXIT_DONE);
+  assert_int_equal(book_read_text("test", "a text", book, quantity_is_other), EXIT_DONE);
   while (listed_formula(listed))
     listed++;
   while (formula_at(all))
@@ -67,4 +70,59 @@ TEST(places_of_formulas)
   assert_true(formula_takes(formula_at(1), SCALLOP_SYMBOL_t1));
   assert_false(formula_takes(formula_at(0), SCALLOP_SYMBOL_t1));
   assert_string_equal(listed_formula(2)->name, "rest_v1_switch");
+}
+
+TEST(sides_of_conditions)
+{
+  struct scallop_sides sides;
+  char sign, message[FORMULA_MESSAGE], long_one[SCALLOP_CONDITION + 1];
+  double left, right;
+  const struct scallop_formula f = { .name = "f", .setting = SCALLOP_STEADY };
+  struct scallop_values values = { .of = { [SCALLOP_SYMBOL_m1] = 2.5, [SCALLOP_SYMBOL_F2] = 3 } };
+  assert_int_equal(scallop_condition_split(&sides, "m1 < 2*F2"), '<');
+  assert_string_equal(sides.left, "m1 ");
+  assert_string_equal(sides.right, "     2*F2");
+  assert_null(scallop_condition_value(&left, &sign, &right, "m1 < 2*F2", &f, &values, message));
+  CHECK_EQUAL(left, 2.5);
+  CHECK_EQUAL(right, 6);
+  assert_int_equal(sign, '<');
+  memset(long_one, ' ', sizeof long_one);
+  long_one[1] = '=';
+  long_one[SCALLOP_CONDITION] = '\0';
+  assert_int_equal(scallop_condition_split(&sides, long_one), '\0');
+  long_one[SCALLOP_CONDITION - 1] = '\0';
+  assert_int_equal(scallop_condition_split(&sides, long_one), '=');
+  static const struct {
+    const char *condition, *message;
+  } wrong[] = { { "m1", "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT" },
+                { "m3 > 1", "character 1: 'm3' is no quantity known here" },
+                { "1 > m3", "character 5: 'm3' is no quantity known here" } };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+    assert_string_equal(scallop_condition_value(&left, &sign, &right, wrong[i].condition, &f, &values, message),
+                        wrong[i].message);
+}
+
+static bool is_dT(const char *name) { return strcmp(name, "dT") == 0; }
+
+/* What is refused leaves nothing that could be used after its file is closed, and names are asked about. */
+TEST(books_forgotten_and_read_again)
+{
+  static const char
+      good[] = "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; } );",
+      taken[] =
+          "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; }, { name = \"dT\"; of = \"t1\"; text = \"1\"; } );";
+  struct said said;
+  books_forget();
+  for (int i = 0; i < 3; i++) {
+    assert_int_equal(book_read_text("test", "x.cfg", good, NULL), EXIT_DONE);
+    assert_int_equal(formula_read_once(formula_named("a"))->count, 1);
+    books_forget();
+    said_begin(&said);
+    enum exit_code code = book_read_text("test", "x.cfg", taken, is_dT);
+    said_end(&said);
+    assert_int_equal(code, EXIT_USAGE);
+    assert_non_null(strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
+    books_forget();
+    assert_null(book_formula(0));
+  }
 }
