@@ -6,58 +6,44 @@ ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
   MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN) # unless make was told how many
 endif
 # What a goal needs is looked for first, and installed where that is possible.
-ifneq ($(filter-out help size clean uninstall gates,$(or $(MAKECMDGOALS),all)),)
-  $(shell WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh $(MAKECMDGOALS) >&2)
-  ifneq ($(.SHELLSTATUS),0)
-    $(error something is missing)
-  endif
-endif
+$(if $(shell WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh $(or $(MAKECMDGOALS),all) >&2 || echo no),$(error something is missing))
 works      = $(shell { $(1); } >/dev/null 2>&1 && echo yes)
+# A choice that is 0, 1 or auto, the last: whether it works
+chosen     = $(filter-out 0,$(if $(filter auto,$(1)),$(2),$(1)))
 
 # No contraction to fused multiply-add: the tables in data/ must not depend on the processor. No care for traps, which are off: vector
 # instructions compute what is then not used. Objects serve programs and libraries alike.
 WARN       = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -fPIC -fno-semantic-interposition -ffp-contract=off -fno-trapping-math -fopenmp-simd $(WARN) $(CFLAGS)
-ifeq ($(WITH_OPENMP),auto)
-  override WITH_OPENMP := $(if $(call works,echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null),1,0)
-endif
-threads    = $(if $(filter 0,$(WITH_OPENMP)),,-fopenmp)
+threads   := $(if $(call chosen,$(WITH_OPENMP),$(call works,echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null)),-fopenmp)
 # Of GSL and libconfig the programs take what they use out of the archives, so that nothing is looked for when they start.
 archive    = $(filter /%,$(if $(filter 0,$(STATIC)),,$(shell $(CC) -print-file-name=lib$(1).a)))
 LDLIBS    ?= $(foreach l,gsl gslcblas config,$(or $(call archive,$(l)),-l$(l))) -lm
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3.
 FLINT     ?= $(if $(call works,echo '#include <arb.h>' | $(CC) $(CPPFLAGS) -E -),-lflint-arb) -lflint -lgmp
 sundials  := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nSUNDIALS_VERSION_MAJOR' | $(CC) $(CPPFLAGS) -E -P - 2>/dev/null | tail -n 1))
-ifeq ($(WITH_SUNDIALS),auto)
-  override WITH_SUNDIALS := $(if $(sundials),1,0)
-endif
-SUNDIALS  ?= $(if $(filter 0,$(WITH_SUNDIALS)),,-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
+with_sundials := $(if $(call chosen,$(WITH_SUNDIALS),$(sundials)),1,0)
+SUNDIALS  ?= $(if $(filter 1,$(with_sundials)),-lsundials_cvode -lsundials_arkode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
-rooms     := $(patsubst %/,%,$(sort $(dir $(shell find model asymptotics numerics compare -name '*.c'))))
-all_parts := $(basename $(wildcard $(rooms:=/*.c))) asymptotics/published/paper
-in_flint   = model/exact/% asymptotics/derived/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
-flint     := $(filter $(in_flint) %flint,$(all_parts))
-cvode     := numerics/rivals/cvode
-parts     := $(filter-out compare/command/main $(cvode),$(all_parts))
+in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
+flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint
+built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
+found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
+sundials_parts := $(addprefix numerics/rivals/,sundials cvode arkode)
+parts     := $(filter-out compare/command/main $(sundials_parts),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
-shipped    = $(call object,$(addprefix shipped_,scenes scripts completion))
+shipped   := $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
-full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
+full      := $(call object,$(filter-out $(threaded),$(parts)) $(sundials_parts) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
 
 # A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
-of_tests   = $(basename $(wildcard tests/*/test_*.c tests/*/*/test_*.c tests/fuzz/fuzz_*.c tests/fuzz/flint/fuzz_*.c))
-need_flint = $(filter $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint,$(1))
-ifeq ($(WITH_FLINT),0)
-  of_tests := $(filter-out $(call need_flint,$(of_tests)),$(of_tests))
-endif
-programs  := $(B)/scallop $(if $(filter 0,$(WITH_FLINT)),,$(B)/scallop-flint)
-tests     := $(addprefix $(B)/,$(filter test_%,$(notdir $(of_tests))))
-fuzz      := $(addprefix $(B)/,$(filter fuzz_%,$(notdir $(of_tests))))
-# A program is linked with the libraries that its objects need.
-needed     = $(if $(filter %/exact/ball.o,$^),$(threads) $(FLINT)) $(if $(filter %/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka)
-link       = @echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
+of_tests  := $(call found,tests,test_*)
+of_fuzz   := $(call found,tests,fuzz_*)
+tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
+fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
+programs  := $(addprefix $(B)/,$(call built,scallop scallop-flint))
 
 .PHONY: all help check check-report reproduce bench instructions rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
@@ -78,18 +64,17 @@ $(B)/threads/%.o: %.c Makefile config.mk
 	$(compile)
 $(B)/%.o: $(B)/%.c
 	$(compile)
-$(call object,$(flint) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
+$(call object,$(filter $(flint),$(parts)) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
 # Who judges rounds the same way whatever CFLAGS allow the judged.
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
-$(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(WITH_SUNDIALS)
-$(call object,$(cvode)): $(B)/with-sundials-$(WITH_SUNDIALS)
-$(B)/with-sundials-$(WITH_SUNDIALS):
+$(call object,$(sundials_parts)): ALL_CFLAGS += -DWITH_SUNDIALS=$(with_sundials)
+$(call object,$(sundials_parts)): $(B)/with-sundials-$(with_sundials)
+$(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
 # Scenes, their plot scripts, the completion and the ledger, in the program
-plot_scripts := $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
-$(B)/shipped_scripts.c: $(plot_scripts)
+$(B)/shipped_scripts.c: $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
@@ -97,70 +82,57 @@ $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/p
 $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 
+# A program is linked with the libraries that its objects need.
+needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/sundials.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka) \
+             $(if $(filter $(B)/threads/%,$^),$(threads))
 $(B)/scallop: $(B)/compare/command/main.o $(core)
-	$(link)
 $(B)/scallop-flint: $(B)/compare/command/main.o $(full)
-	$(link)
-$(foreach t,$(of_tests),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(call need_flint,$(t)),$(full),$(core))))
+$(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
-	$(link)
-$(B)/test_integrators: $(call object,$(cvode))
+$(B)/test_integrators: $(call object,$(sundials_parts))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
-	$(link)
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
-	$(link)
+$(programs) $(tests) $(fuzz) $(B)/scallop-bench:
+	@echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
 $(B)/nothing: $(B)/bench/nothing.o
 	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
 
+# A target that is the script of its name is given the build, and the programs to run; some make once more, in a folder of their own.
+script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 ## check:      build with warnings as errors and run every test, the commands included
-check: $(programs) libraries $(tests) $(fuzz)
-	@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" scripts/dev/check.sh $(B) $(tests) $(fuzz)
-
-## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
-reproduce: $(programs)
-	@sh scripts/dev/reproduce.sh $(B)
-
-## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
-check-report:
-	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
-
-## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
-bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop
-	@$(B)/scallop-bench
-
-## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
-instructions: $(B)/scallop-bench
-	@sh scripts/dev/instructions.sh $(B)
-
 ## asan:       the tests under the address, leak and undefined-behaviour sanitizers
-## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
 ## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
-asan fuzz matrix coverage:
-	+@MAKE="$(MAKE)" sh scripts/dev/$@.sh $(B)/$@
-fuzz-programs: $(fuzz)
-
+## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
+check asan matrix coverage fuzz:
+	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
-valgrind: $(programs) $(tests) $(fuzz)
-	@sh scripts/dev/valgrind.sh $(B) $(tests) $(fuzz)
+## lint:       rooms, clang-format, cppcheck and clang-tidy
+## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
+## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
+valgrind lint reproduce instructions:
+	@$(script)
+check valgrind: $(programs) libraries $(tests) $(fuzz)
+lint: rooms
+reproduce: $(programs)
+instructions: $(B)/scallop-bench
+fuzz-programs: $(fuzz)
 
 ## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
 rooms: $(programs)
-	@/usr/bin/python3 scripts/dev/rooms.py $(B)
-
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
-size:
-	@/usr/bin/python3 scripts/dev/rooms.py $(B) --size
-
-## lint:       rooms, clang-format, cppcheck and clang-tidy
-lint: rooms
-	@sh scripts/dev/lint.sh
-
-## gates:      all of the above that guard something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
+rooms size:
+	@/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
+## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
 gates:
 	@sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
-
+## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
+check-report:
+	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
+## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
+bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop
+	@$(B)/scallop-bench
 ## clean:      remove build/
 clean:
 	rm -rf $(B)
@@ -170,20 +142,17 @@ clean:
 version   := $(shell sed -n 's/^.define SCALLOP_VERSION "\(.*\)"/\1/p' model/version.h)
 abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
-of_libraries = $(filter model/% asymptotics/% numerics/%,$(parts))
-core_headers = scallop.h $(addprefix model/,version.h model.h gaits.h families.h) asymptotics/asymptotics.h numerics/numerics.h numerics/wide/wide.h
-headers    = $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode) \
-             $(if $(filter 0,$(WITH_FLINT)),,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h \
-             numerics/certified/certified.h)
-to_script  = CC="$(CC) $(ALL_CFLAGS)" AR="$(AR)" NM="$(NM)" OBJCOPY="$(OBJCOPY)" LDFLAGS="$(LDFLAGS)" INSTALL="$(INSTALL)" DESTDIR="$(DESTDIR)" \
-             PREFIX="$(PREFIX)" bindir="$(bindir)" libdir="$(libdir)" includedir="$(includedir)" datadir="$(datadir)" mandir="$(mandir)" \
-             pkgconfigdir="$(pkgconfigdir)" completionsdir="$(completionsdir)" sh scripts/dev
-$(B)/libscallop-core.a: $(call object,$(filter-out $(flint) numerics/rivals/%,$(of_libraries))) $(core_headers)
-	@$(to_script)/library.sh $(B) scallop-core "Exact motion of the crawling scallop and the published series" $(version) $(abi) -lm \
-	  "$(core_headers)" $(filter %.o,$^)
-$(B)/libscallop.a: $(call object,$(filter-out $(if $(filter 0,$(WITH_FLINT)),$(flint)) $(threaded),$(of_libraries)) $(cvode) $(addprefix threads/,$(threaded))) $(headers)
-	@$(to_script)/library.sh $(B) scallop "Exact motion of the crawling scallop, certified numbers, and general-purpose methods to compare with" \
-	  $(version) $(abi) "$(if $(filter 0,$(WITH_FLINT)),,$(FLINT)) $(SUNDIALS) -lgsl -lgslcblas $(threads) -lm" "$(headers)" $(filter %.o,$^)
+in_library = $(filter $(patsubst %,$(B)/%/%,model asymptotics numerics threads),$(1))
+core_headers := scallop.h $(shell sed -n 's/^.include "\(.*\)"/\1/p' scallop.h)
+headers   := $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode arkode) \
+             $(call built,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h numerics/certified/certified.h)
+passed     = NM OBJCOPY AR LDFLAGS INSTALL DESTDIR PREFIX bindir libdir includedir datadir mandir pkgconfigdir completionsdir
+to_script  = CC="$(CC) $(ALL_CFLAGS)" $(foreach name,$(passed),$(name)="$($(name))") sh scripts/dev
+$(B)/libscallop-core.a: $(filter-out $(B)/numerics/rivals/%,$(call in_library,$(core))) $(core_headers)
+$(B)/libscallop.a: $(call in_library,$(full)) $(headers)
+$(B)/libscallop.a: needed += -lgsl -lgslcblas
+$(libraries):
+	@$(to_script)/library.sh $(@:$(B)/lib%.a=%) $(B) $(version) $(abi) "$(strip $(needed) -lm)" "$(filter %.h,$^)" $(filter %.o,$^)
 $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh
 	@sh scripts/dev/man.sh $< $(version) $@
 

@@ -14,10 +14,11 @@
  *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
  *     asymptotics/asymptotics.h   the formulas of the paper as published, and formulas of one's own
+ *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; knows no crawler
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
  *     asymptotics/derived/expansion.h       the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h (SUNDIALS), moreau.h
+ *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h, arkode.h (SUNDIALS), moreau.h
  *
  * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either, but for
  * scallop_formula_read. All of it can be called from several threads at once. */
@@ -31,6 +32,7 @@ extern "C" {
 #endif
 
 #include "asymptotics/asymptotics.h"
+#include "asymptotics/observed/order.h"
 #include "model/families.h"
 #include "model/gaits.h"
 #include "model/model.h"

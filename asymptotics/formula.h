@@ -16,10 +16,23 @@
  *     number        the nearest double         enclosed                        exact
  *     + - *         rounded                    enclosed                        exact while both operands are, else enclosed
  *     /             rounded                    enclosed                        refused if the divisor may be 0
- *     x^y           below                      enclosed                        y whole, |y| <= FORMULA_SERIES_POWER, else refused
- *                                                                              and coefficients beyond FORMULA_SERIES_BITS
- *     functions     the C library's            enclosed                        refused
- *     off a domain  nan or an infinity         nan (not finite)                refused, as under / and x^y
+ *     x^y           below                      enclosed                        y whole with |y| <= 64 as products; else as below
+ *     functions     the C library's            enclosed                        as below
+ *     off a domain  nan or an infinity         nan (not finite)                refused
+ *
+ * A series holds for T -> 0 from above. x = c T^k (1 + ...), k a whole number, c the first coefficient that is not exactly 0:
+ *
+ *                   a series where                        exact, if x is, where                refused, among others
+ *     exp sin cos   x is known at T = 0: no T^-1, ...     x = 0 at T = 0                       exp(1/T)
+ *     asin          -1 < x < 1 at T = 0, or x = -1 or 1   x = 0 at T = 0                       asin(1 - T)
+ *     log log10     k = 0, c > 0                          x = 1 at T = 0 (log)                 log(T)
+ *     sqrt          c > 0, k even; x = 0                  c is the square of a fraction        sqrt(T)
+ *     x^y           c > 0, y constant, k y whole          y = p/q with |p|, q <= 64, and c     T^0.5; powers of T beyond 4096
+ *                   (c < 0 for whole y); 0^y, y > 0       the q-th power of a fraction
+ *                   c > 0, k = 0, y varies: exp(y log x), as these two are                     T^T
+ *     abs min max   the sign of c, for min and max of     always                               min(pi, pi): balls that overlap
+ *                   the difference, is proven, or all
+ *                   its known coefficients are exactly 0
  *
  * In double, min and max of a nan are nan, and x^n for whole |n| <= FORMULA_PRODUCTS is a product of x, x^2, x^4, x^8, x^16, the
  * lower powers first, or 1 over that: the same bits on every machine, x^2 and x^-1 correctly rounded, and a relative error of at most

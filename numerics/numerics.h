@@ -88,7 +88,7 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
 
 /* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the velocities of just after
  * the beginning and just before the end. Times are good to an ulp or two of tau; velocities and displacements, which may be differences of
- * larger numbers, to a few ulp of L/tau and of what c comes to, and of L. What a stuck body does is exactly 0. */
+ * larger numbers, to a few ulp of L/tau and of what c comes to, and of L. What a stuck body does is exactly 0. A number beyond the doubles is infinite, or 0. */
 struct scallop_span {
   double t_begin, t_end; /* since the phase began                                                */
   double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */

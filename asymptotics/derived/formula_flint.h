@@ -5,10 +5,6 @@
 #include "asymptotics/formula.h"
 #include "asymptotics/derived/series.h"
 
-/* Of a series: the largest power, and the bits that exact coefficients of powers have at most, but for rounding up: powers of powers would
- * otherwise take all time and memory. */
-enum { FORMULA_SERIES_POWER = 64, FORMULA_SERIES_BITS = 1 << 20 };
-
 /* A number of a formula, exactly as it is written */
 void formula_number(fmpq_t number, const struct formula_step *step);
 

@@ -77,19 +77,18 @@ void series_set_x(struct series *s)
   s->first = 1;
 }
 
-static slong terms(const struct series *s) { return s->exact ? fmpq_poly_length(s->rational) : arb_poly_length(s->ball); }
+slong series_terms(const struct series *s) { return s->exact ? fmpq_poly_length(s->rational) : arb_poly_length(s->ball); }
 
 static bool leading_is_zero(const struct series *s)
 {
   return s->exact ? fmpz_is_zero(fmpq_poly_numref(s->rational)) : arb_is_zero(arb_poly_get_coeff_ptr(s->ball, 0));
 }
 
-/* Takes exact zeros off the front, and what is beyond the ring's length or not known off the end. */
-static void tidy(struct series *s, const struct ring *ring)
+void series_tidy(struct series *s, const struct ring *ring)
 {
   slong zeros = 0;
-  if (terms(s) > 0 && leading_is_zero(s)) {
-    while (zeros < terms(s) && series_coefficient_is_zero(s, s->first + zeros))
+  if (series_terms(s) > 0 && leading_is_zero(s)) {
+    while (zeros < series_terms(s) && series_coefficient_is_zero(s, s->first + zeros))
       zeros++;
     if (s->exact)
       fmpq_poly_shift_right(s->rational, s->rational, zeros);
@@ -97,7 +96,7 @@ static void tidy(struct series *s, const struct ring *ring)
       arb_poly_shift_right(s->ball, s->ball, zeros);
     s->first += zeros;
   }
-  if (terms(s) > ring->length)
+  if (series_terms(s) > ring->length)
     s->known = least(s->known, s->first + ring->length);
   series_truncate(s, s->known);
 }
@@ -107,7 +106,7 @@ void series_truncate(struct series *s, slong known)
   s->known = least(s->known, known);
   s->first = least(s->first, s->known);
   slong keep = s->known - s->first;
-  if (terms(s) <= keep)
+  if (series_terms(s) <= keep)
     return;
   if (s->exact)
     fmpq_poly_truncate(s->rational, keep);
@@ -149,7 +148,7 @@ static void add_or_sub(struct series *to, const struct series *a, const struct s
     arb_poly_clear(q);
   }
   begin(to, exact, first, known);
-  tidy(to, ring);
+  series_tidy(to, ring);
 }
 
 void series_add(struct series *sum, const struct series *a, const struct series *b, const struct ring *ring)
@@ -166,7 +165,7 @@ void series_mul(struct series *product, const struct series *a, const struct ser
 {
   bool exact = a->exact && b->exact;
   slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
-  bool cut = terms(a) > 0 && terms(b) > 0 && terms(a) + terms(b) - 1 > ring->length;
+  bool cut = series_terms(a) > 0 && series_terms(b) > 0 && series_terms(a) + series_terms(b) - 1 > ring->length;
   if (exact)
     fmpq_poly_mullow(product->rational, a->rational, b->rational, ring->length);
   else {
@@ -179,7 +178,7 @@ void series_mul(struct series *product, const struct series *a, const struct ser
     arb_poly_clear(q);
   }
   begin(product, exact, first, cut ? least(known, first + ring->length) : known);
-  tidy(product, ring);
+  series_tidy(product, ring);
 }
 
 void series_neg(struct series *to, const struct series *a)
@@ -214,13 +213,14 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
   struct series divisor;
   series_init(&divisor);
   series_set(&divisor, b);
-  tidy(&divisor, ring);
-  bool possible = terms(&divisor) > 0 && (divisor.exact || !arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0)));
+  series_tidy(&divisor, ring);
+  bool possible = series_terms(&divisor) > 0
+                  && (divisor.exact || !arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0)));
   if (possible) {
     bool exact = a->exact && divisor.exact;
     slong first = a->first - divisor.first;
     slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
-    if (terms(&divisor) > 1 || terms(a) > ring->length) /* before a may be overwritten */
+    if (series_terms(&divisor) > 1 || series_terms(a) > ring->length) /* before a may be overwritten */
       known = least(known, first + ring->length);
     if (exact)
       fmpq_poly_div_series(quotient->rational, a->rational, divisor.rational, ring->length);
@@ -234,7 +234,7 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
       arb_poly_clear(q);
     }
     begin(quotient, exact, first, known);
-    tidy(quotient, ring);
+    series_tidy(quotient, ring);
   }
   series_clear(&divisor);
   return possible;
@@ -307,7 +307,7 @@ void series_compose(struct series *to, const struct series *outer, const struct 
     arb_poly_clear(q);
   }
   begin(to, exact, 0, known);
-  tidy(to, ring);
+  series_tidy(to, ring);
   series_clear(&f);
   series_clear(&g);
 }
@@ -320,7 +320,7 @@ void series_integral(struct series *to, const struct series *a, const struct rin
   else
     arb_poly_integral(to->ball, to->ball, ring->precision);
   to->known = moved(to->known, 1);
-  tidy(to, ring);
+  series_tidy(to, ring);
 }
 
 void series_derivative(struct series *to, const struct series *a, const struct ring *ring)
@@ -331,7 +331,7 @@ void series_derivative(struct series *to, const struct series *a, const struct r
   else
     arb_poly_derivative(to->ball, to->ball, ring->precision);
   to->known = moved(to->known, -1);
-  tidy(to, ring);
+  series_tidy(to, ring);
 }
 
 void series_coefficient(arb_t value, const struct series *s, slong power, slong precision)
@@ -362,7 +362,7 @@ bool series_rational_coefficient(fmpq_t value, const struct series *s, slong pow
 bool series_coefficient_is_zero(const struct series *s, slong power)
 {
   slong k = power - s->first;
-  if (k < 0 || k >= terms(s))
+  if (k < 0 || k >= series_terms(s))
     return true;
   return s->exact ? fmpz_is_zero(fmpq_poly_numref(s->rational) + k) : arb_is_zero(arb_poly_get_coeff_ptr(s->ball, k));
 }
@@ -370,7 +370,7 @@ bool series_coefficient_is_zero(const struct series *s, slong power)
 void series_set_zero(struct series *s, slong power)
 {
   slong k = power - s->first;
-  if (k < 0 || k >= terms(s))
+  if (k < 0 || k >= series_terms(s))
     return;
   if (s->exact)
     fmpq_poly_set_coeff_si(s->rational, k, 0);

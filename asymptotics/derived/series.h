@@ -23,6 +23,13 @@ struct series {
   arb_poly_t ball;      /* otherwise                                                         */
 };
 
+enum {
+  SERIES_EXACT_POWER = 64, /* the largest numerator, and denominator, of an exact power           */
+  SERIES_BITS =
+      1 << 20, /* what an exact power has at most, but for rounding up: powers of powers would take all time and memory */
+  SERIES_FARTHEST = 4096 /* the largest power of x that series_power makes: products do not run out of memory */
+};
+
 /* known of a series with finitely many terms, all of which are there */
 #define SERIES_ALL (WORD_MAX / 8)
 
@@ -53,6 +60,30 @@ void series_integral(struct series *to, const struct series *a, const struct rin
 void series_derivative(struct series *to, const struct series *a, const struct ring *ring); /* no negative powers */
 /* Forgets everything from x^known on. */
 void series_truncate(struct series *s, slong known);
+/* Takes exact zeros off the front, and what is beyond the ring's length or not known off the end. */
+void series_tidy(struct series *s, const struct ring *ring);
+slong series_terms(const struct series *s); /* coefficients that it keeps, from x^first on */
+
+/* Functions (series_functions.c), for x -> 0 from above. Each returns NULL, or what a series cannot do, as words that follow the function's
+ * name; `to` is then unchanged. A sign, or an order of two, is that of the first coefficient that is not exactly 0, and must be proven.
+ * Coefficients stay exact where those of the result are fractions because the constant term (of a log: 1; of a power: p/q: a q-th power of
+ * a fraction; of exp, sin, cos, asin: 0) is one for which they are. */
+const char *series_exp(struct series *to, const struct series *a, const struct ring *ring); /* no negative powers       */
+const char *series_log(struct series *to, const struct series *a, const struct ring *ring); /* begins with c x^0, c > 0 */
+const char *series_log10(struct series *to, const struct series *a, const struct ring *ring);
+const char *series_sin(struct series *to, const struct series *a, const struct ring *ring);
+const char *series_cos(struct series *to, const struct series *a, const struct ring *ring);
+const char *series_asin(struct series *to, const struct series *a,
+                        const struct ring *ring); /* -1 < a < 1 at x = 0, or a constant 1 or -1 */
+const char *series_abs(struct series *to, const struct series *a, const struct ring *ring);
+const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
+const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
+/* base^exponent = c^y x^(k y) (1 + u)^y of base = c x^k (1 + u), with a whole power k y, at most SERIES_FARTHEST in size. A whole y of at
+ * most SERIES_EXACT_POWER in size is a product: any base, finite sums stay finite. Other whole y: c must not be 0; other constants y: c > 0,
+ * or the base is 0 and y > 0. An exponent that varies: exp(exponent log(base)). */
+const char *series_power(struct series *to, const struct series *base, const struct series *exponent,
+                         const struct ring *ring);
+const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring); /* the power 1/2 */
 
 /* The coefficient of x^power, which must be below known. */
 void series_coefficient(arb_t value, const struct series *s, slong power, slong precision);

@@ -282,10 +282,10 @@ enum exit_code for_each_point(const struct request *request, const struct point_
   return (request->points ? points_of_file : one_point)(request, of);
 }
 
-void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
+void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held, bool as_written)
 {
-  char line[CRAWLER_NUMBERS * (NUMBER_LENGTH + COLUMN_NAME) + GAIT_TEXT] = "";
   size_t used = 0;
+  *text = '\0';
   for (int i = 0; crawler_parameters[i]; i++) {
     const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? p->written[i] : NULL;
     char number[NUMBER_TEXT];
@@ -293,12 +293,18 @@ void note_parameters(struct table *t, const struct point *p, const char *const *
       continue;
     if (i < CRAWLER_NUMBERS)
       number_text(number, crawler_parameter(&p->crawler, name), 0);
-    used += (size_t)snprintf(line + used, sizeof line - used, " %s=%s", name,
+    used += (size_t)snprintf(text + used, PARAMETERS_TEXT - used, " %s=%s", name,
                              written               ? written
                              : i < CRAWLER_NUMBERS ? number
                                                    : p->crawler.gait->name);
   }
-  if (used > 0)
+}
+
+void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
+{
+  char line[PARAMETERS_TEXT];
+  parameters_text(line, p, not_held, as_written);
+  if (*line)
     table_note(t, "parameters:%s", line);
 }
 

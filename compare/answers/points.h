@@ -2,9 +2,11 @@
 #ifndef SCALLOP_POINTS_H
 #define SCALLOP_POINTS_H
 
+#include "compare/answers/gaits.h"
 #include "compare/answers/point.h"
 #include "compare/text/message.h"
 #include "compare/text/table.h"
+#include "compare/text/values.h"
 
 /* What every command is asked: of which point, or of the points in which file, and how its table is written. The options of a command
  * are a struct that begins with it. */
@@ -40,6 +42,9 @@ void point_crawler(struct table *table, const struct scallop_crawler *crawler, c
 /* Cells for numbers[count] that are all nan, for rows without an answer. */
 void point_blank(struct table *table, int count);
 
+/* " m1=1 ...": the parameters without those in not_held; as below */
+enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };
+void parameters_text(char text[PARAMETERS_TEXT], const struct point *point, const char *const *not_held, bool as_written);
 /* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those in not_held (NULL-terminated, or NULL: none), which
  * vary or are not used. as_written: numbers with all the digits that were given; else doubles. No line where nothing holds. */
 void note_parameters(struct table *table, const struct point *point, const char *const *not_held, bool as_written);

@@ -22,7 +22,7 @@
 #include "compare/text/values.h"
 #include <stdbool.h>
 
-#include "compare/order/order.h"
+#include "asymptotics/observed/estimate.h"
 #include "compare/text/message.h"
 #include "model/exact/ball.h"
 #include "model/model.h"
@@ -48,7 +48,7 @@ struct claim_row {
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   double slope;         /* measured between the two smallest T; nan if there is no error    */
   struct order_fit fit;
-  struct order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
+  struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
   int count;
   enum claim_verdict verdict;
   char corrected[CLAIM_NAME]; /* of a refuted formula: the row of the one that holds, or ""       */

@@ -126,12 +126,12 @@ void velocity_grows_with_alpha(struct question *q)
 void velocity_as_1_over_T(struct question *q)
 {
   enum { POINTS = 24 };
-  struct order_point points[POINTS];
+  struct scallop_order_point points[POINTS];
   for (int k = 0; k < POINTS; k++) {
     struct scallop_crawler c = q->crawler;
     c.T = ldexp(c.T, -k);
     double u = steady_state(&c).mean_velocity;
-    points[k] = (struct order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
+    points[k] = (struct scallop_order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
   }
   q->row.claimed_order = -1;
   q->row.fit = order_estimate(points, POINTS);

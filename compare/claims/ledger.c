@@ -125,13 +125,13 @@ static bool agrees(const struct claim_row *row)
 
 static void fit(struct claim_row *row)
 {
-  struct order_point *points = row->points;
+  struct scallop_order_point *points = row->points;
   int tail = row->count < FITTED ? row->count : FITTED;
   for (int i = 0; i < row->count; i++) {
     points[i].pairwise = i + 1 < row->count
                              ? log(fabs(points[i].err / points[i + 1].err)) / log(points[i].h / points[i + 1].h)
                              : NAN;
-    points[i].use = row->exact ? ORDER_ZERO : ORDER_COARSE;
+    points[i].use = row->exact ? SCALLOP_ORDER_ZERO : SCALLOP_ORDER_COARSE;
   }
   row->fit = order_estimate(points + row->count - tail, tail);
 }

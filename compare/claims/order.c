@@ -278,9 +278,9 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
       arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
     }
     row->points[row->count++] =
-        (struct order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
+        (struct scallop_order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
   }
-  const struct order_point *finest = &row->points[row->count - 1];
+  const struct scallop_order_point *finest = &row->points[row->count - 1];
   row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
   _arb_vec_clear(x, 4);
 }

@@ -33,13 +33,13 @@ static void write_claim(struct table *t, const struct claim_row *row)
 static void write_errors(struct table *t, const struct claim_row *row)
 {
   for (int i = 0; i < row->count; i++) {
-    const struct order_point *p = &row->points[i];
+    const struct scallop_order_point *p = &row->points[i];
     write_claim(t, row);
     write_texts(t, (const char *const[]){ row->conditions, row->inside ? "yes" : "no" }, 2);
     table_number(t, p->h);
     table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
     table_rounded(t, p->pairwise, "%.2f");
-    table_text(t, order_use_text(row->exact ? ORDER_ZERO : p->use));
+    table_text(t, scallop_order_use_text(row->exact ? SCALLOP_ORDER_ZERO : p->use));
   }
 }
 

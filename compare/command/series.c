@@ -12,14 +12,20 @@
 #include "compare/command/with_flint.h"
 
 #pragma weak series_derived
+#pragma weak series_symbolic
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
-static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
+static const char *const languages[] = { "text", "latex", "c", "python", "mathml", NULL };
 static const struct option options_of_series[] = {
   OPTIONS_CRAWLER(NULL, NULL),
   OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
-  OPTION_WORD("source", "SOURCE", "published, derived or limit", NULL, series_options, source, sources),
+  OPTION_WORD("source", "SOURCE", "published, derived or limit; with --symbolic also closed", NULL, series_options, source,
+              sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
+  OPTION_FLAG("symbolic", "derived series with coefficients as formulas (--order to 16)", series_options, symbolic),
+  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex, c, python or mathml", NULL, series_options, emit,
+              languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
   OPTION_POINTS,
@@ -27,7 +33,9 @@ static const struct option options_of_series[] = {
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
   OPTIONS_LAST,
 };
-static const struct series_options initial = { .source = { "published", false }, .order = { 8, false } };
+static const struct series_options initial = { .source = { "published", false },
+                                               .order = { 8, false },
+                                               .emit = { "text", false } };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 static const char *const extra[] = { "v0", NULL };
@@ -169,16 +177,43 @@ static enum exit_code run_point(const struct request *request)
 }
 
 enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
+enum { MOST_ORDER_OF_FORMULAS = 16, MOST_ORDER_OF_LIMITS = 10 };
 
 static const struct option_rule rules[] = {
   { "digits", RULE_WITH, "bound", "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
+  { "bound digits points book", RULE_WITH, "symbolic",
+    "and --symbolic exclude each other: formulas are exact, and of one motion" },
   { NULL, RULE_WITH, NULL, NULL },
 };
+
+/* NULL, or which options do not go together with --symbolic */
+static const char *excluded_from_formulas(const struct series_options *o)
+{
+  bool limit = strcmp(o->source.value, "limit") == 0, closed = strcmp(o->source.value, "closed") == 0;
+  if (o->source.given && !limit && !closed && strcmp(o->source.value, "derived") != 0)
+    return "--symbolic is for the derived series: the published ones are formulas as they stand";
+  if (o->order.given && closed)
+    return "--order and --source closed exclude each other: a closed form has no terms";
+  if (o->order.value > (limit ? MOST_ORDER_OF_LIMITS : MOST_ORDER_OF_FORMULAS))
+    return limit ? "--symbolic --source limit takes an --order from 1 to 10" : "--symbolic takes an --order from 1 to 16";
+  if (o->request.point.has_v0 && (limit || closed))
+    return "--v0 is for the series of a phase: --source limit and closed are about the steady state";
+  return NULL;
+}
 
 /* NULL, or which options do not go together */
 static const char *excluded(const struct series_options *o)
 {
   bool derived = strcmp(o->source.value, "derived") == 0, published = strcmp(o->source.value, "published") == 0;
+  bool document = strcmp(o->emit.value, "text") != 0;
+  if (document && o->request.style.has_format)
+    return "--format is for tables: with --emit it is of no use";
+  if (o->symbolic)
+    return excluded_from_formulas(o);
+  if (document && !derived)
+    return "--emit is for derived series: give --source derived, or --symbolic";
+  if (strcmp(o->source.value, "closed") == 0)
+    return "--source closed needs --symbolic: it is the steady state as a formula";
   if (o->bound && o->source.given && !derived)
     return "--bound is for the derived series: leave --source out";
   if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
@@ -194,7 +229,7 @@ static const char *excluded(const struct series_options *o)
 static bool is_sound(const void *options)
 {
   const struct series_options *o = options;
-  bool published = !o->bound && strcmp(o->source.value, "published") == 0;
+  bool published = !o->bound && !o->symbolic && strcmp(o->source.value, "published") == 0;
   const char *wrong = excluded(o);
   if (wrong)
     complain("series", "%s", wrong);
@@ -204,6 +239,8 @@ static bool is_sound(const void *options)
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
+  if (o->symbolic)
+    return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
   if (!o->bound && strcmp(o->source.value, "published") == 0)
     return (o->request.points ? run_points : run_point)(&o->request);
   return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
@@ -235,6 +272,13 @@ const struct command command_series = {
       "The parameters are exactly the numbers that are written: 0.7 is 7/10, in a gait and in its table too (but for the\n"
       "polynomials that `steady --help` names).\n"
       "--source limit: the first term of the steady state alone, the limit T -> 0.\n\n"
+      "--symbolic: coefficients as formulas, of the phases and of the steady state; power and modes: for which they hold.\n"
+      "This point says which modes, and which derivatives of l at the ends of a phase are not 0: l0, l3_0, k0, l5_0, ...\n"
+      "(second, third, ... derivative at the start, times the duration to that power), lT, l3_T, kT, ... (at the end);\n"
+      "M = m1 + m2. --source closed: the steady state as a function of T, where l' is linear at the crossings.\n"
+      "--source limit: the equation for U = v_start T as T -> 0, and U in powers of (F1 - F2)(2 alpha - 1)/(F1 + F2) (the\n"
+      "first term is (27)), of 2 alpha - 1, and of (F1 - F2)/(F1 + F2).\n"
+      "--emit: functions of T, in C (double) or Python, or formulas in LaTeX (align*, of amsmath) or MathML (a page).\n\n"
       "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and displacement;\n"
       "bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the modes of T -> 0; ends: what\n"
       "happens there. T0 is 0.9 of T_end.",

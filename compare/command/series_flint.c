@@ -1,10 +1,12 @@
 /* series --source derived|limit, and series --bound. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/point_flint.h"
+#include "compare/command/emit_flint.h"
 #include "compare/command/series_flint.h"
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
@@ -32,7 +34,9 @@ struct report {
   fmpq_t v0;
   long digits;     /* of what is printed                                                         */
   const char *why; /* something could not be done: the reason                                    */
+  bool as_table;   /* otherwise emitted                                                            */
   struct table table;
+  struct emission emission;
 };
 
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits); }
@@ -161,6 +165,51 @@ static void write_terms(struct report *r, const struct motion_report *m, int q, 
   _arb_vec_clear(x, 5);
 }
 
+/* A coefficient times T^power: exact, but where the language would round a fraction's two sides, or cannot hold them */
+static struct written write_exactly(const struct report *r, const struct series *series, slong power)
+{
+  enum { LONGEST = 900 }; /* bits of a double's range */
+  const struct language *language = r->emission.language;
+  struct written written;
+  struct symbols none;
+  fmpq_t q;
+  arb_t x;
+  fmpq_init(q);
+  arb_init(x);
+  bool exact = series_rational_coefficient(q, series, power) && r->options->request.style.digits == 0;
+  if (exact && language != &language_c && fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST) {
+    symbols_init(&none);
+    symbols_add(&none, NAMED_T, 0, SCALLOP_EXTENSION);
+    symbols_begin(&none);
+    written = symbolic_written(&none, symbolic_fraction(&none, q), power, language);
+    symbols_end(&none);
+  } else {
+    series_coefficient(x, series, power, bits_of(r->digits) + 32);
+    char *decimal = decimal_text(x, r->digits);
+    written = decimal_written(decimal, power, language);
+    flint_free(decimal);
+  }
+  fmpq_clear(q);
+  arb_clear(x);
+  return written;
+}
+
+/* A quantity as a function of T */
+static void emit_terms(struct report *r, const struct motion_report *m, int q, long order)
+{
+  const struct series *series = m->derived.value[q];
+  slong first = series->first < 0 ? series->first : 0;
+  struct emitted emitted = {
+    .phase = m->phase, .start = m->start, .quantity = quantity_rows[q].name, .modes = m->derived.modes, .below = order
+  };
+  emitted.terms = flint_malloc(sizeof *emitted.terms * (size_t)(order - first));
+  for (slong k = first; k < order; k++)
+    if (!series_coefficient_is_zero(series, k))
+      emitted.terms[emitted.count++] = write_exactly(r, series, k);
+  emission_add(&r->emission, &emitted);
+  flint_free(emitted.terms);
+}
+
 /* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within reason. */
 static bool solve_well(struct motion_report *m, const struct report *r, long order)
 {
@@ -191,6 +240,8 @@ static void write_failure(struct report *r, struct motion_report *m)
 {
   struct table *t = &r->table;
   r->why = m->derived.why ? m->derived.why : scallop_status_text(m->derived.status);
+  if (!r->as_table)
+    return;
   snprintf(m->status, sizeof m->status, "no series: %s", r->why);
   write_names(t, m, "-");
   table_number(t, NAN);
@@ -222,9 +273,11 @@ static bool report_motion(struct report *r, enum quantity_of of, enum scallop_ph
     fmpq_set(m.T, r->crawler.T);
   else
     scallop_rational_duration(m.T, &r->crawler, kind);
-  bool done = expand(&m, r, order), solved = done && solve_well(&m, r, order);
+  bool done = expand(&m, r, order), solved = done && r->as_table && solve_well(&m, r, order);
   for (int q = 0; done && q < QUANTITIES; q++)
-    if (m.derived.value[q])
+    if (m.derived.value[q] && !r->as_table)
+      emit_terms(r, &m, q, limit && m.derived.value[q]->first < 0 ? 0 : order);
+    else if (m.derived.value[q])
       write_terms(r, &m, q, limit && m.derived.value[q]->first < 0 ? 0 : order, solved ? m.exact.value[q] : NULL);
   if (!done)
     write_failure(r, &m);
@@ -248,16 +301,31 @@ static bool report_all(struct report *r)
   return report_motion(r, OF_STEADY, SCALLOP_EXTENSION, true) && done;
 }
 
+/* The head of a document says which crawler its numbers are of. */
+static bool begin_document(struct report *r, const char *command)
+{
+  const struct series_options *o = r->options;
+  static const char *const not_held[] = { "T", NULL };
+  char crawler[PARAMETERS_TEXT + NUMBER_LENGTH + 32];
+  size_t used = (size_t)sprintf(crawler, "Parameters:");
+  parameters_text(crawler + used, &o->request.point, not_held, true);
+  if (o->request.point.has_v0)
+    snprintf(crawler + strlen(crawler), sizeof crawler - strlen(crawler), " v0=%s", o->request.point.written_v0);
+  return emission_open(&r->emission, &o->request.style, o->emit.value, command, crawler);
+}
+
 static bool begin(struct report *r)
 {
   const struct series_options *o = r->options;
+  char command[64] = "series --source limit";
+  if (!is_limit(o))
+    snprintf(command, sizeof command, "series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order.value);
+  if (!r->as_table)
+    return begin_document(r, command);
   if (!table_open(&r->table, &o->request.style))
     return false;
   table_note(&r->table, "scallop " SCALLOP_VERSION);
-  if (is_limit(o))
-    table_note(&r->table, "command: series --source limit");
-  else
-    table_note(&r->table, "command: series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order.value);
+  table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &o->request.point, NULL, true);
   if (o->request.point.has_v0)
     table_note(&r->table, "v0: %s", o->request.point.written_v0);
@@ -332,7 +400,7 @@ static enum exit_code report_series(struct report *r)
   if (!begin(r))
     return EXIT_FILE;
   bool done = report_all(r);
-  if (!table_close(&r->table))
+  if (!(r->as_table ? table_close(&r->table) : emission_close(&r->emission)))
     return EXIT_FILE;
   if (!done)
     complain("series", "a motion has no series in powers of T: %s", r->why);
@@ -342,6 +410,7 @@ static enum exit_code report_series(struct report *r)
 enum exit_code series_derived(const struct series_options *options)
 {
   struct report r = { .options = options,
+                      .as_table = strcmp(options->emit.value, "text") == 0,
                       .digits = options->request.style.digits > 0 ? options->request.style.digits : DEFAULT_DIGITS };
   if (options->request.points) {
     complain("series", "--points is for --source published: one point at a time here");

@@ -7,12 +7,15 @@
 
 struct series_options {
   struct request request;
-  struct given_word source; /* published, derived or limit */
+  struct given_word source; /* published, derived, limit or closed */
   struct given_count order; /* of the derived series: terms below T^order */
-  bool bound;
+  bool bound, symbolic;
+  struct given_word emit; /* text: a table */
 };
 
 /* --source derived|limit, and --bound */
 enum exit_code series_derived(const struct series_options *options);
+/* --symbolic */
+enum exit_code series_symbolic(const struct series_options *options);
 
 #endif

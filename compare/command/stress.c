@@ -21,7 +21,7 @@ static const struct option options_of_stress[] = {
   OPTION_COUNT("seed", "N", "seed of the parameters of the cases", NULL, stress_options, seed, 0, 1000000000),
   OPTION_FLAG("check", "few cases, for a gait of each kind but measured; exit code 1 if a promise is broken", stress_options,
               check),
-  OPTION_FLAG("full", "many cases: takes minutes", stress_options, full),
+  OPTION_FLAG("full", "many cases: takes hours; each row is written when its family is done", stress_options, full),
   OPTION_FLAG("stiff", "friction smoothed for stiff ODE solvers, instead", stress_options, stiff),
   OPTION_FLAG("quick", "with --stiff: delta down to 1e-5 only", stress_options, quick),
   OPTION_FLAG("summary", "with --stiff: the order in delta, and where each stepper gives up", stress_options, summary),

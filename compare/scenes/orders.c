@@ -15,7 +15,7 @@ void orders_collect(const struct running *r, struct output *o)
 {
   for (int i = 0; i < o->want->series; i++) {
     double error = state_number(r->state, o->want->of[i]);
-    o->errors[i * SCENE_TIMES + o->times] = (struct order_point){
+    o->errors[i * SCENE_TIMES + o->times] = (struct scallop_order_point){
       .h = r->state->point.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
     };
   }

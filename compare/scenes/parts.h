@@ -8,7 +8,7 @@
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
 #include "compare/config/config.h"
-#include "compare/order/order.h"
+#include "asymptotics/observed/estimate.h"
 #include "compare/scenes/scene.h"
 
 enum { MOST_CERTIFIED_DIGITS = 10000 };
@@ -140,7 +140,7 @@ struct output {
   struct table table;
   bool is_open;
   /* orders: the errors of each series at each T so far */
-  struct order_point *errors;
+  struct scallop_order_point *errors;
   long times;
 };
 

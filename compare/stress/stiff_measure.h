@@ -4,7 +4,7 @@
 #define SCALLOP_STRESS_STIFF_MEASURE_H
 
 #include "compare/answers/answer.h"
-#include "compare/order/order.h"
+#include "asymptotics/observed/estimate.h"
 #include "numerics/rivals/smoothed.h"
 
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of it: the body

@@ -219,6 +219,7 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   sum_up(&r, run->judgements, run->errors);
   progress_end(&run->progress);
   write_row(&run->table, &r, run->stressed);
+  table_flush(&run->table);
   report(&r, run);
   run->broken += r.broken > 0;
 }

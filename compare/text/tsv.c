@@ -124,7 +124,7 @@ static void split(struct tsv *tsv, char *rest, const char *separators, bool runs
 
 bool tsv_next(struct tsv *tsv)
 {
-  bool words = tsv->style == TSV_WORDS;
+  bool words = tsv->style != TSV_TABS;
   while (read_line(tsv)) {
     char *text = judged_line(tsv);
     if (words && !tsv->fault)
@@ -133,7 +133,7 @@ bool tsv_next(struct tsv *tsv)
       continue;
     tsv->count = 0;
     if (!tsv->fault)
-      split(tsv, text, words && !strchr(text, '\t') ? " " : "\t", words);
+      split(tsv, text, !words || strchr(text, '\t') ? "\t" : tsv->style == TSV_ANY && strchr(text, ',') ? "," : " ", words);
     return true;
   }
   return false;

@@ -12,7 +12,8 @@ enum { TSV_CELLS = 256, TSV_MESSAGE = 480, LONGEST_LINE = 1 << 20 };
 
 enum tsv_style {
   TSV_TABS, /* each tab ends a cell                                                                            */
-  TSV_WORDS /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of theirs */
+  TSV_WORDS, /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of theirs */
+  TSV_ANY /* the same, but in a line without a tab and with a comma each comma ends a cell                                   */
 };
 
 struct tsv {

@@ -1,8 +1,9 @@
-/* The rivals of numerics/rivals/rival.h: GSL's solvers with events, CVODE, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
+/* The rivals of numerics/rivals/rival.h: GSL's solvers and SUNDIALS's with events, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
  * Each is two methods: simulation from rest until the periods repeat, and the root of its period map. */
 #include <stdio.h>
 
 #include "compare/workprec/setting.h"
+#include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/moreau.h"
 #include "numerics/rivals/odeiv.h"
@@ -50,6 +51,12 @@ static struct scallop_rival *make_cvode(int stepper, const struct accuracy *a)
   return scallop_cvode_rival(a->tolerance);
 }
 
+static struct scallop_rival *make_arkode(int stepper, const struct accuracy *a)
+{
+  (void)stepper;
+  return scallop_arkode_rival(a->tolerance);
+}
+
 static struct scallop_rival *make_smoothed(int stepper, const struct accuracy *a)
 {
   return scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, a->delta, a->tolerance);
@@ -61,22 +68,25 @@ static struct scallop_rival *make_moreau(int stepper, const struct accuracy *a)
   return scallop_moreau_rival(a->steps);
 }
 
-/* count: five tolerances, or six where the order is high enough for the last. quick: the place of the only accuracy of --quick. */
+/* count: five tolerances, or six where the order is high enough for the last. quick: the place of the only accuracy of --quick.
+ * is_there: whether the program was built with it; NULL: always. */
 static const struct rival {
   const char *name;
   struct scallop_rival *(*make)(int stepper, const struct accuracy *accuracy);
   int stepper;
   const struct accuracy *accuracies;
   int count, quick;
+  bool (*is_there)(void);
 } rivals[] = {
-  { "gsl rkf45", make_odeiv, SCALLOP_ODEIV_RKF45, tolerances, 5, 1 },
-  { "gsl rk8pd", make_odeiv, SCALLOP_ODEIV_RK8PD, tolerances, 6, 1 },
-  { "gsl msadams", make_odeiv, SCALLOP_ODEIV_MSADAMS, tolerances, 5, 1 },
-  { "cvode", make_cvode, 0, tolerances, 5, 1 },
-  { "smoothed msbdf", make_smoothed, SCALLOP_SMOOTHED_MSBDF, smoothed, 6, 0 },
-  { "smoothed bsimp", make_smoothed, SCALLOP_SMOOTHED_BSIMP, smoothed, 6, 0 },
-  { "smoothed rk4imp", make_smoothed, SCALLOP_SMOOTHED_RK4IMP, smoothed, 6, 0 },
-  { "moreau", make_moreau, 0, steps, 5, 1 },
+  { "gsl rkf45", make_odeiv, SCALLOP_ODEIV_RKF45, tolerances, 5, 1, NULL },
+  { "gsl rk8pd", make_odeiv, SCALLOP_ODEIV_RK8PD, tolerances, 6, 1, NULL },
+  { "gsl msadams", make_odeiv, SCALLOP_ODEIV_MSADAMS, tolerances, 5, 1, NULL },
+  { "cvode", make_cvode, 0, tolerances, 5, 1, scallop_has_cvode },
+  { "arkode", make_arkode, 0, tolerances, 5, 1, scallop_has_arkode },
+  { "smoothed msbdf", make_smoothed, SCALLOP_SMOOTHED_MSBDF, smoothed, 6, 0, NULL },
+  { "smoothed bsimp", make_smoothed, SCALLOP_SMOOTHED_BSIMP, smoothed, 6, 0, NULL },
+  { "smoothed rk4imp", make_smoothed, SCALLOP_SMOOTHED_RK4IMP, smoothed, 6, 0, NULL },
+  { "moreau", make_moreau, 0, steps, 5, 1, NULL },
 };
 
 /* NULL: left out. */
@@ -117,7 +127,7 @@ void rivals_add(struct settings *settings, const struct reference *reference, bo
 {
   for (size_t k = 0; k < sizeof rivals / sizeof *rivals; k++) {
     const struct rival *rival = &rivals[k];
-    bool missing = rival->make == make_cvode && !scallop_has_cvode();
+    bool missing = rival->is_there && !rival->is_there();
     int first = quick ? rival->quick : 0, end = quick || missing ? first + 1 : rival->count;
     for (int i = first; i < end; i++)
       add(settings, reference, rival, missing ? NULL : &rival->accuracies[i]);

@@ -9,6 +9,12 @@ enum { REFERENCE_DIGITS = 250 };
 
 const enum quantity_id compared[COMPARED] = { [VELOCITY] = Q_V_START, [DISPLACEMENT] = Q_DISPLACEMENT };
 
+const char *const kind_words[] = { [METHOD_FORMULA] = "formula",
+                                   [METHOD_EXACT] = "exact",
+                                   [METHOD_OTHER] = "other",
+                                   [METHOD_ROOT] = "root",
+                                   [METHOD_SIMULATION] = "simulation" };
+
 const struct setting_answer no_answer = {
   .value = { NAN, NAN }, .gait_evaluations = NAN, .events = NAN, .root_iterations = NAN, .periods = NAN
 };

@@ -44,6 +44,7 @@ enum method_kind {
   METHOD_ROOT,      /* a rival: the root of its period map           */
   METHOD_SIMULATION /* a rival: simulation until its periods repeat  */
 };
+extern const char *const kind_words[]; /* in the table */
 
 struct setting;
 /* Solves once; the answer is no_answer before. */

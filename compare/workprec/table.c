@@ -10,11 +10,10 @@
 
 enum { MOST_REFERENCES = 40 };
 
-static const char *const columns[] = {
-  "method",      "setting",         "gait",    "T",       "quantity",    "error",
-  "time_median", "time_min",        "time_q1", "time_q3", "repetitions", "gait_evaluations",
-  "events",      "root_iterations", "periods", "pareto",  "status",      NULL
-};
+static const char *const columns[] = { "method",   "kind",        "setting",          "gait",     "T",
+                                       "quantity", "error",       "time_median",      "time_min", "time_q1",
+                                       "time_q3",  "repetitions", "gait_evaluations", "events",   "root_iterations",
+                                       "periods",  "pareto",      "status",           NULL };
 
 struct run {
   const struct workprec_options *options;
@@ -93,6 +92,7 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
   const struct stopwatch_spread *time = &s->time;
   const struct setting_answer *a = &s->answer;
   table_text(t, s->method);
+  table_text(t, kind_words[s->kind]);
   table_text(t, s->text);
   table_text(t, s->reference->crawler.gait->name);
   table_number(t, s->reference->crawler.T);

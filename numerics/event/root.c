@@ -77,7 +77,8 @@ double root_between(root_function *f, const void *context, struct root_end a, st
   struct root_end before = from_a ? a : b, p = before;
   p.u = clamp(before.u - before.f / before.slope, a.u, b.u);
   double last_step = p.u - before.u;
-  if (fabs(last_step) <= 4 * DBL_EPSILON * fabs(p.u)) /* so near to the root that the next step would divide by a difference of roundings */
+  if (fabs(last_step)
+      <= 4 * DBL_EPSILON * fabs(p.u)) /* so near to the root that the next step would divide by a difference of roundings */
     return p.u;
   int steps = 0;
   for (; steps < STEPS && p.u != before.u; steps++) { /* else the root is too near the end for a step to show */

@@ -37,8 +37,9 @@ put "$mandir/man1" "$build"/man/*.1
 put "$completionsdir" scripts/dev/completion.bash
 mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
 put "$datadir/scallop/python" scripts/python/scallop.py scripts/python/scallop_exact.py
-# The Python module finds the library from its own place
-sed "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
+# The Python module knows the number of the interface, and finds the library from its own place
+sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
+  -e "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
 put "$datadir/doc/scallop" docs/*.md

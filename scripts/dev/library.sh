@@ -1,12 +1,15 @@
 #!/bin/sh
-# Makes the library BUILD/libNAME.a, .so and NAME.pc: library.sh BUILD NAME DESCRIPTION VERSION ABI "NEEDED LIBRARIES" "HEADERS" OBJECT...
+# Makes the library BUILD/libNAME.a, .so and NAME.pc: library.sh NAME BUILD VERSION ABI "NEEDED LIBRARIES" "HEADERS" OBJECT...
 # Visible are the functions and tables that the headers declare, and nothing else, in the static library too: it is one object, in which
 # the rest was made local. NAME.pc is a draft: `make install` puts the
 # folders into it. From the environment: CC, AR, NM, OBJCOPY, LDFLAGS.
 set -eu
-name=$2 description=$3 version=$4 abi=$5 needed=$6 headers=$7 file=$1/lib$2
-pc=$1/$2.pc
-shift 7
+name=$1 file=$2/lib$1 pc=$2/$1.pc version=$3 abi=$4 needed=$5 headers=$6
+case $name in
+  scallop-core) description="Exact motion of the crawling scallop and the published series" ;;
+  scallop) description="Exact motion of the crawling scallop, certified numbers, and general-purpose methods to compare with" ;;
+esac
+shift 6
 echo "  LD $file"
 "$NM" -g --defined-only "$@" | awk 'NF == 3 { print $3 }' | LC_ALL=C sort -u >"$file.defined"
 # shellcheck disable=SC2086

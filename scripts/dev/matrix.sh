@@ -1,8 +1,8 @@
 #!/bin/sh
-# Is the promise of accuracy kept whatever the compiler makes of the code? scripts/dev/matrix.sh FOLDER, MAKE being set: gcc and clang,
-# without optimisation and with all of it, with and without fused multiply-add, each built in a folder of its own. Ends with a table.
+# Is the promise of accuracy kept whatever the compiler makes of the code? scripts/dev/matrix.sh BUILD, MAKE being set: gcc and clang,
+# without optimisation and with all of it, with and without fused multiply-add, each built in a folder of its own in BUILD/matrix. Ends with a table.
 set -u
-folder=$1 at_a_time=${JOBS:-$(getconf _NPROCESSORS_ONLN)}
+folder=$1/matrix at_a_time=${JOBS:-$(getconf _NPROCESSORS_ONLN)}
 tests='reference certified laws symmetry batch shortcuts wide'
 results=$folder/results.tsv
 failed=0

@@ -7,20 +7,21 @@ has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
 
 need() { missing="$missing $1"; }
 purposes() { # GOAL...
-  echo build
   for goal in "$@"; do
     case $goal in
-      check | asan) echo tests ;;
-      fuzz | lint | valgrind | matrix | coverage) echo "tests $goal" ;;
-      reproduce) echo plots ;;
-      check-report) echo "plots report" ;;
+      help | size | clean | uninstall | gates) ;;
+      check | asan) echo build tests ;;
+      fuzz | lint | valgrind | matrix | coverage) echo "build tests $goal" ;;
+      reproduce) echo build plots ;;
+      check-report) echo build plots report ;;
+      *) echo build ;;
     esac
   done
 }
 look() { # GOAL...: what is missing
   missing=""
   command -v cc >/dev/null 2>&1 || need "gcc libc6-dev"
-  for purpose in $(purposes "$@"); do
+  for purpose in $(purposes "$@" | tr ' ' '\n' | sort -u); do
     case $purpose in
       build)    has_header gsl/gsl_roots.h || need libgsl-dev
                 has_header libconfig.h || need libconfig-dev

@@ -4,7 +4,7 @@ BEGIN {
   FS = OFS = "\t"
   quantities = split("v_start displacement", quantity, " ")
   wanteds = split("1e-2 1e-4 1e-6 1e-8 1e-10 1e-12 1e-15 1e-30 1e-100", wanted, " ")
-  needed = split("method setting gait T quantity error time_median status", need, " ")
+  needed = split("method kind setting gait T quantity error time_median status", need, " ")
 }
 /^# parameters: / { print }
 /^#/ || $0 == "" { next }
@@ -31,8 +31,7 @@ NF != columns {
   if (point != last)
     summarise()
   last = point
-  kind = kind_of($at["method"])
-  if ($at["status"] != "ok" || kind == "aside")
+  if ($at["status"] != "ok" || $at["kind"] == "other") # it answers another question than the rest
     next
   n++
   method[n] = $at["method"]
@@ -40,7 +39,7 @@ NF != columns {
   of[n] = $at["quantity"]
   error[n] = $at["error"]
   time[n] = $at["time_median"]
-  is[n] = kind
+  is[n] = $at["kind"]
 }
 END {
   if (!failed)
@@ -48,16 +47,10 @@ END {
   exit failed
 }
 
-# "aside" answers another question than the rest.
-function kind_of(name) {
-  return name ~ /, simulated$/ ? "rival simulation" : name ~ /, root$/ ? "rival" : name ~ /, / ? "aside" : \
-    name == "exact" || name == "certified" ? "exact" : "formula"
-}
-
-# The way of that kind, and of another method than this, that reaches the error in the least time; 0: none does.
-function cheapest(what, least_error, kind, other_than,  i, best) {
+# The way of these kinds ("": of any), and of another method than this, that reaches the error in the least time; 0: none does.
+function cheapest(what, least_error, kinds, other_than,  i, best) {
   for (i = 1; i <= n; i++)
-    if (of[i] == what && error[i] + 0 <= least_error + 0 && is[i] ~ kind && method[i] != other_than \
+    if (of[i] == what && error[i] + 0 <= least_error + 0 && is[i] ~ kinds && method[i] != other_than \
         && (!best || time[i] + 0 < time[best] + 0))
       best = i
   return best + 0
@@ -76,7 +69,7 @@ function summarise(  q, w, what, limit, best, exact) {
       exact = cheapest(what, limit, "exact")
       if (best)
         print last, what, limit, method[best], setting[best], error[best], ratio(cheapest(what, limit, "", method[best]), best), \
-          ratio(exact, best), ratio(cheapest(what, limit, "rival"), exact), ratio(cheapest(what, limit, "simulation"), exact)
+          ratio(exact, best), ratio(cheapest(what, limit, "root|simulation"), exact), ratio(cheapest(what, limit, "simulation"), exact)
     }
   n = 0
 }

@@ -13,10 +13,10 @@ copied.
 A parameter outside its domain is a ValueError that names the first bad row; nothing is returned then. A row that is
 well posed and has no answer in doubles is nan, and its status says why.
 
-The library, libscallop.so.1 or libscallop-core.so.1 (which has no threads), is looked for at the first call, in this
+The library, libscallop or libscallop-core (which has no threads), is looked for at the first call, in this
 order: the argument of load(), the environment variable SCALLOP_LIBRARY, the folder build/ next to that of this file
-(installed: the folder where `make install` has put the libraries), and where the system's loader looks. This module is
-written for version 0 of the binary interface, the number after .so, and refuses libraries of another one.
+(installed: the folder where `make install` has put the libraries), and where the system's loader looks. The number after
+.so is the version of the binary interface; this module wants the version that it came with and refuses any other.
 
 ctypes releases the global interpreter lock while the library computes, so that other threads of Python run meanwhile;
 they must leave the arrays alone that are being read. Needs Python 3.9 or later and NumPy.
@@ -38,9 +38,9 @@ import scallop_library as c
 from scallop_exact import Ball, Series, Terms
 from scallop_library import load
 
-__all__ = ["Ball", "Formula", "Gait", "Intervals", "Phase", "Series", "Steady", "Terms", "Trajectory", "constant", "formula",
-           "formulas", "gait_of", "gaits", "intervals", "load", "minimum_jerk", "phase", "polynomial", "published", "series",
-           "skewed", "steady", "trapezoidal", "trajectory"]
+__all__ = ["Ball", "Formula", "Gait", "Intervals", "Order", "Phase", "Series", "Steady", "Terms", "Trajectory",
+           "constant", "formula", "formulas", "gait_of", "gaits", "intervals", "load", "minimum_jerk", "order",
+           "phase", "polynomial", "published", "series", "skewed", "steady", "trapezoidal", "trajectory"]
 
 
 class Gait:
@@ -530,3 +530,42 @@ def series(motion="steady", v0=0, order=8, digits=17, m1=1, m2=1, F1=4, F2=1, L=
     """
     return scallop_exact.series(motion, v0, order, digits, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=1, alpha=alpha),
                                 _address(gait))
+
+
+Order = collections.namedtuple("Order", "verdict passed order low high interval used gci asymptotic_ratio reason pairwise "
+                                        "uses")
+
+
+def order(h, err, expect=None, at_least=None, tol=0.1, noise=0, values=False):
+    """The observed order of err ~ C h^p as h -> 0, and a verdict on the order that is expected: an Order.
+
+    h, err: sequences of one length; err may have signs. expect: the order that is expected; at_least: the same, but a
+    higher one passes, too; neither: the order is measured. tol: how far the order may be off, and how wide its interval
+    on either side. noise: the rounding error of err, where it is known. values: err holds values and not errors.
+
+        verdict, passed    'pass', 'too-low', ... as `scallop order` prints it; is it 'pass'?
+        order, low, high   nan where there is none; interval says what low and high are
+        used, reason       how many points are behind the order; why, in words; row 1 is h[0]
+        gci                grid convergence index of values; asymptotic_ratio goes with it
+        pairwise, uses     of each h: the order to the next finer one, and 'used', or why it was left out
+    """
+    if expect is not None and at_least is not None:
+        raise ValueError("expect and at_least exclude each other")
+    if not tol > 0 or not math.isfinite(tol):
+        raise ValueError(f"tol = {tol!r}: a finite number > 0")
+    rows = numpy.broadcast_arrays(_column("h", h), _column("err", err), _column("noise", noise))
+    if rows[0].ndim != 1 or numpy.shape(h) != numpy.shape(err):
+        raise ValueError("h and err: two sequences of one length")
+    count = rows[0].size
+    points = (c.OrderPoint * (count + 1))(*(c.OrderPoint(*row, number) for number, row in enumerate(zip(*rows), 1)))
+    wanted = next((float(p) for p in (expect, at_least) if p is not None), math.nan)
+    result, left, library = c.OrderResult(), ctypes.c_int(count), c.library()
+    library.scallop_order(points, left, c.OrderWanted(wanted, tol, at_least is not None, values), result)
+    verdict = library.scallop_order_verdict_text(result.verdict).decode()
+    pairwise, uses = numpy.full(count, numpy.nan), ["-"] * count
+    for point in points[:left.value if verdict != "invalid" else 0]:
+        pairwise[point.row - 1] = point.pairwise
+        uses[point.row - 1] = library.scallop_order_use_text(point.use).decode()
+    return Order(verdict, verdict == "pass", result.order, result.low, result.high,
+                 library.scallop_order_interval_text(result.interval).decode(), result.used, result.gci,
+                 result.asymptotic_ratio, result.reason.decode(), pairwise, uses)

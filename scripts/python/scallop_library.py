@@ -4,8 +4,18 @@ import ctypes
 import os
 import re
 
-ABI_VERSION = 1
-BESIDE = "../../build"  # the folder of the library, from that of this file; `make install` writes its own
+HERE = os.path.dirname(os.path.realpath(__file__))
+
+
+def _abi_version():
+    """The number of the binary interface, from its one place."""
+    with open(os.path.join(HERE, "../../model/version.h"), encoding="utf-8") as header:
+        return int(re.search(r"^#define SCALLOP_ABI (\d+)$", header.read(), re.MULTILINE)[1])
+
+
+# `make install` writes its own: the number itself, so that the two files can be copied, and the folder of the library from HERE
+ABI_VERSION = _abi_version()
+BESIDE = "../../build"
 LIBRARIES = tuple(f"{name}.so.{ABI_VERSION}" for name in ("libscallop", "libscallop-core"))
 
 DOMAIN = -1  # SCALLOP_EDOMAIN
@@ -52,6 +62,12 @@ SYMBOLS, QUANTITIES, MESSAGE = 19, 16, 320  # SCALLOP_SYMBOLS, SCALLOP_QUANTITIE
 Fmpq, Arb = ctypes.c_long * 2, ctypes.c_long * 6
 RationalCrawler = _structure("scallop_rational_crawler", (Fmpq, " ".join(PARAMETERS)), (_pointer, "gait"))
 
+# asymptotics/observed/order.h
+OrderPoint = _structure("scallop_order_point", (_double, "h err noise"), (ctypes.c_long, "row"), (_double, "pairwise"), (_int, "use"))
+OrderWanted = _structure("scallop_order_wanted", (_double, "order tolerance"), (ctypes.c_bool, "at_least values"))
+OrderResult = _structure("scallop_order_result", (_int, "verdict"), (_double, "order low high"), (_int, "interval used"),
+                         (_double, "gci asymptotic_ratio"), (ctypes.c_char * 400, "reason"))  # SCALLOP_ORDER_REASON
+
 PROTOTYPES = {  # function: result, arguments
     "scallop_status_text": (_text, _int),
     "scallop_regime_text": (_text, _int),
@@ -65,6 +81,11 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_phase_intervals": (_int, ctypes.POINTER(Crawler), _int, _double, Visitor, _pointer),
     "scallop_interval_span": (Span, _pointer, ctypes.POINTER(Crawler), _int),
     "scallop_trajectory": (_int, ctypes.POINTER(Crawler), _double, ctypes.c_long, ctypes.c_long, Sampler, _pointer),
+    "scallop_order": (None, ctypes.POINTER(OrderPoint), ctypes.POINTER(_int), ctypes.POINTER(OrderWanted),
+                      ctypes.POINTER(OrderResult)),
+    "scallop_order_use_text": (_text, _int),
+    "scallop_order_verdict_text": (_text, _int),
+    "scallop_order_interval_text": (_text, _int),
     "scallop_formula_read": (_pointer, ctypes.POINTER(Formula), _text),
     "scallop_formula_free": (None, _pointer),
     "scallop_formula_double": (_double, _pointer, ctypes.POINTER(Crawler), _int, _double, _double, _double, _double),
@@ -98,7 +119,7 @@ _loaded = None
 
 def load(path=None):
     """Loads the library in file `path`, or the one found as said above, and uses it from now on. Its name must end in
-    .so.1 or .so.1.MINOR..., or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
+    .so.N or .so.N.MINOR..., N being ABI_VERSION, or be a link to such a file. OSError: it is not there, cannot be loaded, or is of another
     version. Returns its name."""
     global _loaded
     path = path or os.environ.get("SCALLOP_LIBRARY")
@@ -130,7 +151,7 @@ def _open(path):
 
 
 def _found():
-    beside = os.path.normpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), BESIDE))
+    beside = os.path.normpath(os.path.join(HERE, BESIDE))
     for name in LIBRARIES:
         if os.path.exists(os.path.join(beside, name)):
             return _open(os.path.join(beside, name))

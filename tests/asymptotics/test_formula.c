@@ -29,7 +29,8 @@ static const char *compile(struct formula *formula, const char *text)
 {
   static char message[FORMULA_MESSAGE];
   int asked = 0;
-  return formula_read(formula, text, &(struct formula_names){ .place = place_of, .nearest = near_to, .context = &asked }, message);
+  return formula_read(formula, text, &(struct formula_names){ .place = place_of, .nearest = near_to, .context = &asked },
+                      message);
 }
 
 static double value(const char *text)
@@ -284,6 +285,7 @@ TEST(names_are_asked_once_each_time)
   struct formula formula;
   int asked = 0;
   char message[FORMULA_MESSAGE];
-  assert_null(formula_read(&formula, "F1+log(F1)*T", &(struct formula_names){ .place = place_of, .context = &asked }, message));
+  assert_null(
+      formula_read(&formula, "F1+log(F1)*T", &(struct formula_names){ .place = place_of, .context = &asked }, message));
   assert_int_equal(asked, 3);
 }

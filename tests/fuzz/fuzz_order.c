@@ -1,106 +1,121 @@
 /* `order FILE`: the first byte chooses what is expected and the format, the rest is the file. A verdict of pass needs an order that
- * lies where it is expected, with a finite interval around it, from at least three points, all of whose numbers are finite; or errors that
- * are all 0 or noise. Of several series each has to pass. */
+ * lies where it is expected, inside its interval, from at least three points; or errors that are all 0 or noise. Every verdict has a
+ * reason, the summary counts the verdicts, and the exit code follows from it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "tests/fuzz/target.h"
 
-struct fit {
-  double order, lo, hi;
+struct row {
+  double order, low, high;
   int points;
-  char state[24];
+  char verdict[24];
 };
 
-/* The fit of one series: line begins with "# order " */
-static struct fit read_fit(const char *line)
+/* The cells of a line, split in place: name, y, ... */
+static int split(char *line, char *cells[], int most)
 {
-  struct fit fit = { .points = -1 };
-  if (sscanf(line, "# order %lf, 95 %% interval %lf to %lf, from %d points: %23s", &fit.order, &fit.lo, &fit.hi, &fit.points,
-             fit.state)
-      != 5)
-    fuzz_fail("no fit: %s", line);
-  return fit;
+  int count = 0;
+  for (char *cell = line; cell && count < most; count++) {
+    cells[count] = cell;
+    cell = strchr(cell, '\t');
+    if (cell)
+      *cell++ = '\0';
+  }
+  return count;
 }
 
-/* Rows that a fit has used, and whether every number that was read is finite */
-static int used_rows(const char *table, bool *finite)
+static int column(char *const cells[], int count, const char *name)
 {
-  int used = 0;
-  double h, err;
-  char pairwise[32], use[32];
-  *finite = true;
-  for (const char *line = table; *line; line = strchr(line, '\n') + 1) {
-    if (sscanf(line, "%lf\t%lf\t%31s\t%31s", &h, &err, pairwise, use) != 4)
+  for (int i = 0; i < count; i++)
+    if (strcmp(cells[i], name) == 0)
+      return i;
+  fuzz_fail("no column %s", name);
+}
+
+static void judge_row(const struct row *r, const char *reason, const char *expect)
+{
+  bool pass = strcmp(r->verdict, "pass") == 0, measured = strcmp(r->verdict, "measured") == 0;
+  if (*reason == '\0')
+    fuzz_fail("no reason for %s", r->verdict);
+  if ((pass && !expect) || (measured && expect))
+    fuzz_fail("verdict %s where %s is expected", r->verdict, expect ? expect : "nothing");
+  if (strncmp(reason, "exact", 5) == 0 ? pass || measured : !pass && !measured)
+    return;
+  if (!(r->points >= 3 && isfinite(r->low) && isfinite(r->high) && r->low - 1e-4 <= r->order && r->order <= r->high + 1e-4))
+    fuzz_fail("%s: order %g, from %g to %g, from %d points", r->verdict, r->order, r->low, r->high, r->points);
+  if (pass && fabs(r->order - strtod(expect, NULL)) > 0.1001)
+    fuzz_fail("pass for order %g where %s is expected", r->order, expect);
+}
+
+static void judge(char *table, int code, const char *expect)
+{
+  enum { MOST = 24 };
+  char *cells[MOST], *names[MOST], *next = NULL;
+  int columns = 0, verdicts = 0, passed = 0, invalid = 0, counted[3];
+  for (char *line = table; line && *line; line = next) {
+    next = strchr(line, '\n');
+    if (next)
+      *next++ = '\0';
+    if (sscanf(line, "# %d table%*[s]: %d passed, %d failed", &counted[0], &counted[1], &counted[2]) == 3
+        || sscanf(line, "# %d table: %d passed, %d failed", &counted[0], &counted[1], &counted[2]) == 3) {
+      if (counted[0] != verdicts || counted[1] != (expect ? passed : verdicts - invalid)
+          || counted[1] + counted[2] != verdicts)
+        fuzz_fail("%d verdicts, %d passed, %d invalid, and: %s", verdicts, passed, invalid, line);
+      if ((code == EXIT_DONE) != (counted[2] == 0))
+        fuzz_fail("exit code %d, and: %s", code, line);
+      return;
+    }
+    if (*line == '#')
       continue;
-    used += strcmp(use, "used") == 0;
-    *finite = *finite && isfinite(h) && isfinite(err);
+    if (columns == 0) {
+      columns = split(line, names, MOST);
+      continue;
+    }
+    if (split(line, cells, MOST) != columns)
+      fuzz_fail("a row of other than %d cells", columns);
+    struct row r = { strtod(cells[column(names, columns, "order")], NULL),
+                     strtod(cells[column(names, columns, "low")], NULL), strtod(cells[column(names, columns, "high")], NULL),
+                     atoi(cells[column(names, columns, "points")]), "" };
+    snprintf(r.verdict, sizeof r.verdict, "%s", cells[column(names, columns, "verdict")]);
+    judge_row(&r, cells[column(names, columns, "reason")], expect);
+    verdicts++;
+    passed += strcmp(r.verdict, "pass") == 0;
+    invalid += strcmp(r.verdict, "invalid") == 0;
   }
-  return used;
-}
-
-/* Of the only series: as many points as rows say that they are used; errors that are all 0, or noise, are exact and none is used. */
-static void judge_rows(const char *table, const struct fit *fit, bool fitted)
-{
-  bool finite;
-  int used = used_rows(table, &finite);
-  if (fit->points != used && fit->points != 0)
-    fuzz_fail("a fit from %d points where %d are used", fit->points, used);
-  if (strcmp(fit->state, "exact") == 0 && used > 0)
-    fuzz_fail("exact, with %d points used", used);
-  if (fitted && !finite)
-    fuzz_fail("order %g from numbers that are not finite", fit->order);
-}
-
-static void judge_fit(const struct fit *fit, bool fitted, bool pass, double expected)
-{
-  if (fitted
-      && !(fit->points >= 3 && isfinite(fit->lo) && isfinite(fit->hi) && fit->lo <= fit->order && fit->order <= fit->hi))
-    fuzz_fail("order %g, from %g to %g, from %d points is called fitted", fit->order, fit->lo, fit->hi, fit->points);
-  bool met = fitted && fabs(fit->order - expected) <= 0.1001 && fit->hi - fit->lo <= 0.2002;
-  if (pass && !met && strcmp(fit->state, "exact") != 0)
-    fuzz_fail("pass for %s, order %g, from %g to %g, where %g is expected", fit->state, fit->order, fit->lo, fit->hi,
-              expected);
-}
-
-static void judge(const char *table, int code, bool expects, double expected)
-{
-  int fits = 0, passes = 0;
-  for (const char *line = table; (line = strstr(line, "\n# order ")); line++, fits++) {
-    struct fit fit = read_fit(line + 1);
-    const char *verdict = strchr(line + 1, '\n') + 1, *end = strchr(verdict, '\n');
-    bool fitted = strcmp(fit.state, "fitted") == 0;
-    bool pass = expects && end && end - verdict > 6 && strncmp(end - 6, ": pass", 6) == 0;
-    judge_fit(&fit, fitted, pass, expected);
-    if (!strstr(table, "\n# series: "))
-      judge_rows(table, &fit, fitted);
-    passes += pass;
-  }
-  if (fits == 0)
-    fuzz_fail("the table does not end with a fit: %s", table);
-  if (expects && (passes == fits) != (code == EXIT_DONE))
-    fuzz_fail("exit code %d with %d of %d verdicts passed in\n%s", code, passes, fits, table);
+  fuzz_fail("the table does not end with a summary");
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   static const char *const expected[] = { NULL, "1", "2", "4", "0", "-1" };
+  static const char *const formats[] = { "json", "tsv", "tap", "junit", "markdown", "rows" };
   if (size == 0)
     return 0;
-  const char *expect = expected[data[0] % 6], *format = data[0] & 64 ? "tsv" : "json";
-  bool json = *format == 'j';
-  const char *const arguments[] = { fuzz_file(data + 1, size - 1), "--format", format,
-                                    expect ? "--expect" : NULL,    expect,     NULL };
+  const char *expect = expected[data[0] % 6], *format = data[0] & 64 ? "tsv" : formats[data[0] / 128 * (data[0] / 6 % 6)];
+  bool json = strcmp(format, "json") == 0, tsv = strcmp(format, "tsv") == 0, rows = strcmp(format, "rows") == 0;
+  const char *arguments[8] = { fuzz_file(data + 1, size - 1) };
+  int count = 1;
+  if (expect) {
+    arguments[count++] = "--expect";
+    arguments[count++] = expect;
+  }
+  arguments[count++] = rows ? "--rows" : "--format";
+  if (!rows)
+    arguments[count++] = format;
   struct written w;
   int code = fuzz_run(&command_order, arguments, &w);
-  fuzz_judge_table(&w, code, json ? FORMAT_JSON : FORMAT_TSV);
+  if (json || tsv || rows)
+    fuzz_judge_table(&w, code, json ? FORMAT_JSON : FORMAT_TSV);
   if (code == EXIT_FILE)
     fuzz_fail("exit code %d: %s", code, w.err);
-  if (code != EXIT_USAGE && !json)
-    judge(w.out, code, expect != NULL, expect ? strtod(expect, NULL) : 0);
+  if (code != EXIT_USAGE && tsv)
+    judge(w.out, code, expect);
   if (code == EXIT_DONE && json && expect && !strstr(w.out, "\"verdict\": \"pass\""))
     fuzz_fail("exit code %d with the verdict in\n%s", code, w.out);
+  if (code == EXIT_CHECK_FAILED && strcmp(format, "junit") == 0 && !strstr(w.out, "<failure "))
+    fuzz_fail("exit code %d without a failure in\n%s", code, w.out);
   written_free(&w);
   return 0;
 }

@@ -122,12 +122,8 @@ static void check_same_motions(const struct scallop_gait *gait, const struct sca
 /* A trapezoid without a plateau and a skewed gait that is not skewed have the very numbers of the quadratic gait. */
 TEST(halves_are_quadratic)
 {
-  struct scallop_straight g;
-  const double half[2] = { 0.5, 0.5 };
-  assert_int_equal(scallop_make_trapezoidal(&g, "trapezoidal:0.5,0.5", half, half), SCALLOP_OK);
-  check_same_motions(&g.gait, &scallop_gait_quadratic, 0);
-  assert_int_equal(scallop_make_skewed(&g, "skewed:0.5", half), SCALLOP_OK);
-  check_same_motions(&g.gait, &scallop_gait_quadratic, 0);
+  check_same_motions(gait_of_text("trapezoidal:0.5,0.5").gait, &scallop_gait_quadratic, 0);
+  check_same_motions(gait_of_text("skewed:0.5").gait, &scallop_gait_quadratic, 0);
 }
 
 /* The tests' own minimum jerk is written out by hand. */

@@ -1,17 +1,21 @@
 /* Many crawlers at once against one at a time: the same bits, for any number of threads and any mixture of gaits and modes. */
 #include <float.h>
 
+#include "tests/support/columns.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
-enum { MOST = 4000, NUMBERS = 8, STEADY = 2, KINDS = 3 }; /* what is solved: an extension, a contraction, the steady state */
+enum {
+  MOST = MOST_ROWS,
+  NUMBERS = 8,
+  STEADY = 2,
+  KINDS = 3
+}; /* what is solved: an extension, a contraction, the steady state */
 
 static long most(void) { return check_cases(MOST); }
 
-static struct columns {
-  double m1[MOST], m2[MOST], F1[MOST], F2[MOST], L[MOST], T[MOST], alpha[MOST], v0[MOST];
-  const struct scallop_gait *gait[MOST];
-} in;
+static struct columns in;
+static double start[MOST];
 
 /* Of a steady state or of a phase, which has fewer numbers, and one sequence of modes */
 static struct results {
@@ -21,36 +25,24 @@ static struct results {
   enum scallop_status status[MOST];
 } out, again;
 
-static void put(long i, const struct scallop_crawler *c, double v0)
-{
-  in.m1[i] = c->m1;
-  in.m2[i] = c->m2;
-  in.F1[i] = c->F1;
-  in.F2[i] = c->F2;
-  in.L[i] = c->L;
-  in.T[i] = c->T;
-  in.alpha[i] = c->alpha;
-  in.gait[i] = c->gait;
-  in.v0[i] = v0;
-}
-
 static void fill(struct random *r, long count, enum family one, enum family other, int kind)
 {
   for (long i = 0; i < count; i++) {
     struct scallop_crawler c = random_crawler(r, i % 2 ? one : other, every_gait[i % ALL_GAITS]);
-    put(i, &c, random_start(r, &c, kind == STEADY ? SCALLOP_EXTENSION : (enum scallop_phase_kind)kind));
+    columns_put(&in, i, &c);
+    start[i] = random_start(r, &c, kind == STEADY ? SCALLOP_EXTENSION : (enum scallop_phase_kind)kind);
   }
 }
 
 static long solve(int kind, long count, struct results *r, int threads)
 {
   double(*n)[MOST] = r->number;
-  const struct scallop_crawlers c = { count, in.m1, in.m2, in.F1, in.F2, in.L, in.T, in.alpha, in.gait };
+  const struct scallop_crawlers c = columns_all(&in, count);
   const struct scallop_steady_states states = { n[0], n[1], n[2],      n[3],     n[4],     n[5],
                                                 n[6], n[7], r->regime, r->modes, r->status };
   const struct scallop_phases phases = { n[0], n[1], n[2], n[3], n[4], n[5], r->regime, &r->modes[0][0], r->status };
   return kind == STEADY ? scallop_steady_batch(&c, &states, threads)
-                        : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, in.v0, &phases, threads);
+                        : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, start, &phases, threads);
 }
 
 static bool same(double a, double b)
@@ -62,11 +54,11 @@ static bool same(double a, double b)
 static enum scallop_status alone(int kind, long i, double number[NUMBERS], int *count, enum scallop_regime *regime,
                                  struct scallop_modes modes[2])
 {
-  const struct scallop_crawler c = { in.m1[i], in.m2[i], in.F1[i], in.F2[i], in.L[i], in.T[i], in.alpha[i], in.gait[i] };
+  const struct scallop_crawler c = columns_row(&in, i);
   struct scallop_steady_result s;
   struct scallop_phase_result p;
   enum scallop_status status = kind == STEADY ? scallop_steady(&c, &s)
-                                              : scallop_phase(&c, (enum scallop_phase_kind)kind, in.v0[i], &p);
+                                              : scallop_phase(&c, (enum scallop_phase_kind)kind, start[i], &p);
   *count = kind == STEADY ? NUMBERS : 6;
   if (status < 0)
     return status;
@@ -181,7 +173,7 @@ TEST(failures_stay_where_they_are)
       in.m2[i] = i % 29 == 3 ? 0 : in.m2[i];
       in.T[i] = i % 11 == 5 ? (i % 2 ? NAN : INFINITY) : in.T[i];
       in.alpha[i] = i % 13 == 7 ? 1 : in.alpha[i];
-      in.v0[i] = i % 23 == 7 ? NAN : in.v0[i];
+      start[i] = i % 23 == 7 ? NAN : start[i];
       in.L[i] = i % 17 == 9 ? (kind == STEADY ? 1e300 : DBL_MIN) : in.L[i];
       in.gait[i] = i % 19 == 2 ? NULL : &scallop_gait_quadratic;
     }
@@ -200,12 +192,12 @@ TEST(only_what_is_wanted)
   for (int kind = 0; kind < KINDS; kind++) {
     fill(&r, 200, ORDINARY, STICK_SLIP, kind);
     in.T[100] = -1;
-    const struct scallop_crawlers c = { 200, in.m1, in.m2, in.F1, in.F2, in.L, in.T, in.alpha, in.gait };
+    const struct scallop_crawlers c = columns_all(&in, 200);
     for (int wanted = 0; wanted < 2; wanted++) {
       const struct scallop_steady_states states = { .displacement = wanted ? one : NULL };
       const struct scallop_phases phases = { .dx1 = wanted ? one : NULL };
       assert_int_equal(kind == STEADY ? scallop_steady_batch(&c, &states, 2)
-                                      : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, in.v0, &phases, 2),
+                                      : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, start, &phases, 2),
                        1);
     }
     assert_int_equal(solve(kind, 200, &out, 1), 1);

@@ -2,6 +2,7 @@
  * sanitizer has its own allocator, nor with a C library that does not let itself be asked. */
 #include <stdlib.h>
 
+#include "tests/support/columns.h"
 #include "tests/support/random_crawler.h"
 
 #if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
@@ -63,19 +64,15 @@ static void solve(const struct scallop_crawler *c)
 
 static void solve_many(const struct scallop_crawler *one)
 {
-  static double m1[CRAWLERS], m2[CRAWLERS], F1[CRAWLERS], F2[CRAWLERS], L[CRAWLERS], T[CRAWLERS], alpha[CRAWLERS],
-      v[CRAWLERS];
-  static const struct scallop_gait *gait[CRAWLERS];
-  for (int i = 0; i < CRAWLERS; i++) {
-    const struct scallop_crawler *c = &one[i];
-    m1[i] = c->m1, m2[i] = c->m2, F1[i] = c->F1, F2[i] = c->F2, L[i] = c->L, T[i] = c->T, alpha[i] = c->alpha,
-    gait[i] = c->gait;
-  }
-  struct scallop_crawlers all = { CRAWLERS, m1, m2, F1, F2, L, T, alpha, gait };
+  static struct columns in;
+  static double v[CRAWLERS];
+  for (int i = 0; i < CRAWLERS; i++)
+    columns_put(&in, i, &one[i]);
+  struct scallop_crawlers all = columns_all(&in, CRAWLERS);
   struct scallop_steady_states states = { .v_start = v };
   struct scallop_phases phases = { .v_end = v };
   (void)scallop_steady_batch(&all, &states, 1);
-  (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, alpha, &phases, 1); /* from any start velocities */
+  (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, in.alpha, &phases, 1); /* from any start velocities */
 }
 
 TEST(no_solve_allocates)

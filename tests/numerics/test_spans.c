@@ -1,4 +1,5 @@
-/* The intervals of a phase in the units of the parameters: they cover the phase, follow one another, and add up to it. */
+/* The intervals of a phase in the units of the parameters: they cover the phase, follow one another, add up to it, and are on the
+ * trajectory. */
 #include <float.h>
 
 #include "numerics/numerics.h"
@@ -67,6 +68,61 @@ TEST(spans_are_the_phase)
     enum scallop_phase_kind kind = i / SMOOTH_GAITS % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     double v0 = random_between(&r, -2, 2) * c.L / c.T;
     check_phase(&c, kind, i % 5 == 0 ? 0 : v0);
+  }
+}
+
+/* Where the bodies are when a span begins, and the sample that the trajectory has at some time */
+struct passage {
+  struct kept *phase;
+  double x1, x2;
+  double steepest; /* no body accelerates more */
+  double near;     /* of positions             */
+};
+
+/* A body that has been at x with velocity v is after that time (or was, before it) within steepest time^2/2 of x + v time. */
+static void on_the_way(const struct passage *p, const struct scallop_sample *sample, double time, const double x[2],
+                       const double v[2])
+{
+  double bend = p->steepest * time * time / 2 + p->near;
+  CHECK_NEAR(sample->x1, x[0] + v[0] * time, bend);
+  CHECK_NEAR(sample->x2, x[1] + v[1] * time, bend);
+}
+
+static bool is_on_a_span(void *context, const struct scallop_sample *sample)
+{
+  const struct passage *p = context;
+  double x[2] = { p->x1, p->x2 };
+  bool found = false;
+  if (sample->t > p->phase->span[p->phase->count - 1].t_end)
+    return false;
+  for (int i = 0; i < p->phase->count; i++) {
+    const struct scallop_span *s = &p->phase->span[i];
+    const double after[2] = { x[0] + s->dx1, x[1] + s->dx2 };
+    if (s->t_begin <= sample->t && sample->t <= s->t_end) {
+      on_the_way(p, sample, sample->t - s->t_begin, x, (double[]){ s->v1_begin, s->v2_begin });
+      on_the_way(p, sample, sample->t - s->t_end, after, (double[]){ s->v1_end, s->v2_end });
+      found = true;
+    }
+    x[0] = after[0];
+    x[1] = after[1];
+  }
+  assert_true(found);
+  return true;
+}
+
+TEST(spans_are_on_the_trajectory)
+{
+  struct random r = { 20261123 };
+  for (int i = 0; i < check_cases(400); i++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), every_gait[i % SMOOTH_GAITS]);
+    double tau = scallop_phase_duration(&c, SCALLOP_EXTENSION), friction = (c.F1 + c.F2) / (c.m1 + c.m2);
+    double v0 = i % 5 == 0 ? 0 : random_between(&r, -2, 2) * c.L / c.T;
+    struct kept k = { .crawler = &c, .kind = SCALLOP_EXTENSION };
+    struct passage p = { .phase = &k,
+                         .steepest = 10 * c.L / (tau * tau) + friction, /* the trapezoid's l'' is 128/13 */
+                         .near = 32 * DBL_EPSILON * (4 * c.L + tau * (fabs(v0) + friction * tau)) };
+    assert_int_equal(scallop_phase_intervals(&c, SCALLOP_EXTENSION, v0, keep, &k), SCALLOP_OK);
+    assert_true(scallop_trajectory(&c, v0, 1, 512, is_on_a_span, &p) >= 0);
   }
 }
 

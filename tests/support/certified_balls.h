@@ -2,6 +2,7 @@
 #ifndef CERTIFIED_BALLS_H
 #define CERTIFIED_BALLS_H
 
+#include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/scoped.h"
 #include "tests/support/solved.h"
@@ -52,6 +53,21 @@ static inline void check_number(double got, const arb_t wanted, double tolerance
     return;
   print_crawler(c);
   fail_msg("%s: %.17g, and %.17g is wanted", what, got, middle(wanted));
+}
+
+/* binary128 beside it */
+static inline void check_wide(const struct scallop_wide *got, const arb_t wanted, double tolerance,
+                              const struct scallop_crawler *c)
+{
+  SCOPED(arb, value, low);
+  arb_set_d(value, got->high);
+  arb_set_d(low, got->low);
+  arb_add(value, value, low, 400);
+  double far = apart(value, wanted);
+  if (far <= tolerance)
+    return;
+  print_crawler(c);
+  fail_msg("binary128: %.17g, off by %.3g", got->high, far);
 }
 
 static inline void check_overlap(const arb_t x, const arb_t y, const char *what)

@@ -38,7 +38,7 @@ cells() { # FILE COLUMN...: those columns of every row, separated by blanks
 }
 # The Python below has this in front. bad(text) notes a problem; it is printed and shown by python().
 cat >tables.py <<'END'
-import json, math, sys
+import json, math, re, sys
 def read(name):
     lines = [l.rstrip("\n").split("\t") for l in open(name, encoding="utf-8") if not l.startswith("#")]
     return [dict(zip(lines[0], l)) for l in lines[1:]]

@@ -19,14 +19,22 @@ static inline void write_text(const char *name, const char *text)
   fclose(file);
 }
 
+/* What is in the file, which must be there; as much as fits. Returns how many bytes. */
+static inline size_t read_text(const char *name, char *text, size_t size)
+{
+  FILE *file = fopen(name, "r");
+  assert_non_null(file);
+  size_t length = fread(text, 1, size - 1, file);
+  fclose(file);
+  text[length] = '\0';
+  return length;
+}
+
 /* The file holds this text and nothing else. */
 static inline void assert_holds(const char *name, const char *text)
 {
   char got[8192];
-  FILE *file = fopen(name, "r");
-  assert_non_null(file);
-  got[fread(got, 1, sizeof got - 1, file)] = '\0';
-  fclose(file);
+  read_text(name, got, sizeof got);
   assert_string_equal(got, text);
 }
 

@@ -80,27 +80,12 @@ struct motion {
   struct scallop_certified_steady steady_at[TIMES];
   fmpq_t T[TIMES];
 };
-static void motion_init(struct motion *m)
-{
-  scallop_phase_expansion_init(&m->phase);
-  scallop_steady_expansion_init(&m->steady);
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_phase_init(&m->phase_at[t]);
-    scallop_certified_steady_init(&m->steady_at[t]);
-    fmpq_init(m->T[t]);
-  }
-}
-static void motion_clear(struct motion *m)
-{
-  scallop_phase_expansion_clear(&m->phase);
-  scallop_steady_expansion_clear(&m->steady);
-  for (int t = 0; t < TIMES; t++) {
-    scallop_certified_phase_clear(&m->phase_at[t]);
-    scallop_certified_steady_clear(&m->steady_at[t]);
-    fmpq_clear(m->T[t]);
-  }
-}
-SCOPED_KIND(motion, struct motion)
+#define MOTION(of) \
+  of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
+      of(scallop_certified_phase, &s->phase_at[0]) of(scallop_certified_phase, &s->phase_at[1]) \
+          of(scallop_certified_steady, &s->steady_at[0]) of(scallop_certified_steady, &s->steady_at[1]) of(fmpq, s->T[0]) \
+              of(fmpq, s->T[1])
+SCOPED_PARTS(motion, struct motion, MOTION)
 
 /* How many numbers the motion has: those of switches come last */
 static int list(struct quantity q[NUMBERS], const struct motion *m)

@@ -125,18 +125,14 @@ TEST(division_by_what_may_be_zero)
 /* One step of a random calculation, the same in both rings. In `shorter` every series may have been cut. */
 static void random_step(struct series *to, const struct series *a, const struct series *b, int step, const struct ring *in)
 {
-  fmpq_t half;
+  SCOPED(fmpq, half);
   switch (step) {
   case 0: series_add(to, a, b, in); break;
   case 1: series_sub(to, a, b, in); break;
   case 2: series_mul(to, a, b, in); break;
   case 3: series_div(to, a, b, in); break;
   case 4: series_shift(to, a, 1); break;
-  default:
-    fmpq_init(half);
-    fmpq_set_si(half, -1, 2);
-    series_scale(to, a, half, in);
-    fmpq_clear(half);
+  default: fmpq_set_si(half, -1, 2); series_scale(to, a, half, in);
   }
 }
 

@@ -34,10 +34,7 @@ static enum exit_code check(const char *ledger, char *table, size_t size, struct
   said_begin(said);
   enum exit_code code = claims_check(&options, ledger);
   said_end(said);
-  FILE *written = fopen(file, "r");
-  assert_non_null(written);
-  table[fread(table, 1, size - 1, written)] = '\0';
-  fclose(written);
+  read_text(file, table, size);
   remove(file);
   return code;
 }

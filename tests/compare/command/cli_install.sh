@@ -85,15 +85,15 @@ for name in scallop-core scallop; do
 done
 # Each block of C is a program, which prints a line. What includes a header of derived/ needs libscallop, and calls FLINT itself.
 awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/library.md"
-for example in example1 example2 example3; do
+for example in example*.c; do
   name=scallop-core flint=
-  if grep -q '/derived/' $example.c; then
+  if grep -q '/derived/' "$example"; then
     name=scallop flint=-lflint
     [ "${WITH_FLINT:-1}" != 0 ] || continue
   fi
   # shellcheck disable=SC2046,SC2086
-  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o $example $example.c $(flags --cflags --libs $name) $flint
-  LD_LIBRARY_PATH=$place/usr/lib ./$example >got 2>&1 || note "$example: exit code $?"
+  quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example "$example" $(flags --cflags --libs $name) $flint
+  LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1 || note "$example: exit code $?"
   tr '\n' ' ' <"$root/docs/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
 done
 finish "the examples of docs/library.md"
@@ -138,7 +138,10 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
   loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
   [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.$abi" ] || note "with a libdir of its own it loads '$(cat got)'"
-  finish "the Python module finds the library"
+  mkdir copied
+  cp elsewhere/usr/share/scallop/python/*.py copied
+  SCALLOP_LIBRARY=$scratch/elsewhere/usr/lib/libscallop.so PYTHONPATH=copied /usr/bin/python3 -c 'import scallop; scallop.steady()' 2>err || note "$(tail -n 1 err)"
+  finish "the Python module finds the library, and can be copied"
 fi
 run 0 --help
 for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p' out) ''; do

@@ -6,10 +6,11 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 . "$(dirname "$0")/../../support/common.sh"
 
 /usr/bin/python3 -c 'import numpy' 2>err || { echo "ok python: not tried, /usr/bin/python3 has no NumPy"; exit 0; }
+abi=$(sed -n 's/^#define SCALLOP_ABI //p' "$root/model/version.h")
 for name in libscallop-core libscallop; do
-  [ ! -f "$(dirname "$tool")/$name.so.1" ] || beside=$(dirname "$tool")/$name.so.1
+  [ ! -f "$(dirname "$tool")/$name.so.$abi" ] || beside=$(dirname "$tool")/$name.so.$abi
 done
-library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.1}}
+library=${SCALLOP_LIBRARY:-${beside:-$(dirname "$tool")/libscallop.so.$abi}}
 if readelf -d "$library" 2>err | grep -q 'NEEDED.*lib\(asan\|ubsan\)'; then
   echo "ok python: not tried, the library wants the runtime of a sanitizer"
   exit 0
@@ -45,7 +46,7 @@ END
 # ---- the same as the command ----
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
 if scallop.os.environ["WITH_FLINT"] != "0":
     print('#include "model/exact/ball.h"')
 else:
@@ -561,39 +562,86 @@ END
 finish "an interrupt ends a trajectory"
 
 # ---- finding the library ----
-mkdir -p tree/scripts/python tree/build
+mkdir -p tree/scripts/python tree/build tree/model
+cp "$root/model/version.h" tree/model
 cp "$root"/scripts/python/scallop*.py tree/scripts/python
 loads() { # FILE, or part of the message
   PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
 }
 loads "$library"
-cp "$library" libscallop.so.7
+cp "$library" libscallop.so.9$abi
 cp "$library" libscallop.so
-cp "$library" libscallop.so.1.9.8
-ln -s libscallop.so.1.9.8 link.so
-echo text >libscallop.so.1
-cc -shared -o libscallop-core.so.1 -x c /dev/null
-for pair in "libscallop.so.7=libscallop.so.7: version 7 of the binary interface: version 1 is wanted" \
-  "libscallop.so=the name does not say the version of the binary interface: .so.1 is wanted" \
-  "link.so=$scratch/link.so" "libscallop.so.1=cannot load the library of scallop: $scratch/libscallop.so.1: " \
-  "libscallop-core.so.1=has no scallop_status_text: it is older than scallop.py, or another library" \
-  "none.so.1=cannot load the library of scallop: $scratch/none.so.1: cannot open"; do
+cp "$library" libscallop.so.$abi.9.8
+ln -s libscallop.so.$abi.9.8 link.so
+echo text >libscallop.so.$abi
+cc -shared -o libscallop-core.so.$abi -x c /dev/null
+for pair in "libscallop.so.9$abi=libscallop.so.9$abi: version 9$abi of the binary interface: version $abi is wanted" \
+  "libscallop.so=the name does not say the version of the binary interface: .so.$abi is wanted" \
+  "link.so=$scratch/link.so" "libscallop.so.$abi=cannot load the library of scallop: $scratch/libscallop.so.$abi: " \
+  "libscallop-core.so.$abi=has no scallop_status_text: it is older than scallop.py, or another library" \
+  "none.so.$abi=cannot load the library of scallop: $scratch/none.so.$abi: cannot open"; do
   SCALLOP_LIBRARY=${pair%%=*} loads "${pair#*=}"
 done
 unset SCALLOP_LIBRARY
-mv libscallop.so.1.9.8 libscallop.so.1
-loads "neither libscallop.so.1 nor libscallop-core.so.1 is in $scratch/tree/build"
-LD_LIBRARY_PATH=$scratch loads libscallop.so.1
-cp "$library" tree/build/libscallop-core.so.1
-LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.1"
+mv libscallop.so.$abi.9.8 libscallop.so.$abi
+loads "neither libscallop.so.$abi nor libscallop-core.so.$abi is in $scratch/tree/build"
+LD_LIBRARY_PATH=$scratch loads libscallop.so.$abi
+cp "$library" tree/build/libscallop-core.so.$abi
+LD_LIBRARY_PATH=$scratch loads "$scratch/tree/build/libscallop-core.so.$abi"
 export SCALLOP_LIBRARY="$library"
 loads "$library"
-python "$scratch/tree/build/libscallop-core.so.1" <<'END'
+python "$scratch/tree/build/libscallop-core.so.$abi" <<'END'
 if scallop.load(sys.argv[1]) != sys.argv[1] or scallop.steady().v_start != 3.0166206576889527:
     bad("the argument does not come first")
 END
 finish "the library is found, in order, and refused when it is another one"
+
+# ---- order ----
+printf '0.1 0.011\n0.05 0.0026\n0.025 6.3e-4\n0.0125 1.57e-4\n' >textbook.txt
+printf '0.1 0.011\n0.05 0.0026\n0.05 nan\n0.0125 1.57e-4\n' >invalid.txt
+printf 'h value\n1 4.25\n0.5 3.5\n0.25 3.3125\n0.125 3.265625\n0.0625 3.25390625\n' >values.txt
+: >orders.json
+for table in textbook invalid values; do
+  "$tool" order $table.txt --expect 2 --format json 2>err | head -n 1 >>orders.json
+done
+"$tool" order textbook.txt --at-least 3 --tol 0.2 --format json | head -n 1 >>orders.json
+"$tool" order textbook.txt --format json | head -n 1 >>orders.json
+python <<'END'
+import json
+import math
+def numbers(name):
+    rows = [line.split() for line in open(name) if line[0] != "h"]
+    return [float(row[0]) for row in rows], [float(row[1]) for row in rows]
+found = [scallop.order(*numbers("textbook.txt"), expect=2), scallop.order(*numbers("invalid.txt"), expect=2),
+         scallop.order(*numbers("values.txt"), expect=2, values=True),
+         scallop.order(*numbers("textbook.txt"), at_least=3, tol=0.2), scallop.order(*numbers("textbook.txt"))]
+for order, line in zip(found, open("orders.json")):
+    row = json.loads(line)
+    for name in ("verdict", "interval", "reason"):
+        if row[name] != getattr(order, name):
+            bad(name, getattr(order, name), row)
+    for name in ("order", "low", "high", "gci", "asymptotic_ratio"):
+        number, wanted = getattr(order, name), row.get(name)
+        if not (math.isnan(number) if wanted is None else abs(number - wanted) < 1e-4):
+            bad(name, number, row)
+    if order.passed != (row["verdict"] == "pass") or order.used != row["points"]:
+        bad(order, row)
+if [order.passed for order in found] != [True, False, True, False, False]:
+    bad(found)
+if scallop.order([0.5, 1, 0.25], [0.25, 0, 0.0625]).uses != ["used", "zero", "used"]:
+    bad("uses in another order")
+for wrong in (dict(expect=2, at_least=2), dict(tol=0), dict(tol=math.nan)):
+    try:
+        bad(scallop.order([1, 2, 3], [1, 2, 3], **wrong))
+    except ValueError:
+        pass
+try:
+    bad(scallop.order([1, 2, 3], [1, 2]))
+except ValueError:
+    pass
+END
+finish "order: the verdicts and the words of the command"
 
 # ---- the example ----
 run 0 figure 4 --digits 17

@@ -116,7 +116,11 @@ refused "value for a flag, empty" 2 "--quiet takes no value" steady --quiet=
 for command in $takes_crawler claims; do
   refuse 2 "unexpected argument 'foo'" $command foo
 done
-refuse 2 "unexpected argument 'b'" order a b
+refuse 4 "cannot read a: No such file" order a b
+refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
+refuse 2 "--rows: 'tap' is a format for verdicts" order a --rows --format tap
+refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
+refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table, tap or junit" order a --format xml
 refuse 2 "unexpected argument '3'" figure 2 3
 refuse 2 "unexpected argument '-'" steady -
 finish "unexpected operands"
@@ -266,13 +270,15 @@ table() { printf '%b' "$1" >table.txt; }
 table 'h err\n'
 refused "order: only a header" 2 "table.txt.*no data" order table.txt
 table 'a b\n1 1\n'
-refused "order: no known column" 2 "table.txt:1:.*'h' and 'err'" order table.txt
+refused "order: no such column" 2 "table.txt:2:.*--y: no column 'err'" order table.txt --y err
+refused "order: no such x" 2 "table.txt:2:.*--x: no column '3'" order table.txt --x 3
+refused "order: x as y" 2 "table.txt:2:.*--y: this column is x" order table.txt --x b --y b
+table 'a b\n1 x\n'
+refused "order: no column of numbers" 2 "table.txt:2:.*no column of numbers" order table.txt
 table 'h err value\n1 1 1\n'
-refused "order: err and value" 2 "table.txt:1:.*not two" order table.txt
+refused "order: err and value" 2 "table.txt:2:.*not two" order table.txt
 table 'h h err\n1 2 1\n'
-refused "order: h twice" 2 "table.txt:1:.*" order table.txt
-table '1 1 1\n'
-refused "order: three columns without a header" 2 "table.txt:1:.*h and err" order table.txt
+refused "order: h twice" 2 "table.txt:2:.*'h' is there twice" order table.txt
 table '1 1\n0.5\n'
 refused "order: a truncated row" 2 "table.txt:2:.*columns" order table.txt
 table '# c\nh err\n1 1\n0.5 1 1\n'
@@ -306,18 +312,18 @@ cmp -s out plain.out || note "another table: $(row out 1)"
 input=/dev/null
 finish "points: standard input"
 printf '1 1\n0.5 0.25\n0.25 0.0625\n0.125 0.015625\n' >square.txt
-"$tool" order square.txt >square.out
+"$tool" order --rows square.txt | cut -f 2- >square.out
 input=square.txt
 run 0 order - --expect 2
 says 'pass' out
 input=/dev/null
 finish "order: standard input"
 printf '1\t1\r\n0.5\t0.25\r\n0.25\t0.0625\r\n0.125\t0.015625\r\n' >other.txt
-run 0 order other.txt
-cmp -s out square.out || note "another table: $(cat out)"
+run 0 order --rows other.txt
+cut -f 2- out | cmp -s - square.out || note "another table: $(cat out)"
 printf '# c\n\n 1   1\n0.5 0.25\n# d\n0.25\t0.0625\n0.125 0.015625' >other.txt
-run 0 order other.txt
-cmp -s out square.out || note "another table: $(cat out)"
+run 0 order --rows other.txt
+cut -f 2- out | cmp -s - square.out || note "another table: $(cat out)"
 finish "order: CRLF, tabs, comments, no newline at the end"
 
 printf 'T\tgait\n0.5\tsinusoidal\n1\tfoo\n1\tquadratic\n' >gaits.tsv

@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 run 0 workprec --quick
 cp out table.tsv
 [ ! -s err ] || note "standard error: $(head -n 1 err)"
-[ "$(header table.tsv)" = "method setting gait T quantity error time_median time_min time_q1 time_q3 repetitions \
+[ "$(header table.tsv)" = "method kind setting gait T quantity error time_median time_min time_q1 time_q3 repetitions \
 gait_evaluations events root_iterations periods pareto status" ] || note "columns: $(header table.tsv)"
 for line in 'scallop [0-9]' 'command: workprec --quick --limit 0.05$' 'parameters: m1=1 m2=1 F1=4 F2=1 L=10 alpha=0.75$' \
   'error: ' 'times: seconds' 'clock: a reading takes'; do
@@ -19,7 +19,7 @@ finish "workprec --quick: header and columns"
 cat >>tables.py <<'END'
 exact_methods = ["exact", "exact, batch", "exact, one period", "certified"]
 formulas = ["published", "limit", "derived series", "derived series, coefficients known"]
-makers = ["gsl rkf45", "gsl rk8pd", "gsl msadams", "cvode", "smoothed msbdf", "smoothed bsimp", "smoothed rk4imp", "moreau"]
+makers = ["gsl rkf45", "gsl rk8pd", "gsl msadams", "cvode", "arkode", "smoothed msbdf", "smoothed bsimp", "smoothed rk4imp", "moreau"]
 rivals = [m + ", " + way for m in makers for way in ("simulated", "root")]
 def select(rows, **wanted):
     return [r for r in rows if all(r[k] == v for k, v in wanted.items())]
@@ -29,8 +29,15 @@ def groups(rows):
     if not all(found):
         bad("a gait, T and quantity without rows")
     return found
+asides = ["exact, batch", "exact, one period", "derived series, coefficients known"]
+kinds = ["simulation", "root"]
+def is_rival(r):
+    return r["kind"] in kinds
 def aside(r):
-    return r["method"] in ("exact, batch", "exact, one period", "derived series, coefficients known")
+    return r["kind"] == "other"
+def kind_wanted(name):
+    return ("other" if name in asides else "formula" if name in formulas else "exact" if name in exact_methods
+            else "root" if name in rivals[1::2] else "simulation")
 END
 python <<'END'
 t = read("table.tsv")
@@ -40,6 +47,9 @@ for g in groups(t):
     there = {r["method"] for r in g}
     if there != set(exact_methods + formulas + rivals):
         bad(g[0]["gait"], g[0]["T"], "has or lacks", there ^ set(exact_methods + formulas + rivals))
+    for r in g:
+        if r["kind"] != kind_wanted(r["method"]):
+            bad("kind:", r)
     seen = {(r["method"], r["setting"]) for r in g}
     if len(seen) != len(g):
         bad("the same method and setting twice:", g[0])
@@ -53,14 +63,14 @@ for r in read("table.tsv"):
     ok, cut, out = r["status"] == "ok", r["status"].startswith("cut off after 0.05 s"), r["status"].startswith("left out")
     n, median = int(r["repetitions"]), number(r, "time_median")
     least, q1, q3, error = number(r, "time_min", "time_q1", "time_q3", "error")
-    noise = r["status"] == "no convergence" and r["method"] in rivals # the noise of its map is larger than its slope
-    if not (ok or cut or out or noise) or (out and not r["method"].startswith("cvode")):
+    noise = r["status"] == "no convergence" and is_rival(r) # the noise of its map is larger than its slope
+    if not (ok or cut or out or noise) or (out and not r["method"].startswith(("cvode", "arkode"))):
         bad(r)
     if ok and not (n >= 1 and 0 < least <= q1 <= median <= q3 and error >= 0):
         bad("not in order:", r)
     if cut and not (n == 0 and median >= 0.05 and math.isnan(q1)):
         bad("cut off, but:", r)
-    if r["method"] not in rivals and not ok:
+    if not is_rival(r) and not ok:
         bad("one of our own is not ok:", r)
     if r["pareto"] not in (("yes", "no") if ok and not aside(r) else ("-",)):
         bad("pareto:", r)
@@ -70,8 +80,8 @@ cp "$root/data/workprec.tsv" committed.tsv
 python <<'END'
 # What does not depend on the machine: the errors of our own methods, and the work of the exact one (quadratic gait: no sines)
 key = lambda r: (r["method"], r["setting"], r["quantity"])
-now = {key(r): r for r in select(read("table.tsv"), gait="quadratic", T="0.01") if r["method"] not in rivals}
-then = {key(r): r for r in select(read("committed.tsv"), gait="quadratic", T="0.01") if r["method"] not in rivals}
+now = {key(r): r for r in select(read("table.tsv"), gait="quadratic", T="0.01") if not is_rival(r)}
+then = {key(r): r for r in select(read("committed.tsv"), gait="quadratic", T="0.01") if not is_rival(r)}
 if len(now) < 20 or not set(now) <= set(then):
     bad("rows are missing:", set(now) - set(then))
 for k, r in now.items():
@@ -142,12 +152,12 @@ python <<'END'
 # A rival is as good as its tolerance says, in the units of the problem, where it was not cut off
 t = sum(groups(read("table.tsv")), [])
 for r in t:
-    if r["method"] in rivals and r["status"] == "ok" and r["T"] == "0.5" and not r["method"].startswith(("smoothed", "moreau")):
+    if is_rival(r) and r["status"] == "ok" and r["T"] == "0.5" and not r["method"].startswith(("smoothed", "moreau")):
         if not number(r, "error") <= 1e-2:
             bad("a rival is far off:", r)
         if not (number(r, "gait_evaluations") > 10 and number(r, "periods") >= 2 and number(r, "events") >= 4):
             bad("work:", r)
-        if (number(r, "root_iterations") > 0) != r["method"].endswith("root"):
+        if (number(r, "root_iterations") > 0) != (r["kind"] == "root"):
             bad("root iterations:", r)
 END
 finish "rivals: error and work"
@@ -157,7 +167,7 @@ cheapest() { awk -f "$root/scripts/plots/cheapest.awk" "$1"; }
 cheapest table.tsv >summary.tsv || note "exit code $?"
 python <<'END'
 def cheapest(rows, wanted, allowed):
-    rows = [r for r in rows if r["status"] == "ok" and number(r, "error") <= wanted and not aside(r) and allowed(r["method"])]
+    rows = [r for r in rows if r["status"] == "ok" and number(r, "error") <= wanted and not aside(r) and allowed(r)]
     return min(rows, key=lambda r: number(r, "time_median")) if rows else None
 def cells(row, to):
     if not row:
@@ -167,14 +177,14 @@ wanted_rows = []
 for g in groups(read("table.tsv")):
     for text in ["1e-%d" % n for n in (2, 4, 6, 8, 10, 12, 15, 30, 100)]:
         e = float(text)
-        best = cheapest(g, e, lambda m: True)
+        best = cheapest(g, e, lambda r: True)
         if not best:
             bad("no setting reaches", text)
-        exact = cheapest(g, e, lambda m: m in ("exact", "certified"))
+        exact = cheapest(g, e, lambda r: r["kind"] == "exact")
         wanted_rows.append([best["gait"], best["T"], best["quantity"], text, best["method"], best["setting"], best["error"]]
-                           + cells(cheapest(g, e, lambda m: m != best["method"]), best) + cells(exact, best)
-                           + cells(cheapest(g, e, lambda m: m in rivals), exact)
-                           + cells(cheapest(g, e, lambda m: m.endswith("simulated")), exact))
+                           + cells(cheapest(g, e, lambda r: r["method"] != best["method"]), best) + cells(exact, best)
+                           + cells(cheapest(g, e, is_rival), exact)
+                           + cells(cheapest(g, e, lambda r: r["kind"] == "simulation"), exact))
 got = read("summary.tsv")
 if list(got[0]) != ["gait", "T", "quantity", "wanted_error", "method", "setting", "error", "next_method", "next_setting",
                     "next_ratio", "exact_method", "exact_setting", "exact_ratio", "rival_method", "rival_setting",
@@ -228,13 +238,13 @@ finish "json, and parameters that are no doubles"
 
 # F1 = F2: the centre of mass rests in the steady state, errors are over L/T and L, and all of this tool's are 0 or next to it
 run 0 workprec --quick --gait quadratic --T 0.5 --F1 1 --limit 0.001
-rows out | awk -F '\t' '$1 == "exact" && !($6 <= 1e-16) { print "exact: " $0 } $1 == "certified" && !($6 <= 1e-16) { print "certified: " $0 }' >said
+rows out | awk -F '\t' '$1 == "exact" && !($7 <= 1e-16) { print "exact: " $0 } $1 == "certified" && !($7 <= 1e-16) { print "certified: " $0 }' >said
 [ ! -s said ] || note "$(head -n 1 said)"
 finish "a steady state at rest: errors over L/T and L"
 
 # Where the contraction has no turn the published formulas are wrong, and those in their place are not
 run 0 workprec --quick --gait quadratic --T 0.01 --m1 0.01 --limit 0.001
-rows out | awk -F '\t' '$1 == "published" && $6 < 0.1 { print $0 } $1 == "corrected" { n++; if (!($6 < 1e-3)) print $0 }
+rows out | awk -F '\t' '$1 == "published" && $7 < 0.1 { print $0 } $1 == "corrected" { n++; if (!($7 < 1e-3)) print $0 }
   END { if (n != 3 && n != 2) print n + 0 " corrected rows" }' >said
 [ ! -s said ] || note "$(head -n 1 said)"
 finish "corrected formulas"

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 
+#include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
 #include "numerics/rivals/smoothed.h"
@@ -82,6 +83,7 @@ static struct scallop_rival *make_smoothed(int kind)
   return scallop_smoothed_rival((enum scallop_smoothed_stepper)kind, 1e-3, 1e-6);
 }
 static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_cvode_rival(1e-6); }
+static struct scallop_rival *make_arkode(int kind) { return (void)kind, scallop_arkode_rival(1e-6); }
 
 TEST(making_rivals)
 {
@@ -93,6 +95,8 @@ TEST(making_rivals)
   check_failures(make_odeiv, SCALLOP_ODEIV_MSADAMS, all - 10, all);
   if (scallop_has_cvode())
     check_failures(make_cvode, 0, 0, 2);
+  if (scallop_has_arkode())
+    check_failures(make_arkode, 0, 0, 2);
 }
 
 /* In one call: a status instead, and the result as it was */

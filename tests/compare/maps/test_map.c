@@ -107,12 +107,10 @@ TEST(any_part_of_a_journal)
 {
   char bytes[2000];
   write_all();
-  FILE *f = fopen(path, "r");
-  size_t size = fread(bytes, 1, sizeof bytes, f);
-  fclose(f);
+  size_t size = read_text(path, bytes, sizeof bytes);
   long last = 0;
   for (size_t part = 0; part <= size; part++) {
-    f = fopen(path, "w");
+    FILE *f = fopen(path, "w");
     fwrite(bytes, 1, part, f);
     fclose(f);
     int lines = 0;

@@ -57,14 +57,6 @@ static void assert_in(const char *text, const char *part)
     fail_msg("no '%s' in\n%s", part, text);
 }
 
-static void read_picture(char *text, size_t size, const char *name)
-{
-  FILE *file = fopen(name, "r");
-  assert_non_null(file);
-  text[fread(text, 1, size - 1, file)] = '\0';
-  fclose(file);
-}
-
 /* Draws the plot, and gives what is in the picture. */
 static const char *draws(struct plot plot)
 {
@@ -79,7 +71,7 @@ static const char *draws(struct plot plot)
     fail_msg("%s", said.text);
   assert_string_equal(said.text, "");
   assert_int_equal(lowest_free(), before);
-  read_picture(picture, sizeof picture, plot.file);
+  read_text(plot.file, picture, sizeof picture);
   return picture;
 }
 

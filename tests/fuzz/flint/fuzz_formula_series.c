@@ -1,5 +1,5 @@
-/* Formulas as series: identities that hold for whatever is taken, the value of a formula of numbers by another parser, modulo a
- * prime, and an untouched value where it refuses. */
+/* Formulas as series: identities that hold for whatever is taken, the same with more terms and bits, the value of a formula of numbers
+ * in balls and by another parser, modulo a prime, and an untouched value where it refuses. */
 #include "asymptotics/derived/formula_flint.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "tests/support/scoped.h"
 
 enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions of digits */ };
-static const struct ring ring = { .length = 6, .precision = 100 };
+static const struct ring ring = { .length = 6, .precision = 100 }, longer = { .length = 15, .precision = 150 };
 
 /* x is the variable, h is 1/2, b a ball */
 static const char symbols[] = "xhb";
@@ -22,9 +22,10 @@ static int place_of(void *context, const char *name)
   return found ? (int)(found - symbols) : -1;
 }
 
-static bool evaluate_text(struct series *value, const char *text)
+static const struct formula_names names = { .place = place_of };
+
+static bool evaluate_text(struct series *value, const char *text, const struct ring *in)
 {
-  static const struct formula_names names = { .place = place_of };
   struct formula formula;
   char message[FORMULA_MESSAGE];
   struct series values[SYMBOLS];
@@ -39,7 +40,7 @@ static bool evaluate_text(struct series *value, const char *text)
   series_set_x(&values[0]);
   series_set_rational(&values[1], half);
   series_set_ball(&values[2], pi);
-  bool evaluated = !formula_series(value, &formula, values, &ring, message);
+  bool evaluated = !formula_series(value, &formula, values, in, message);
   for (int i = 0; i < SYMBOLS; i++)
     series_clear(&values[i]);
   return evaluated;
@@ -48,10 +49,10 @@ static bool evaluate_text(struct series *value, const char *text)
 /* Evaluates the formula that consists of these parts, NULL-terminated. */
 static bool evaluate(struct series *value, const char *const *parts)
 {
-  char formula[2 * LONGEST + 16] = "";
+  char formula[3 * LONGEST + 32] = "";
   for (size_t used = 0; *parts; used = strlen(formula), parts++)
     snprintf(formula + used, sizeof formula - used, "%s", *parts);
-  return evaluate_text(value, formula);
+  return evaluate_text(value, formula, &ring);
 }
 #define EVALUATE(value, ...) evaluate(value, (const char *const[]){ __VA_ARGS__, NULL })
 
@@ -77,7 +78,7 @@ static const uint64_t PRIME = 2147483647; /* 2^31 - 1: products fit */
 
 struct modulo {
   const char *at;
-  bool undefined; /* a divisor is 0 modulo the prime */
+  bool undefined; /* a divisor is 0 modulo the prime, or a power is no small whole number */
 };
 
 static char following(struct modulo *m)
@@ -127,7 +128,7 @@ static uint64_t atom(struct modulo *m)
   m->at++;
   uint64_t exponent = operand(m, 2);
   bool is_negative = exponent > PRIME / 2;
-  m->undefined |= is_negative && value == 0;
+  m->undefined |= (is_negative ? PRIME - exponent : exponent) > SERIES_EXACT_POWER || (is_negative && value == 0);
   return is_negative ? power(power(value, PRIME - 2), PRIME - exponent) : power(value, exponent);
 }
 
@@ -155,11 +156,67 @@ static void judge_value(const struct series *value, const char *text)
   SCOPED(fmpq, exact);
   SCOPED(fmpz, residue);
   fmpz_init_set_ui(prime, PRIME);
-  if (!series_rational_coefficient(exact, value, 0))
+  bool is_exact = series_rational_coefficient(exact, value, 0);
+  if (!is_exact && !strchr(text, '^'))
     fuzz_fail("'%s' is not exact", text);
-  if (!m.undefined && fmpq_mod_fmpz(residue, exact, prime) && fmpz_get_ui(residue) != wanted)
+  if (is_exact && !m.undefined && fmpq_mod_fmpz(residue, exact, prime) && fmpz_get_ui(residue) != wanted)
     fuzz_fail("'%s' is another number modulo 2^31 - 1: not %lu", text, (unsigned long)wanted);
   fmpz_clear(prime);
+}
+
+/* Without the variable: the same in balls, where they have a value */
+static void judge_in_balls(const struct series *value, const char *text)
+{
+  struct formula formula;
+  char message[FORMULA_MESSAGE];
+  int places[FORMULA_STEPS];
+  formula_read(&formula, text, &names, message);
+  for (int i = 0, count = formula_places(&formula, places); i < count; i++)
+    if (places[i] == 0)
+      return;
+  arb_ptr values = _arb_vec_init(SYMBOLS);
+  SCOPED(arb, wanted, got);
+  arb_set_d(values + 1, 0.5);
+  arb_const_pi(values + 2, ring.precision);
+  formula_ball(wanted, &formula, values, ring.precision);
+  series_coefficient(got, value, 0, ring.precision);
+  if (value->known < SERIES_ALL || (arb_is_finite(wanted) && !arb_overlaps(got, wanted)))
+    fuzz_fail("'%s' is something else in balls", text);
+  _arb_vec_clear(values, SYMBOLS);
+}
+
+/* What is known of it is the same with more terms and bits, if it is taken then. */
+static void judge_known(const struct series *value, const char *text)
+{
+  SCOPED(series, more);
+  SCOPED(arb, a, b);
+  if (!evaluate_text(&more, text, &longer))
+    return;
+  slong known = value->known < more.known ? value->known : more.known;
+  for (slong i = value->first - 1; i < known && i < value->first + longer.length; i++) {
+    series_coefficient(a, value, i, ring.precision);
+    series_coefficient(b, &more, i, longer.precision);
+    if (!arb_overlaps(a, b))
+      fuzz_fail("'%s' has another coefficient of x^%ld with more terms", text, (long)i);
+  }
+}
+
+/* Identities of functions, wherever all of them are taken */
+static void judge_functions(const char *t)
+{
+  SCOPED(series, zero);
+  if (EVALUATE(&zero, "sqrt((", t, ")^2)-abs(", t, ")") && !may_vanish(&zero))
+    fuzz_fail("sqrt((%s)^2) is not its size", t);
+  if (EVALUATE(&zero, "exp(log(", t, "))-(", t, ")") && !may_vanish(&zero))
+    fuzz_fail("exp(log(%s)) is something else", t);
+  if (EVALUATE(&zero, "log10(10^(", t, "))-(", t, ")") && !may_vanish(&zero))
+    fuzz_fail("log10(10^(%s)) is something else", t);
+  if (EVALUATE(&zero, "sin(", t, ")^2+cos(", t, ")^2-1") && !may_vanish(&zero))
+    fuzz_fail("sin^2 + cos^2 of '%s' is not 1", t);
+  if (EVALUATE(&zero, "sin(asin(", t, "))-(", t, ")") && !may_vanish(&zero))
+    fuzz_fail("sin(asin(%s)) is something else", t);
+  if (EVALUATE(&zero, "min(x,", t, ")+max(x,", t, ")-x-(", t, ")") && !may_vanish(&zero))
+    fuzz_fail("min and max of x and '%s' are others", t);
 }
 
 static void judge(const struct series *value, const char *text)
@@ -192,7 +249,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   series_set(&value, &untouched);
   if (EVALUATE(&value, text)) {
     judge_value(&value, text);
+    judge_in_balls(&value, text);
+    judge_known(&value, text);
     judge(&value, text);
+    judge_functions(text);
   } else if (!are_equal(&value, &untouched))
     fuzz_fail("'%s' is refused, and something changed", text);
   free(text);

@@ -153,7 +153,7 @@ TEST(binary128_is_certified)
   struct ball_answer b;
   double worst[NAMED] = { 0, 0 };
   int solved = 0;
-  arb_ptr t = _arb_vec_init(2), binary = t, part = t + 1;
+  SCOPED(arb, binary, part);
   ball_answer_init(&b);
   for (int n = 0; n < CRAWLERS / 3; n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n / SMOOTH_GAITS % FAMILIES), every_gait[n % SMOOTH_GAITS]);
@@ -180,7 +180,6 @@ TEST(binary128_is_certified)
   CHECK_AT_MOST(worst[0], 1e-20);
   CHECK_AT_MOST(worst[1], 1e-20);
   ball_answer_clear(&b);
-  _arb_vec_clear(t, 2);
 }
 
 /* Equal forces in the limit of no inertia at all, and a body that never moves: the other one slides L and back. */

@@ -5,7 +5,6 @@
 #include "compare/answers/gaits.h"
 #include "compare/stress/judge.h"
 #include "model/exact/ball.h"
-#include "numerics/wide/wide.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/random_gait.h"
 
@@ -16,7 +15,7 @@ static void ball_of(arb_t x, double value) { arb_set_d(x, value); }
 /* The ways of all pieces add up to 1, and where one piece ends the next one has the same l': exactly, as far as 300 bits tell. */
 static void laws_fit_together(const struct scallop_shape *shape, int kind)
 {
-  arb_ptr t = _arb_vec_init(5), sum = t, way = t + 1, u = t + 2, v = t + 3, before = t + 4;
+  SCOPED(arb, sum, way, u, v, before);
   for (int i = 0; i < shape->count; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
     ball_of(u, p->begin);
@@ -35,7 +34,6 @@ static void laws_fit_together(const struct scallop_shape *shape, int kind)
   }
   arb_set_si(way, kind == SCALLOP_EXTENSION ? 1 : -1);
   CHECK_AT_MOST(apart(sum, way), 1e-60 * shape->peak);
-  _arb_vec_clear(t, 5);
 }
 
 /* l', l'' and l in doubles are those of the law: l' to its last digits also where it is next to nothing. Bernstein's form cancels
@@ -43,7 +41,7 @@ static void laws_fit_together(const struct scallop_shape *shape, int kind)
 static void doubles_follow_the_law(struct random *r, const struct scallop_shape *shape)
 {
   const double ulp = DBL_EPSILON;
-  arb_ptr t = _arb_vec_init(4), u = t, value = t + 1, begin = t + 2;
+  SCOPED(arb, u, value, begin);
   for (int i = 0; i < shape->count; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
     double at = p->begin + (p->end - p->begin) * random_between(r, 0, 1), velocity = p->curve->velocity(p, at);
@@ -62,7 +60,6 @@ static void doubles_follow_the_law(struct random *r, const struct scallop_shape 
     CHECK_NEAR(p->curve->length(p, at) - p->curve->length(p, p->begin), p->direction * middle(value),
                8 * ulp * fmax(1, shape->peak));
   }
-  _arb_vec_clear(t, 4);
 }
 
 TEST(laws)
@@ -201,19 +198,6 @@ static void directions_hold(struct random *r, const struct scallop_shape *shape)
     }
 }
 
-static void check_wide(struct scallop_wide got, const arb_t wanted, double size, const struct scallop_crawler *c)
-{
-  SCOPED(arb, value, low);
-  arb_set_d(value, got.high);
-  arb_set_d(low, got.low);
-  arb_add(value, value, low, PRECISION);
-  double far = apart(value, wanted);
-  if (far <= 1e-28 * size)
-    return;
-  print_crawler(c);
-  fail_msg("binary128: %.17g, off by %.3g", got.high, far);
-}
-
 /* Double and binary128 against certified, in units of what turning() says */
 static void all_agree(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, bool wide)
 {
@@ -236,9 +220,9 @@ static void all_agree(const struct scallop_crawler *c, enum scallop_phase_kind k
     return;
   assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, c, &wide_steady), SCALLOP_OK);
   assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &wide_phase), SCALLOP_OK);
-  check_wide(wide_steady.period.v_start, s.v_start, unit, c);
-  check_wide(wide_steady.period.displacement, s.displacement, unit * c->T, c);
-  check_wide(wide_phase.v_end, p.v_end, unit + fabs(v0), c);
+  check_wide(&wide_steady.period.v_start, s.v_start, 1e-28 * unit, c);
+  check_wide(&wide_steady.period.displacement, s.displacement, 1e-28 * unit * c->T, c);
+  check_wide(&wide_phase.v_end, p.v_end, 1e-28 * (unit + fabs(v0)), c);
 }
 
 /* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all the same. */
@@ -256,8 +240,7 @@ TEST(turning_far_and_hardly)
   struct random r = { 20261214 };
   for (int i = 0; i < TEXTS + check_cases(GAITS); i++) {
     struct scallop_polynomial made;
-    struct scallop_crawler c = scallop_crawler_default();
-    c.gait = i < TEXTS ? gait_of_text(texts[i]).gait : far_turning(&r, &made);
+    struct scallop_crawler c = with_gait(i < TEXTS ? gait_of_text(texts[i]).gait : far_turning(&r, &made));
     if (i >= TEXTS)
       c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, c.gait);
     for (int kind = 0; kind < 2; kind++) {
@@ -286,8 +269,7 @@ TEST(derived_series)
   SCOPED(scallop_steady_expansion, e);
   SCOPED(scallop_certified_steady, wanted);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct scallop_crawler c = scallop_crawler_default();
-    c.gait = gait_of_text(cases[i].text).gait;
+    struct scallop_crawler c = with_gait(gait_of_text(cases[i].text).gait);
     c.T = 0x1p-10;
     scallop_rational_of(&exact, &c);
     assert_int_equal(scallop_expand_steady(&exact, ORDER, PRECISION, &e, NULL), SCALLOP_OK);

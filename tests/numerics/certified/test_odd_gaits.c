@@ -1,8 +1,10 @@
 /* Motions with gaits of every kind that model.h allows: the exact solver against the certified one, which is written apart from it,
  * and what becomes of more modes than are kept. */
+#include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
 #include "tests/support/certified_balls.h"
+#include "tests/support/columns.h"
 #include "tests/support/odd_gaits.h"
 
 enum { ODD = 10, DIGITS = 30 };
@@ -122,9 +124,8 @@ TEST(steady_states)
  * though |l'| is the same. */
 TEST(the_same_speeds_in_other_directions)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&there_and_back_gait);
   c.alpha = 0.5;
-  c.gait = &there_and_back_gait;
   compare_steady(&c);
   struct scallop_steady_result d = steady_of(&c);
   CHECK_EQUAL(d.period.displacement, 0);
@@ -137,13 +138,14 @@ TEST(the_same_speeds_in_other_directions)
 TEST(rivals)
 {
   struct random r = { 20261105 };
-  struct scallop_rival *rival[3] = { scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, 1e-11),
-                                     scallop_odeiv_rival(SCALLOP_ODEIV_MSADAMS, 1e-11), scallop_cvode_rival(1e-11) };
+  struct scallop_rival *rival[4] = { scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, 1e-11),
+                                     scallop_odeiv_rival(SCALLOP_ODEIV_MSADAMS, 1e-11), scallop_cvode_rival(1e-11),
+                                     scallop_arkode_rival(1e-11) };
   for (int i = 0; i < check_cases(30 * ODD); i++) {
     struct scallop_crawler c = draw(&r, i, odd_gaits[i % ODD]);
     double unit = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)), v0 = random_start(&r, &c, SCALLOP_EXTENSION);
     struct scallop_period_result exact = period_of(&c, v0);
-    for (int k = 0; k < 3 && rival[k]; k++) {
+    for (int k = 0; k < 4 && rival[k]; k++) {
       struct scallop_rival_period got;
       assert_int_equal(rival[k]->period(rival[k], &c, v0, NULL, &got), SCALLOP_OK);
       CHECK_NEAR(got.v_mid, exact.v_mid, 1e-7 * (unit + fabs(v0)));
@@ -151,7 +153,7 @@ TEST(rivals)
       CHECK_NEAR(got.displacement, exact.displacement, 1e-7 * (unit + fabs(v0)) * c.T);
     }
   }
-  for (int k = 0; k < 3; k++)
+  for (int k = 0; k < 4; k++)
     scallop_rival_destroy(rival[k]);
 }
 
@@ -167,10 +169,9 @@ static void count_mode(void *context, const struct scallop_interval *interval)
 /* All are counted; the text has the first ones, "...", and the last. */
 TEST(modes_beyond_those_kept)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  struct scallop_crawler c = with_gait(&teeth.gait);
   struct scallop_modes counted = { .count = 0 };
   char text[SCALLOP_MODES_TEXT];
-  c.gait = &teeth.gait;
   c.F1 = c.F2 = 0.1;
   compare_phase(&c, SCALLOP_EXTENSION, 5);
   struct scallop_phase_result d = phase_of(&c, SCALLOP_EXTENSION, 5);
@@ -188,22 +189,22 @@ TEST(batch)
 {
   enum { COUNT = 40 };
   struct random r = { 20261103 };
-  double m1[COUNT], m2[COUNT], F1[COUNT], F2[COUNT], L[COUNT], T[COUNT], alpha[COUNT], v_start[COUNT];
-  const struct scallop_gait *gait[COUNT];
+  static struct columns in;
+  double v_start[COUNT];
   enum scallop_status status[COUNT];
   static struct scallop_modes modes[COUNT][2];
   int many = 0;
   for (int i = 0; i < COUNT; i++) {
     struct scallop_crawler c = random_crawler(&r, ORDINARY, i < COUNT / 2 ? &curved_last : &teeth.gait);
     set_eps(&c, random_decades(&r, 1e-3, 1));
-    m1[i] = c.m1, m2[i] = c.m2, F1[i] = c.F1, F2[i] = c.F2, L[i] = c.L, T[i] = c.T, alpha[i] = c.alpha, gait[i] = c.gait;
+    columns_put(&in, i, &c);
   }
-  const struct scallop_crawlers all = { COUNT, m1, m2, F1, F2, L, T, alpha, gait };
+  const struct scallop_crawlers all = columns_all(&in, COUNT);
   assert_int_equal(
       scallop_steady_batch(&all, &(struct scallop_steady_states){ .v_start = v_start, .modes = modes, .status = status }, 1),
       0);
   for (int i = 0; i < COUNT; i++) {
-    const struct scallop_crawler c = { m1[i], m2[i], F1[i], F2[i], L[i], T[i], alpha[i], gait[i] };
+    const struct scallop_crawler c = columns_row(&in, i);
     struct scallop_steady_result one;
     assert_int_equal(scallop_steady(&c, &one), status[i]);
     CHECK_EQUAL(v_start[i], one.period.v_start);

@@ -2,6 +2,7 @@
  * is, and the same motion in moderate units is not. */
 #include <float.h>
 
+#include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
 #include "numerics/rivals/smoothed.h"
@@ -57,7 +58,7 @@ TEST(one_phase)
 static void check_rivals(const struct scallop_crawler *c, double v0)
 {
   struct scallop_rival *rival[] = { scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6), scallop_cvode_rival(1e-6),
-                                    scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6) };
+                                    scallop_arkode_rival(1e-6), scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6) };
   for (size_t i = 0; i < sizeof rival / sizeof *rival; i++)
     if (rival[i]) {
       struct scallop_rival_period p = { .v_end = 7 };

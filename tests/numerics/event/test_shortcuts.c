@@ -4,6 +4,7 @@
 
 #include "numerics/event/concave.h"
 #include "numerics/event/ramps.h"
+#include "tests/support/columns.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -250,18 +251,18 @@ TEST(steady_states_skewed) { many_steady_states(&skewed_gait); }
 TEST(skewed_batch)
 {
   enum { MANY = 2000 };
-  static double m1[MANY], m2[MANY], F1[MANY], F2[MANY], L[MANY], T[MANY], alpha[MANY], v_start[MANY], displacement[MANY];
-  static const struct scallop_gait *gait[MANY];
+  static struct columns in;
+  static double v_start[MANY], displacement[MANY];
   struct random r = { 5 };
   for (int i = 0; i < MANY; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), &skewed_gait);
-    m1[i] = c.m1, m2[i] = c.m2, F1[i] = c.F1, F2[i] = c.F2, L[i] = c.L, T[i] = c.T, alpha[i] = c.alpha, gait[i] = c.gait;
+    columns_put(&in, i, &c);
   }
-  struct scallop_crawlers all = { MANY, m1, m2, F1, F2, L, T, alpha, gait };
+  struct scallop_crawlers all = columns_all(&in, MANY);
   struct scallop_steady_states states = { .v_start = v_start, .displacement = displacement };
   assert_int_equal(scallop_steady_batch(&all, &states, 1), 0);
   for (int i = 0; i < MANY; i++) {
-    struct scallop_crawler c = { m1[i], m2[i], F1[i], F2[i], L[i], T[i], alpha[i], gait[i] };
+    struct scallop_crawler c = columns_row(&in, i);
     struct scallop_steady_result one;
     assert_true(scallop_steady(&c, &one) >= 0);
     CHECK_RELATIVE(v_start[i], one.period.v_start, SAME_BITS);

@@ -1,4 +1,4 @@
-/* GSL's integrators and CVODE against the exact solver. They share the model and nothing else, so each checks the other: over seeded
+/* GSL's integrators, CVODE and ARKODE against the exact solver. They share the model and nothing else, so each checks the other: over seeded
  * crawlers of every regime they agree to the tolerance.
  *
  * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the displacement.
@@ -7,20 +7,28 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
 #include "tests/support/rivals.h"
 
-enum { CRAWLERS = 200, EACH = 40, CVODE = 3, METHODS = 4 }; /* the others are steppers of numerics/rivals/odeiv.h */
-static const double bound_of[METHODS] = { 32, 32, 512, 512 };
+enum {
+  CRAWLERS = 200,
+  EACH = 40,
+  CVODE = 3,
+  ARKODE = 4,
+  METHODS = 5
+}; /* the others are steppers of numerics/rivals/odeiv.h */
+static const double bound_of[METHODS] = { 32, 32, 512, 512, 32 };
 
 /* All that this program was built with */
 static int methods(void) { return scallop_has_cvode() ? METHODS : CVODE; }
 
 static struct scallop_rival *make(int method, double tolerance)
 {
-  return method == CVODE ? scallop_cvode_rival(tolerance)
-                         : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
+  return method == CVODE    ? scallop_cvode_rival(tolerance)
+         : method == ARKODE ? scallop_arkode_rival(tolerance)
+                            : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
 }
 
 static struct scallop_rival_period solved(const struct scallop_crawler *c, double v0, int method, double tolerance)
@@ -111,11 +119,11 @@ TEST(other_gaits)
 }
 
 /* Every family of crawlers and gait; every regime, and bodies that are let go and stopped again, must have been among them. */
-TEST(cvode_agrees)
+static void sundials_agrees(int method)
 {
   struct random r = { 20130311 };
   int regimes[3] = { 0 }, held = 0;
-  if (!scallop_has_cvode())
+  if (method >= methods())
     skip();
   worst_share = 0;
   for (int family = 0; family < FAMILIES; family++)
@@ -125,7 +133,7 @@ TEST(cvode_agrees)
       if (family == STICK_SLIP && i % 2)
         set_eps(&c, random_decades(&r, 60, 1e4));
       struct scallop_period_result exact = period_of(&c, v0);
-      compare(&c, v0, &exact, CVODE, i % 3 ? 1e-6 : 1e-10);
+      compare(&c, v0, &exact, method, i % 3 ? 1e-6 : 1e-10);
       const struct scallop_modes *m = exact.modes;
       regimes[exact.regime]++;
       for (int k = 0; k + 2 < m[0].count && k + 2 < SCALLOP_MODES_KEPT; k++)
@@ -137,6 +145,9 @@ TEST(cvode_agrees)
     assert_true(regimes[i] >= 10);
   assert_true(held >= 10);
 }
+
+TEST(cvode_agrees) { sundials_agrees(CVODE); }
+TEST(arkode_agrees) { sundials_agrees(ARKODE); }
 
 /* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then neither can
  * hold the other. */
@@ -150,14 +161,15 @@ TEST(parted_from_rest)
   }
 }
 
-/* No tolerance bounds the error from below: tightening it must pay. */
+/* No tolerance bounds the error from below: tightening it must pay. ARKODE's steps grow from so little after each event that a tolerance
+ * above 1e-6 bounds few of them. */
 TEST(tolerance_controls_error)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_period_result exact = period_of(&c, 1.317);
   for (int method = 0; method < methods(); method++) {
     double last = INFINITY;
-    for (int digits = method == CVODE ? 2 : 4; digits <= 14; digits += 4) {
+    for (int digits = method == CVODE ? 2 : method == ARKODE ? 6 : 4; digits <= 14; digits += 4) {
       double error = fabs(solved(&c, 1.317, method, pow(10, -digits)).v_end - exact.v_end);
       CHECK_AT_MOST(error, 1e-2 * last);
       last = error;
@@ -208,6 +220,12 @@ TEST(any_units)
 {
   for (int method = 0; method < methods(); method++) {
     RIVAL(rival, make(method, 1e-9));
+    if (method == ARKODE) { /* which counts alike from its first event on */
+      struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
+      struct scallop_rival_period first = rival_period(rival, &c, 1.317), again = rival_period(rival, &c, 1.317);
+      CHECK_EQUAL(first.v_end, again.v_end);
+      CHECK_EQUAL(first.displacement, again.displacement);
+    }
     check_units(rival);
   }
 }
@@ -215,9 +233,7 @@ TEST(any_units)
 /* A workspace used before, with another tolerance, gives what a new one gives. */
 TEST(workspace_forgets)
 {
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct scallop_crawler other;
-  other = c;
+  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal), other = c;
   other.T = 37;
   for (int k = 0; k < CVODE; k++) {
     enum scallop_odeiv_stepper stepper = (enum scallop_odeiv_stepper)k;
@@ -256,6 +272,7 @@ TEST(bad_input)
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++) {
     refused(bad_tolerances[i], SCALLOP_ODEIV_RKF45);
     assert_null(scallop_cvode_rival(bad_tolerances[i]));
+    assert_null(scallop_arkode_rival(bad_tolerances[i]));
   }
   refused(1e-9, CVODE);
   refused(1e-9, -1);
@@ -271,7 +288,7 @@ TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
   for (int method = 0; method < methods(); method++)
-    for (long most = 0; most < (method == CVODE ? 20 : 5); most++) {
+    for (long most = 0; most < (method >= CVODE ? 20 : 5); most++) {
       long left = most;
       PATIENCE(patience, left);
       RIVAL(rival, make(method, 1e-9));
@@ -303,21 +320,24 @@ TEST(integrators_of_gsl_fail)
 }
 
 /* Not smooth, and then no numbers: it fails, and in silence. */
-TEST(cvode_fails_in_silence)
+static void fails_in_silence(int method)
 {
-  if (!scallop_has_cvode())
+  if (method >= methods())
     skip();
   FILE *said = tmpfile();
   int stderr_kept = dup(STDERR_FILENO), stdout_kept = dup(STDOUT_FILENO);
   assert_non_null(said);
   assert_true(fflush(stdout) == 0 && stderr_kept >= 0 && stdout_kept >= 0);
   assert_true(dup2(fileno(said), STDERR_FILENO) >= 0 && dup2(fileno(said), STDOUT_FILENO) >= 0);
-  no_convergence(CVODE, rough, 1);
-  no_convergence(CVODE, rough, NAN);
+  no_convergence(method, rough, 1);
+  no_convergence(method, rough, NAN);
   assert_true(fflush(stdout) == 0 && dup2(stderr_kept, STDERR_FILENO) >= 0 && dup2(stdout_kept, STDOUT_FILENO) >= 0);
   assert_int_equal(lseek(fileno(said), 0, SEEK_END), 0);
   assert_true(fclose(said) == 0 && close(stderr_kept) == 0 && close(stdout_kept) == 0);
 }
+
+TEST(cvode_fails_in_silence) { fails_in_silence(CVODE); }
+TEST(arkode_fails_in_silence) { fails_in_silence(ARKODE); }
 
 /* Whatever the crawler, there is an answer that agrees, and never an endless run. */
 TEST(extremes_end)
@@ -336,13 +356,21 @@ TEST(extremes_end)
     double v0 = i % 5 ? random_between(&r, -1, 1) * random_decades(&r, 1e-9, 1e9) / c.T : 0;
     struct scallop_period_result exact = period_of(&c, v0);
     compare(&c, v0, &exact, i / 6 % CVODE, 1e-8);
-    if (i % 4 == 0 && scallop_has_cvode()) {
+    if (i % 4 == 0) {
       c.gait = every_gait[i / 4 % SMOOTH_GAITS];
       exact = period_of(&c, v0);
-      compare(&c, v0, &exact, CVODE, 1e-8);
+      for (int method = CVODE; method < methods(); method++)
+        compare(&c, v0, &exact, method, 1e-8);
     }
   }
   print_message("extremes: worst %.2g of the bound\n", worst_share);
 }
 
-TEST(cvode_is_there_or_left_out) { assert_int_equal(make(CVODE, 1e-9) != NULL, scallop_has_cvode()); }
+TEST(sundials_is_there_or_left_out)
+{
+  for (int method = CVODE; method < METHODS; method++) {
+    struct scallop_rival *rival = make(method, 1e-9);
+    assert_int_equal(rival != NULL, method == CVODE ? scallop_has_cvode() : scallop_has_arkode());
+    scallop_rival_destroy(rival);
+  }
+}

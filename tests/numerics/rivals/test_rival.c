@@ -339,7 +339,7 @@ static void refused(const struct scallop_crawler *c, double v0, double tolerance
 
 TEST(bad_input)
 {
-  const double bad_tolerances[] = { -1e-9, NAN, INFINITY }, bad_settings[] = { 0, 0.2, -1, 1e-17, NAN, INFINITY };
+  const double bad_tolerances[] = { -1e-9, NAN, INFINITY };
   struct scallop_crawler good = scallop_crawler_default(), c = good;
   struct map m = map_of(linear, 0.5, 0);
   for (int i = 0; i < 3; i++)
@@ -351,10 +351,6 @@ TEST(bad_input)
   c = good;
   c.T = 1e-200;
   refused(&c, 1, 1e-9, SCALLOP_ERANGE);
-  for (int i = 0; i < 6; i++)
-    assert_null(scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, bad_settings[i]));
-  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)STEPPERS, 1e-9));
-  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper) - 1, 1e-9));
   scallop_rival_destroy(NULL);
   scallop_rival_destroy(&m.rival);
   assert_int_equal(m.calls, -1);

@@ -29,8 +29,7 @@ static struct scallop_period_result steady_period(const struct scallop_crawler *
 {
   struct scallop_steady_result steady;
   assert_true(scallop_steady(c, &steady) >= 0);
-  struct scallop_period_result exact = period_of(c, steady.period.v_start);
-  return exact;
+  return period_of(c, steady.period.v_start);
 }
 
 /* Of one crawler, delta by delta; the errors over delta are raised to the worst. */

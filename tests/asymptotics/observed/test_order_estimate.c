@@ -1,11 +1,11 @@
 /* The order estimator: right orders with honest intervals, and a refusal of what cannot be judged. */
 #include "tests/support/check.h"
 
-#include "compare/order/order.h"
+#include "asymptotics/observed/estimate.h"
 
 enum { MOST = 64 };
 
-static struct order_point points[MOST];
+static struct scallop_order_point points[MOST];
 
 typedef double error_of(double h);
 
@@ -27,7 +27,7 @@ static struct order_fit estimate(error_of *e, int count, double ratio)
 {
   double h = 1;
   for (int i = 0; i < count; i++, h /= ratio)
-    points[i] = (struct order_point){ .h = h, .err = e(h) };
+    points[i] = (struct scallop_order_point){ .h = h, .err = e(h) };
   return order_estimate(points, count);
 }
 
@@ -51,30 +51,30 @@ TEST(finds_orders)
 TEST(leaves_out_with_a_reason)
 {
   estimate(at_floor, 24, 2);
-  assert_int_equal(points[0].use, ORDER_USED);
+  assert_int_equal(points[0].use, SCALLOP_ORDER_USED);
   for (int i = 8; i < 24; i++) /* h^4 < 1e-9 from here on */
-    assert_int_equal(points[i].use, ORDER_FLOOR);
+    assert_int_equal(points[i].use, SCALLOP_ORDER_FLOOR);
   estimate(early_kink, 12, 2);
-  assert_int_equal(points[0].use, ORDER_COARSE);
+  assert_int_equal(points[0].use, SCALLOP_ORDER_COARSE);
   estimate(changes_sign, 12, 2);
-  assert_int_equal(points[0].use, ORDER_BEFORE_SIGN_CHANGE);
-  assert_int_equal(points[11].use, ORDER_USED);
+  assert_int_equal(points[0].use, SCALLOP_ORDER_BEFORE_SIGN_CHANGE);
+  assert_int_equal(points[11].use, SCALLOP_ORDER_USED);
   estimate(cubic, 6, 2);
   points[5].err = 0;
   assert_int_equal(order_estimate(points, 6).state, ORDER_FITTED);
-  assert_int_equal(points[5].use, ORDER_ZERO);
+  assert_int_equal(points[5].use, SCALLOP_ORDER_ZERO);
 }
 
 TEST(known_noise_is_never_fitted)
 {
   double h = 1;
   for (int i = 0; i < 20; i++, h /= 2)
-    points[i] = (struct order_point){ .h = h, .err = h * h + 1e-6, .noise = 1e-6 };
+    points[i] = (struct scallop_order_point){ .h = h, .err = h * h + 1e-6, .noise = 1e-6 };
   struct order_fit fit = order_estimate(points, 20);
   assert_int_equal(fit.state, ORDER_FITTED);
   CHECK_NEAR(fit.order, 2, 0.02);
   for (int i = 0; i < 20; i++)
-    assert_true(points[i].use != ORDER_USED || points[i].err > 1e-4);
+    assert_true(points[i].use != SCALLOP_ORDER_USED || points[i].err > 1e-4);
 }
 
 /* Errors that grow are no roundoff floor when the rounding is known to be far below them. */
@@ -82,7 +82,7 @@ TEST(growing_above_known_noise)
 {
   for (int i = 0; i < 30; i++) {
     double h = ldexp(1, -i);
-    points[i] = (struct order_point){ .h = h, .err = (i < 4 ? 1e-3 * h * h : 1e-6 / h), .noise = 1e-14 };
+    points[i] = (struct scallop_order_point){ .h = h, .err = (i < 4 ? 1e-3 * h * h : 1e-6 / h), .noise = 1e-14 };
   }
   struct order_fit fit = order_estimate(points, 30);
   assert_int_equal(fit.state, ORDER_FITTED);
@@ -93,7 +93,7 @@ TEST(growing_above_known_noise)
 TEST(wrong_limit)
 {
   for (int i = 0; i < 14; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = ldexp(1, -2 * i) + 1e-3 };
+    points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = ldexp(1, -2 * i) + 1e-3 };
   struct order_fit fit = order_estimate(points, 14);
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
 }
@@ -104,12 +104,12 @@ TEST(refuses)
   assert_int_equal(estimate(oscillates, 20, 1.3).state, ORDER_NOT_ASYMPTOTIC);
   assert_true(estimate(only_noise, 20, 2).state != ORDER_FITTED);
   assert_int_equal(order_estimate(points, 0).state, ORDER_INSUFFICIENT);
-  static const struct order_point bad[] = { /* the last has the h of the one before it */
-                                            { .h = 0.125, .err = NAN },
-                                            { .h = 0.125, .err = INFINITY },
-                                            { .h = NAN, .err = 0.01 },
-                                            { .h = 0, .err = 0.01 },
-                                            { .h = 0.25, .err = 0.01 }
+  static const struct scallop_order_point bad[] = { /* the last has the h of the one before it */
+                                                    { .h = 0.125, .err = NAN },
+                                                    { .h = 0.125, .err = INFINITY },
+                                                    { .h = NAN, .err = 0.01 },
+                                                    { .h = 0, .err = 0.01 },
+                                                    { .h = 0.25, .err = 0.01 }
   };
   for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
     estimate(cubic, 6, 2);
@@ -117,7 +117,7 @@ TEST(refuses)
     assert_int_equal(order_estimate(points, 6).state, ORDER_INVALID);
   }
   for (int i = 0; i < 6; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 0, .noise = 1e-16 };
+    points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = 0, .noise = 1e-16 };
   assert_int_equal(order_estimate(points, 6).state, ORDER_EXACT);
   CHECK_EQUAL(order_estimate(points, 6).order, NAN);
 }
@@ -125,7 +125,7 @@ TEST(refuses)
 TEST(unsorted_is_sorted)
 {
   for (int i = 0; i < 10; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -(i * 7 % 10)), .err = cubic(ldexp(1, -(i * 7 % 10))) };
+    points[i] = (struct scallop_order_point){ .h = ldexp(1, -(i * 7 % 10)), .err = cubic(ldexp(1, -(i * 7 % 10))) };
   struct order_fit fit = order_estimate(points, 10);
   assert_int_equal(fit.state, ORDER_FITTED);
   CHECK_NEAR(fit.order, 3, 0.1);
@@ -138,7 +138,7 @@ TEST(from_values)
   for (double p = 0.5; p <= 4; p += 0.5) {
     double h = 1;
     for (int i = 0; i < 9; i++, h /= i % 2 ? 2 : 1.5)
-      points[i] = (struct order_point){ .h = h, .err = 3.14159 + 0.9 * pow(h, p) };
+      points[i] = (struct scallop_order_point){ .h = h, .err = 3.14159 + 0.9 * pow(h, p) };
     int left = 9;
     struct order_fit fit = order_estimate_values(points, &left);
     assert_int_equal(left, 8);
@@ -161,7 +161,7 @@ static void fill_values(int count, double p, enum values kind, double decimal, b
     double value = 3.14159265358979 + 0.9 * pow(h, p);
     if (kind != IN_DOUBLES)
       value = kind == NOISY ? value + decimal * jitter(h) : decimal * round(value / decimal);
-    points[i] = (struct order_point){ .h = h, .err = value };
+    points[i] = (struct scallop_order_point){ .h = h, .err = value };
   }
 }
 
@@ -193,12 +193,12 @@ TEST(values_meet_a_floor)
 TEST(values_without_an_order)
 {
   for (int i = 0; i < 12; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 2.385 };
+    points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = 2.385 };
   int left = 12;
   struct order_fit fit = order_estimate_values(points, &left);
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
   for (int i = 0; i < 20; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 2.385 * (1 + 2e-16 * (i % 3)) };
+    points[i] = (struct scallop_order_point){ .h = ldexp(1, -i), .err = 2.385 * (1 + 2e-16 * (i % 3)) };
   left = 20;
   fit = order_estimate_values(points, &left);
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
@@ -209,12 +209,13 @@ TEST(values_with_known_noise)
 {
   int left = 20;
   for (int i = 0; i < 20; i++)
-    points[i] = (struct order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
+    points[i] =
+        (struct scallop_order_point){ .h = ldexp(1, -i), .err = 1 + ldexp(1, -2 * i) + 1e-7 * (i % 2), .noise = 1e-7 };
   struct order_fit fit = order_estimate_values(points, &left);
   assert_int_equal(fit.state, ORDER_FITTED);
   CHECK_NEAR(fit.order, 2, 0.02);
   for (int i = 0; i < left; i++)
-    assert_true(points[i].use != ORDER_USED || ldexp(1, -2 * i) > 1e-5);
+    assert_true(points[i].use != SCALLOP_ORDER_USED || ldexp(1, -2 * i) > 1e-5);
 }
 
 /* No error at all passes for any order; errors within a hundred times their noise do not. */
@@ -223,7 +224,8 @@ TEST(errors_that_are_zero)
   struct order_fit fit;
   for (int noise = 0; noise < 2; noise++) {
     for (int i = 0; i < 6; i++)
-      points[i] = (struct order_point){ .h = ldexp(1, -i), .err = noise ? 1e-17 * i : 0, .noise = noise ? 1e-16 : 0 };
+      points[i] =
+          (struct scallop_order_point){ .h = ldexp(1, -i), .err = noise ? 1e-17 * i : 0, .noise = noise ? 1e-16 : 0 };
     fit = order_estimate(points, 6);
     assert_int_equal(fit.state, ORDER_EXACT);
     assert_int_equal(order_judge(&fit, 4, 0.1), ORDER_PASS);
@@ -261,7 +263,7 @@ TEST(verdicts)
   /* two usable points, then a floor */
   static const double floor_errors[] = { 1, 0.06, 1e-5, 1.1e-5, 0.9e-5, 1.2e-5, 1e-5, 0.8e-5 };
   for (int i = 0; i < 8; i++)
-    points[i] = (struct order_point){ .h = pow(10, -i), .err = floor_errors[i] * (i > 2 && i % 2 ? -1 : 1) };
+    points[i] = (struct scallop_order_point){ .h = pow(10, -i), .err = floor_errors[i] * (i > 2 && i % 2 ? -1 : 1) };
   struct order_fit fit = order_estimate(points, 8);
   assert_int_equal(order_judge(&fit, 2, 0.1), ORDER_VERDICT_FLOOR_LIMITED);
   fit.state = ORDER_INVALID;

@@ -7,19 +7,10 @@
  * interval is the 95 % confidence interval of the slope, or what the pairwise orders of the run spread
  * and drift if that is wider: a trend towards the limit is not noise, and a fit alone does not see it.
  */
-#ifndef SCALLOP_ORDER_H
-#define SCALLOP_ORDER_H
+#ifndef SCALLOP_ESTIMATE_H
+#define SCALLOP_ESTIMATE_H
 
-enum order_use { ORDER_USED, ORDER_ZERO, ORDER_FLOOR, ORDER_COARSE, ORDER_BEFORE_SIGN_CHANGE };
-const char *order_use_text(enum order_use use);
-
-struct order_point {
-  double h;           /* > 0                                                                           */
-  double err;         /* signed                                                                        */
-  double noise;       /* rounding error of err if it is known, else 0                                  */
-  double pairwise;    /* out: order between this point and the next finer one; nan for the last        */
-  enum order_use use; /* out                                                                           */
-};
+#include "asymptotics/observed/order.h"
 
 enum order_state {
   ORDER_FITTED,
@@ -40,14 +31,14 @@ struct order_fit {
 };
 
 /* Sorts points[0..count) and estimates. Allocates nothing. */
-struct order_fit order_estimate(struct order_point *points, int count);
+struct order_fit order_estimate(struct scallop_order_point *points, int count);
 
 /* Values instead of errors: points[i].err holds value(h_i), noise the rounding error of the value if it is known. Three refinements
  * give one order, from (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), which needs no constant ratio. On return the points hold
  * the differences v_i - v_{i+1}, rescaled to errors; the finest is spent, and *count is what is left. A value is not known better
  * than to half an ulp, nor to less than the smallest difference where others are 0, and a floor above that is looked for unless
  * the noise is known. Never ORDER_EXACT. */
-struct order_fit order_estimate_values(struct order_point *points, int *count);
+struct order_fit order_estimate_values(struct scallop_order_point *points, int *count);
 
 enum order_verdict {
   ORDER_PASS,

@@ -1,0 +1,452 @@
+/* Functions of truncated Laurent series, for x -> 0 from above. */
+#include <stdlib.h>
+
+#include "asymptotics/derived/series.h"
+
+static const char MAY_VANISH[] = "of what may be 0", IS_NEGATIVE[] = "of what is negative", IS_LARGE[] = "is too large",
+                  IS_FAR[] = "gives a power of T beyond 4096";
+
+static slong least(slong a, slong b) { return a < b ? a : b; }
+
+/* Tidy series only, here and below */
+static bool is_constant(const struct series *a)
+{
+  return a->known >= SERIES_ALL && (series_terms(a) == 0 || (series_terms(a) == 1 && a->first == 0));
+}
+
+static void copy_tidy(struct series *to, const struct series *a, const struct ring *ring)
+{
+  series_init(to);
+  series_set(to, a);
+  series_tidy(to, ring);
+}
+
+/* The sign for small x: what is wrong with it, or NULL where it is proven to be positive */
+static const char *not_positive(const struct series *a, slong precision)
+{
+  const char *wrong = MAY_VANISH;
+  arb_t leading;
+  arb_init(leading);
+  if (series_terms(a) > 0) {
+    series_coefficient(leading, a, a->first, precision);
+    wrong = arb_is_positive(leading) ? NULL : arb_is_negative(leading) ? IS_NEGATIVE : MAY_VANISH;
+  }
+  arb_clear(leading);
+  return wrong;
+}
+
+static const char *not_entire(const struct series *a, slong precision)
+{
+  (void)precision;
+  if (series_terms(a) > 0 && a->first < 0)
+    return "of a negative power of T is not a series";
+  return a->known > 0 ? NULL : "of what is not known at T = 0";
+}
+
+static const char *not_for_log(const struct series *a, slong precision)
+{
+  return series_terms(a) > 0 && a->first != 0 ? "of a power of T: a series has no logarithm of T"
+                                              : not_positive(a, precision);
+}
+
+/* At -1 and 1 asin has a value, and no series. */
+static const char *not_for_asin(const struct series *a, slong precision)
+{
+  const char *wrong = not_entire(a, precision);
+  arb_t constant, one;
+  if (wrong)
+    return wrong;
+  arb_init(constant);
+  arb_init(one);
+  arb_one(one);
+  series_coefficient(constant, a, 0, precision);
+  arb_abs(constant, constant);
+  if (!arb_lt(constant, one) && !(is_constant(a) && arb_le(constant, one)))
+    wrong = "of what may be -1, 1 or beyond at T = 0";
+  arb_clear(constant);
+  arb_clear(one);
+  return wrong;
+}
+
+/* The integral of f'/sqrt(1 - f^2), f = 0 at x = 0. fmpq_poly_asin_series of FLINT 2.9 reads beyond a short f with large fractions. */
+static void set_asin(fmpq_poly_t to, const fmpq_poly_t f, slong terms)
+{
+  fmpq_poly_t root, one;
+  fmpq_poly_init(root);
+  fmpq_poly_init(one);
+  fmpq_poly_one(one);
+  fmpq_poly_mullow(root, f, f, terms);
+  fmpq_poly_sub(root, one, root);
+  fmpq_poly_invsqrt_series(root, root, terms);
+  fmpq_poly_derivative(to, f);
+  fmpq_poly_mullow(to, to, root, terms - 1);
+  fmpq_poly_integral(to, to);
+  fmpq_poly_clear(root);
+  fmpq_poly_clear(one);
+}
+
+struct function {
+  const char *(*refused)(const struct series *a, slong precision); /* a tidy one                                   */
+  void (*exact)(fmpq_poly_t, const fmpq_poly_t, slong terms);
+  slong exact_at; /* the constant term with which fractions stay fractions   */
+  void (*balls)(arb_poly_t, const arb_poly_t, slong terms, slong precision);
+  bool is_odd; /* f(a) = a + O(a^3) for small a                           */
+};
+
+static const struct function EXP = { not_entire, fmpq_poly_exp_series, 0, arb_poly_exp_series, false };
+static const struct function LOG = { not_for_log, fmpq_poly_log_series, 1, arb_poly_log_series, false };
+static const struct function SIN = { not_entire, fmpq_poly_sin_series, 0, arb_poly_sin_series, true };
+static const struct function COS = { not_entire, fmpq_poly_cos_series, 0, arb_poly_cos_series, false };
+static const struct function ASIN = { not_for_asin, set_asin, 0, arb_poly_asin_series, true };
+
+static bool are_finite(const arb_poly_t poly)
+{
+  bool finite = true;
+  for (slong k = 0; k < arb_poly_length(poly); k++)
+    finite = finite && arb_is_finite(arb_poly_get_coeff_ptr(poly, k));
+  return finite;
+}
+
+/* to becomes the polynomial, known below x^known, unless it is not finite. */
+static const char *set_finite(struct series *to, const arb_poly_t poly, slong known)
+{
+  if (!are_finite(poly))
+    return IS_LARGE;
+  series_set_ball_poly(to, poly, known);
+  return NULL;
+}
+
+/* The terms from x^0 on and below x^terms, where a has none before */
+static const char *set_terms(struct series *to, const struct series *a, const struct function *f, slong terms,
+                             const struct ring *ring)
+{
+  const char *wrong = NULL;
+  slong known = is_constant(a) ? SERIES_ALL : least(a->known, terms);
+  fmpq_t constant;
+  fmpq_init(constant);
+  if (a->exact && series_rational_coefficient(constant, a, 0) && fmpq_equal_si(constant, f->exact_at)) {
+    fmpq_poly_t poly;
+    fmpq_poly_init(poly);
+    fmpq_poly_shift_left(poly, a->rational, a->first);
+    f->exact(poly, poly, terms);
+    series_set_rational_poly(to, poly, known);
+    fmpq_poly_clear(poly);
+  } else {
+    arb_poly_t poly;
+    arb_poly_init(poly);
+    series_get_ball_poly(poly, a, terms, ring->precision);
+    f->balls(poly, poly, terms, ring->precision);
+    wrong = set_finite(to, poly, known);
+    arb_poly_clear(poly);
+  }
+  fmpq_clear(constant);
+  return wrong;
+}
+
+static const char *apply_to_tidy(struct series *to, struct series *a, const struct function *f, const struct ring *ring)
+{
+  const char *wrong = f->refused(a, ring->precision);
+  if (wrong)
+    return wrong;
+  if (series_terms(a) == 0)
+    a->first = 0;
+  if (f->is_odd && (series_terms(a) == 0 || 2 * a->first >= ring->length)) {
+    series_set(to, a);
+    series_truncate(to, series_terms(a) == 0 ? SERIES_ALL : a->first + ring->length);
+  } else
+    wrong = set_terms(to, a, f, ring->length + (f->is_odd ? a->first : 0), ring);
+  if (!wrong)
+    series_tidy(to, ring);
+  return wrong;
+}
+
+static const char *apply(struct series *to, const struct series *of, const struct function *f, const struct ring *ring)
+{
+  struct series a;
+  copy_tidy(&a, of, ring);
+  const char *wrong = apply_to_tidy(to, &a, f, ring);
+  series_clear(&a);
+  return wrong;
+}
+
+const char *series_exp(struct series *to, const struct series *a, const struct ring *ring)
+{
+  return apply(to, a, &EXP, ring);
+}
+const char *series_log(struct series *to, const struct series *a, const struct ring *ring)
+{
+  return apply(to, a, &LOG, ring);
+}
+const char *series_sin(struct series *to, const struct series *a, const struct ring *ring)
+{
+  return apply(to, a, &SIN, ring);
+}
+const char *series_cos(struct series *to, const struct series *a, const struct ring *ring)
+{
+  return apply(to, a, &COS, ring);
+}
+const char *series_asin(struct series *to, const struct series *a, const struct ring *ring)
+{
+  return apply(to, a, &ASIN, ring);
+}
+
+const char *series_log10(struct series *to, const struct series *a, const struct ring *ring)
+{
+  const char *wrong = series_log(to, a, ring);
+  if (wrong)
+    return wrong;
+  struct series unit;
+  arb_t log_10;
+  series_init(&unit);
+  arb_init(log_10);
+  arb_const_log10(log_10, ring->precision);
+  series_set_ball(&unit, log_10);
+  series_div(to, to, &unit, ring);
+  arb_clear(log_10);
+  series_clear(&unit);
+  return NULL;
+}
+
+/* |a| is a or -a; where each known coefficient is 0, both are the same as far as they are known. */
+const char *series_abs(struct series *to, const struct series *a, const struct ring *ring)
+{
+  struct series size;
+  copy_tidy(&size, a, ring);
+  const char *wrong = series_terms(&size) > 0 ? not_positive(&size, ring->precision) : NULL;
+  if (wrong == IS_NEGATIVE) {
+    series_neg(&size, &size);
+    wrong = NULL;
+  }
+  if (!wrong)
+    series_set(to, &size);
+  series_clear(&size);
+  return wrong;
+}
+
+/* The one that is larger, or where they are the same, either, as far as both are known */
+static const char *set_larger(struct series *to, const struct series *a, const struct series *b,
+                              const struct series *difference, const struct ring *ring)
+{
+  const char *sign = not_positive(difference, ring->precision);
+  bool same = series_terms(difference) == 0;
+  if (sign == MAY_VANISH && !same)
+    return "of series whose order is not proven";
+  series_set(to, same || !sign ? a : b);
+  if (same)
+    series_truncate(to, difference->known);
+  return NULL;
+}
+
+const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
+{
+  struct series difference;
+  series_init(&difference);
+  series_sub(&difference, a, b, ring);
+  const char *wrong = set_larger(to, a, b, &difference, ring);
+  series_clear(&difference);
+  return wrong;
+}
+
+const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
+{
+  struct series difference;
+  series_init(&difference);
+  series_sub(&difference, b, a, ring);
+  const char *wrong = set_larger(to, a, b, &difference, ring);
+  series_clear(&difference);
+  return wrong;
+}
+
+/* Below, a power of x is taken off a series, whose constant term is then positive. */
+
+static bool is_within(const fmpz_t n, slong size) { return fmpz_cmp_si(n, size) <= 0 && fmpz_cmp_si(n, -size) >= 0; }
+
+static bool is_small(const fmpq_t power)
+{
+  return is_within(fmpq_numref(power), SERIES_EXACT_POWER) && is_within(fmpq_denref(power), SERIES_EXACT_POWER);
+}
+
+/* root^q = value, exactly, for 0 < q <= SERIES_EXACT_POWER and value > 0 */
+static bool get_root(fmpq_t root, const fmpq_t value, const fmpz_t q)
+{
+  return fmpz_root(fmpq_numref(root), fmpq_numref(value), fmpz_get_si(q))
+         && fmpz_root(fmpq_denref(root), fmpq_denref(value), fmpz_get_si(q));
+}
+
+/* a^(p/q) = (a0^(1/q))^p exp((p/q) log(a/a0)). False: not all of that is in fractions. */
+static bool set_exact_power(struct series *to, const struct series *a, const fmpq_t power, slong known, slong terms)
+{
+  if (!a->exact || !is_small(power))
+    return false;
+  fmpq_poly_t poly;
+  fmpq_t constant, root;
+  fmpq_init(constant);
+  fmpq_init(root);
+  fmpq_poly_init(poly);
+  series_rational_coefficient(constant, a, 0);
+  bool possible = get_root(root, constant, fmpq_denref(power));
+  if (possible) {
+    fmpq_poly_scalar_div_fmpq(poly, a->rational, constant);
+    fmpq_poly_log_series(poly, poly, terms);
+    fmpq_poly_scalar_mul_fmpq(poly, poly, power);
+    fmpq_poly_exp_series(poly, poly, terms);
+    fmpq_pow_si(root, root, fmpz_get_si(fmpq_numref(power)));
+    fmpq_poly_scalar_mul_fmpq(poly, poly, root);
+    series_set_rational_poly(to, poly, known);
+  }
+  fmpq_poly_clear(poly);
+  fmpq_clear(root);
+  fmpq_clear(constant);
+  return possible;
+}
+
+/* to becomes a^exponent, a constant, for a > 0 at x = 0. */
+static const char *set_real_power(struct series *to, const struct series *a, const struct series *exponent,
+                                  const struct ring *ring)
+{
+  slong known = is_constant(a) ? SERIES_ALL : least(a->known, ring->length);
+  const char *wrong = NULL;
+  fmpq_t power;
+  fmpq_init(power);
+  if (!series_rational_coefficient(power, exponent, 0) || !set_exact_power(to, a, power, known, ring->length)) {
+    arb_poly_t poly;
+    arb_t ball;
+    arb_init(ball);
+    arb_poly_init(poly);
+    series_coefficient(ball, exponent, 0, ring->precision);
+    series_get_ball_poly(poly, a, ring->length, ring->precision);
+    arb_poly_pow_arb_series(poly, poly, ball, ring->length, ring->precision);
+    wrong = set_finite(to, poly, known);
+    arb_poly_clear(poly);
+    arb_clear(ball);
+  }
+  fmpq_clear(power);
+  return wrong;
+}
+
+/* The power of x that (x^first)^exponent is */
+static const char *get_first(slong *power, slong first, const struct series *exponent)
+{
+  fmpq_t product;
+  fmpq_init(product);
+  bool whole = first == 0 || series_rational_coefficient(product, exponent, 0);
+  fmpq_mul_si(product, product, first);
+  whole = whole && fmpz_is_one(fmpq_denref(product));
+  bool near = is_within(fmpq_numref(product), SERIES_FARTHEST);
+  *power = whole && near ? fmpz_get_si(fmpq_numref(product)) : 0;
+  fmpq_clear(product);
+  return !whole ? "gives a power of T that is not whole" : near ? NULL : IS_FAR;
+}
+
+/* Is it a whole number? odd: an odd one? */
+static bool is_whole(const struct series *constant, bool *odd)
+{
+  fmpq_t value;
+  fmpq_init(value);
+  bool whole = series_rational_coefficient(value, constant, 0) && fmpz_is_one(fmpq_denref(value));
+  *odd = whole && fmpz_is_odd(fmpq_numref(value));
+  fmpq_clear(value);
+  return whole;
+}
+
+/* base^exponent, of a tidy base and a constant: (c x^k (1 + u))^y = (c (1 + u))^y x^(k y) */
+static const char *set_constant_power(struct series *to, struct series *base, const struct series *exponent,
+                                      const struct ring *ring)
+{
+  const char *wrong = not_positive(base, ring->precision);
+  slong first = 0;
+  bool odd, negate = is_whole(exponent, &odd) && wrong == IS_NEGATIVE;
+  if (is_constant(base) && series_terms(base) == 0 && !not_positive(exponent, ring->precision)) {
+    series_set_si(to, 0);
+    return NULL;
+  }
+  if (negate) {
+    series_neg(base, base);
+    wrong = NULL;
+  }
+  if (!wrong)
+    wrong = get_first(&first, base->first, exponent);
+  series_shift(base, base, -base->first);
+  if (!wrong)
+    wrong = set_real_power(to, base, exponent, ring);
+  if (wrong)
+    return wrong;
+  series_shift(to, to, first);
+  if (negate && odd)
+    series_neg(to, to);
+  series_tidy(to, ring);
+  return NULL;
+}
+
+/* By products: of a base of any sign, or 0; finitely many terms stay so. */
+static const char *set_small_power(struct series *to, const struct series *base, slong power, const struct ring *ring)
+{
+  if (!is_constant(base) && labs(base->first * power) > SERIES_FARTHEST)
+    return IS_FAR;
+  struct series one, product;
+  series_init(&one);
+  series_init(&product);
+  series_set_si(&one, 1);
+  series_set_si(&product, 1);
+  for (slong i = 0; i < labs(power); i++)
+    series_mul(&product, &product, base, ring);
+  bool raised = power >= 0 || series_div(&product, &one, &product, ring);
+  if (raised)
+    series_set(to, &product);
+  series_clear(&one);
+  series_clear(&product);
+  return raised ? NULL : "divides by what may be 0";
+}
+
+/* Bits of the largest exact coefficient; balls have as many as the ring. */
+static slong bits_of(const struct series *s)
+{
+  const fmpq_poly_struct *p = s->rational;
+  slong bits = s->exact ? _fmpz_vec_max_bits(p->coeffs, p->length) : 0;
+  return s->exact ? labs(bits) + (slong)fmpz_bits(fmpq_poly_denref(p)) : 0;
+}
+
+static const char *set_power(struct series *to, struct series *base, const struct series *exponent, const struct ring *ring)
+{
+  if (!is_constant(exponent)) {
+    const char *wrong = series_log(base, base, ring);
+    if (!wrong)
+      series_mul(base, base, exponent, ring);
+    return wrong ? wrong : series_exp(to, base, ring);
+  }
+  fmpq_t value;
+  fmpq_init(value);
+  bool small = series_rational_coefficient(value, exponent, 0) && is_small(value);
+  bool by_products = small && fmpz_is_one(fmpq_denref(value));
+  slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
+  fmpq_clear(value);
+  if (bits_of(base) * labs(power) / root > SERIES_BITS)
+    return IS_LARGE;
+  return by_products ? set_small_power(to, base, power, ring) : set_constant_power(to, base, exponent, ring);
+}
+
+const char *series_power(struct series *to, const struct series *base, const struct series *exponent,
+                         const struct ring *ring)
+{
+  struct series a, y;
+  copy_tidy(&a, base, ring);
+  copy_tidy(&y, exponent, ring);
+  const char *wrong = set_power(to, &a, &y, ring);
+  series_clear(&a);
+  series_clear(&y);
+  return wrong;
+}
+
+const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring)
+{
+  struct series half;
+  fmpq_t value;
+  fmpq_init(value);
+  series_init(&half);
+  fmpq_set_si(value, 1, 2);
+  series_set_rational(&half, value);
+  const char *wrong = series_power(to, a, &half, ring);
+  series_clear(&half);
+  fmpq_clear(value);
+  return wrong;
+}

@@ -1,0 +1,94 @@
+/* The observed order of a table of h and err, and a verdict on the order that is expected: err ~ C h^p as h -> 0.
+ *
+ *     struct scallop_order_point points[] = { { .h = 0.1, .err = 0.011 }, { .h = 0.05, .err = 0.0026 },
+ *                                             { .h = 0.025, .err = 6.3e-4 }, { .h = 0.0125, .err = 1.57e-4 } };
+ *     struct scallop_order_wanted wanted = { .order = 2, .tolerance = 0.1 };
+ *     struct scallop_order_result result;
+ *     int count = 4;
+ *     scallop_order(points, &count, &wanted, &result);
+ *     printf("%s: %s\n", scallop_order_verdict_text(result.verdict), result.reason);
+ *
+ * docs/order.md has the rules of the verdict, and how often they decide rightly. */
+#ifndef SCALLOP_ORDER_H
+#define SCALLOP_ORDER_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum scallop_order_use {
+  SCALLOP_ORDER_USED,
+  SCALLOP_ORDER_ZERO,
+  SCALLOP_ORDER_FLOOR,
+  SCALLOP_ORDER_COARSE,
+  SCALLOP_ORDER_BEFORE_SIGN_CHANGE
+};
+const char *scallop_order_use_text(enum scallop_order_use use);
+
+struct scallop_order_point {
+  double h;                   /* > 0                                                                    */
+  double err;                 /* signed                                                                 */
+  double noise;               /* rounding error of err if it is known, else 0                           */
+  long row;                   /* what a reason calls the point: a row of a table; 0: its place, from 1   */
+  double pairwise;            /* out: order between this point and the next finer one; nan for the last */
+  enum scallop_order_use use; /* out                                                                    */
+};
+
+struct scallop_order_wanted {
+  double order;     /* nan: none, and the order is only measured                                            */
+  double tolerance; /* > 0: how far from it the order may be, and how wide the interval on either side       */
+  bool at_least;    /* a higher order passes, too                                                            */
+  bool values;      /* err holds values, of which three refinements give one order (Richardson)              */
+};
+
+enum scallop_order_verdict {
+  SCALLOP_ORDER_PASS,
+  SCALLOP_ORDER_MEASURED, /* no order was expected                                                          */
+  SCALLOP_ORDER_TOO_LOW,
+  SCALLOP_ORDER_TOO_HIGH,
+  SCALLOP_ORDER_DRIFTING,      /* the local orders change with h, and towards no limit that can be told           */
+  SCALLOP_ORDER_SCATTERED,     /* the errors scatter too much for the tolerance                                   */
+  SCALLOP_ORDER_PLATEAU,       /* the errors stop falling, far above roundoff                                     */
+  SCALLOP_ORDER_FLOOR_LIMITED, /* too few errors are above a rough floor                                          */
+  SCALLOP_ORDER_INSUFFICIENT,  /* fewer than three usable points                                                  */
+  SCALLOP_ORDER_INVALID        /* h not positive, repeated or not finite; err not finite; noise negative          */
+};
+const char *scallop_order_verdict_text(enum scallop_order_verdict verdict);
+
+/* What low and high are. */
+enum scallop_order_interval {
+  SCALLOP_ORDER_NO_INTERVAL,
+  SCALLOP_ORDER_CONFIDENCE, /* 95 % confidence interval of the slope of log|err| over log h, were the errors to scatter
+                               about a power of h independently, with one relative size                              */
+  SCALLOP_ORDER_LIMIT,      /* the limit of the local order, give or take what separates it from the local order at
+                               the finest h, or its 95 % confidence interval where that is wider                     */
+  SCALLOP_ORDER_PAIRWISE    /* the pairwise orders from the least to the largest                                      */
+};
+const char *scallop_order_interval_text(enum scallop_order_interval interval);
+
+enum { SCALLOP_ORDER_REASON = 400 };
+
+struct scallop_order_result {
+  enum scallop_order_verdict verdict;
+  double order, low, high; /* nan where there is none                                                       */
+  enum scallop_order_interval interval;
+  int used; /* points behind the order                                                        */
+  /* Of values, from the three finest, with f1 the finest, r21 = h2/h1 and p from (f3 - f2)/(f2 - f1) (ASME V&V 20): nan where those do
+   * not converge monotonically. gci = 1.25 |f2 - f1|/(|f1| (r21^q - 1)) with q = p; asymptotic_ratio = gci_32/(r21^q gci_21) with q the
+   * order that is expected. With q = p it is |f1/f2| whatever the values: so it is where none is expected. */
+  double gci, asymptotic_ratio;
+  char reason[SCALLOP_ORDER_REASON]; /* of the verdict, one line in words                                              */
+};
+
+/* Sorts points[0..*count) by falling h, says which of them are used, and judges. Values are replaced by the differences of neighbours,
+ * rescaled to errors, and *count is one less. Allocates nothing. */
+void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
+                   struct scallop_order_result *result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,53 @@
+/* Points of a table of h and err: their order, and which of them can be judged. What the estimate (estimate.h) and the verdict (order.h)
+ * share. A point is used unless something here leaves it out. */
+#ifndef SCALLOP_POINTS_H
+#define SCALLOP_POINTS_H
+
+#include <stdbool.h>
+
+#include "asymptotics/observed/order.h"
+
+/* An error this many times above its noise is wrong by under 1 %, its logarithm by under 0.01. */
+#define POINTS_ABOVE_NOISE 100.0
+/* The same against a floor that is only seen, not known. */
+#define POINTS_ABOVE_FLOOR 30.0
+
+/* Compares two doubles, neither nan, for qsort. */
+int points_by_size(const void *a, const void *b);
+
+/* Sorts by falling h. False: an h is not positive, not finite or repeated, an err not finite, or a noise negative or nan. */
+bool points_sort(struct scallop_order_point *points, int count);
+/* Sets the order between each point and the next. */
+void points_note_pairwise(struct scallop_order_point *points, int count);
+
+/* The order between two points whose errors are not 0. */
+double points_slope(const struct scallop_order_point *a, const struct scallop_order_point *b);
+/* The first used point from i on, or count. */
+int points_next(const struct scallop_order_point *points, int count, int i);
+/* How many points from first on are of this use. */
+int points_count(enum scallop_order_use use, const struct scallop_order_point *points, int count, int first);
+/* The largest |err|. */
+double points_largest(const struct scallop_order_point *points, int count);
+bool points_noise_is_known(const struct scallop_order_point *points, int count);
+/* The upper quartile of the pairwise orders: how steep the table is where it is steep. */
+double points_steepness(const struct scallop_order_point *points, int count);
+
+/* Sets the use of all points: zeros, and errors too near their known noise. Once an error has met its noise, so have all finer ones. */
+void points_leave_out_noise(struct scallop_order_point *points, int count);
+/* A floor that nobody announced: the place from which on the errors no longer fall though they did before, or -1. */
+int points_floor_onset(const struct scallop_order_point *points, int count);
+/* Leaves out all points from onset on, and those that are not far above them. Returns the largest error of a floor that begins there. */
+double points_leave_out_floor(struct scallop_order_point *points, int count, int onset);
+void points_leave_out_first(struct scallop_order_point *points, int first, enum scallop_order_use why);
+void points_leave_out_before_sign_change(struct scallop_order_point *points, int count);
+
+/* Makes errors of values, as order_estimate_values (estimate.h) describes. */
+void points_from_values(struct scallop_order_point *points, int *count);
+/* The order that three values give, or nan. */
+double points_order_of_three(const struct scallop_order_point *values);
+
+/* The grid convergence index and the asymptotic ratio of sorted values, as order.h gives them: nan unless there are three that converge. */
+void points_grid_convergence(const struct scallop_order_point *values, int count, double expected, double *gci,
+                             double *asymptotic_ratio);
+
+#endif

@@ -1,0 +1,98 @@
+/* Values instead of errors */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "asymptotics/observed/points.h"
+
+/* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
+static double difference_ratio(double p, double h1, double h2, double h3)
+{
+  double a = log(h1 / h2), b = log(h2 / h3);
+  return p == 0 ? a / b : exp(p * a) * -expm1(-p * a) / -expm1(-p * b);
+}
+
+double points_order_of_three(const struct scallop_order_point *p)
+{
+  double ratio = (p[0].err - p[1].err) / (p[1].err - p[2].err);
+  double low = -50, high = 50;
+  if (!(ratio > 0) || !isfinite(ratio))
+    return NAN;
+  for (double mid = 0; low < mid && mid < high; mid = low + (high - low) / 2) /* the ratio is monotone in p */
+    *(difference_ratio(mid, p[0].h, p[1].h, p[2].h) < ratio ? &low : &high) = mid;
+  return low;
+}
+
+/* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are resolved to: no
+ * difference other than 0 is smaller than that. */
+static void note_noise(struct scallop_order_point *values, int count)
+{
+  double least = INFINITY;
+  bool repeated = false;
+  for (int i = 0; i + 1 < count; i++) {
+    double difference = fabs(values[i].err - values[i + 1].err);
+    repeated |= difference == 0;
+    least = difference > 0 ? fmin(least, difference) : least;
+  }
+  double resolved = repeated && isfinite(least) ? least * POINTS_ABOVE_FLOOR / POINTS_ABOVE_NOISE : 0;
+  for (int i = 0; i < count; i++)
+    values[i].noise = fmax(DBL_EPSILON / 2 * fabs(values[i].err), resolved / 2);
+}
+
+static bool is_above_noise(const struct scallop_order_point *values)
+{
+  return fabs(values[0].err - values[1].err) > POINTS_ABOVE_NOISE * (values[0].noise + values[1].noise);
+}
+
+/* The middle one of the orders that three values each give, or 1 */
+static double middle_order(const struct scallop_order_point *values, int count)
+{
+  enum { MOST = 512 };
+  double orders[MOST];
+  int n = 0;
+  for (int i = 0; i + 2 < count && n < MOST; i++) {
+    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? points_order_of_three(&values[i]) : NAN;
+    if (isfinite(here) && fabs(here) < 49)
+      orders[n++] = here;
+  }
+  if (n == 0)
+    return 1;
+  qsort(orders, (size_t)n, sizeof *orders, points_by_size);
+  return orders[n / 2];
+}
+
+void points_from_values(struct scallop_order_point *points, int *count)
+{
+  if (*count < 3 || !points_sort(points, *count)) {
+    *count = *count < 3 ? 0 : *count;
+    return;
+  }
+  if (!points_noise_is_known(points, *count))
+    note_noise(points, *count);
+  double p = middle_order(points, *count);
+  --*count;
+  /* v_i - v_{i+1} = C (h_i^p - h_{i+1}^p): divided by 1 - (h_{i+1}/h_i)^p it is C h_i^p */
+  for (int i = 0; i < *count; i++) {
+    double share = -expm1(-p * log(points[i].h / points[i + 1].h));
+    points[i].err = (points[i].err - points[i + 1].err) / share;
+    points[i].noise = (points[i].noise + points[i + 1].noise) / fabs(share);
+  }
+}
+
+/* The index between two values, the second on the finer grid */
+static double grid_index(const struct scallop_order_point *v, double p)
+{
+  static const double safety = 1.25;
+  return safety * fabs(v[0].err - v[1].err) / (fabs(v[1].err) * expm1(p * log(v[0].h / v[1].h)));
+}
+
+void points_grid_convergence(const struct scallop_order_point *values, int count, double expected, double *gci,
+                             double *asymptotic_ratio)
+{
+  const struct scallop_order_point *v = values + count - 3; /* coarse, medium, fine */
+  double p = count >= 3 ? points_order_of_three(v) : NAN, q = isnan(expected) ? p : expected;
+  if (!(p > 0))
+    return;
+  *gci = grid_index(v + 1, p);
+  *asymptotic_ratio = grid_index(v, q) / (pow(v[1].h / v[2].h, q) * grid_index(v + 1, q));
+}

@@ -1,0 +1,437 @@
+#include <math.h>
+#include <stddef.h>
+
+#include "asymptotics/observed/points.h"
+#include "asymptotics/observed/reason.h"
+#include "asymptotics/observed/trend.h"
+
+/* Errors as small as this are near the roundoff of a quantity of order 1: a floor there is none of the method's, and where five errors are
+ * larger the order is theirs. */
+static const double ROUNDOFF = 1e-11, NEAR_ROUNDOFF = 1e-12;
+/* An error this many times above a rough floor is off by less than a trend can show. */
+static const double FAR_ABOVE = 1000;
+/* As a part of the largest error. A rough floor may be this high, too: tolerances of solvers, single precision. */
+static const double ROUGH = 1e-6;
+/* The largest error of a plateau over its smallest: roundoff jumps. */
+static const double SMOOTH = 1.5, VERY_SMOOTH = 1.2;
+/* A floor is believed if the finest error is this many times what the orders before it would have made of it. */
+static const double HELD_UP = 1.5;
+/* The tail of a table that has just settled: the finest three or more points, over this many times in h. */
+static const double TAIL = 3.9;
+/* Where the tail decides, the slope over all points may be this many tolerances off. */
+static const double ON_THE_WAY = 2.5;
+enum { LEAST = 4, MOST_FEW = 6 };
+
+static bool is_used(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_USED; }
+static bool is_zero(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_ZERO; }
+static bool is_floor(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_FLOOR; }
+static bool is_coarse(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_COARSE; }
+static bool is_before_change(const struct scallop_order_point *p, int i)
+{
+  return p[i].use == SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
+}
+static bool is_nan(const struct scallop_order_point *p, int i) { return isnan(p[i].err) || isnan(p[i].h); }
+static bool is_infinite(const struct scallop_order_point *p, int i) { return isinf(p[i].err) || isinf(p[i].h); }
+static bool is_not_positive(const struct scallop_order_point *p, int i) { return p[i].h <= 0; }
+static bool is_bad_noise(const struct scallop_order_point *p, int i) { return !(p[i].noise >= 0); }
+
+static void give(struct judged *j, enum scallop_order_verdict verdict) { j->result->verdict = verdict; }
+
+/* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page holds are compared. */
+static void say_repeated(struct judged *j, const char *between)
+{
+  enum { PAGE = 1000 };
+  bool sorted = *between == '\0';
+  for (int i = 0; i + 1 < j->count && (sorted || i < PAGE); i++)
+    for (int k = i + 1; k < j->count && k <= (sorted ? i + 1 : PAGE); k++)
+      if (j->points[i].h == j->points[k].h) {
+        long a = j->points[i].row, b = j->points[k].row;
+        reason_add(j, "%sh repeated in rows %ld and %ld", between, a < b ? a : b, a < b ? b : a);
+        return;
+      }
+}
+
+static void say_invalid(struct judged *j)
+{
+  static const struct {
+    reason_picks *picks;
+    const char *what;
+  } faults[] = { { is_nan, "NaN" },
+                 { is_infinite, "an infinite number" },
+                 { is_not_positive, "h <= 0" },
+                 { is_bad_noise, "noise < 0 or NaN" } };
+  bool said = false;
+  for (size_t f = 0; f < sizeof faults / sizeof *faults; f++)
+    if (reason_count(j, faults[f].picks, 0, j->count - 1) > 0) {
+      reason_add(j, "%s%s", said ? "; " : "", faults[f].what);
+      reason_add_rows(j, faults[f].picks, 0, j->count - 1);
+      said = true;
+    }
+  say_repeated(j, said ? "; " : "");
+  give(j, SCALLOP_ORDER_INVALID);
+}
+
+static const struct scallop_order_point *last_used(const struct judged *j)
+{
+  int last = j->count - 1;
+  while (!is_used(j->points, last))
+    last--;
+  return &j->points[last];
+}
+
+/* Is what the points before end meet from onset on more than a pair of neighbours that noise brought together? */
+static bool holds_up(const struct judged *j, int onset, int end)
+{
+  int last = end - 1;
+  while (!is_used(j->points, last))
+    last--;
+  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], &j->points[last]);
+  return (steep - fallen) * log(j->points[onset].h / j->points[last].h) > log(HELD_UP);
+}
+
+/* Where a floor begins, or -1. A rough one may have its finest point far down by chance. */
+static int find_floor(const struct judged *j)
+{
+  for (int end = j->count; end == j->count || (end == j->count - 1 && end > LEAST); end--) {
+    int onset = points_floor_onset(j->points, end);
+    if (onset >= 0 && holds_up(j, onset, end))
+      return onset;
+  }
+  return -1;
+}
+
+/* A floor from onset on: false if the verdict is that it is a plateau. */
+static bool judge_floor(struct judged *j, int onset)
+{
+  double least = INFINITY, most = 0, before = INFINITY;
+  int rows = 0;
+  bool falling = true, rough = false; /* slower and slower; up and down */
+  for (int i = onset; i < j->count; i++)
+    if (is_used(j->points, i)) {
+      double err = fabs(j->points[i].err);
+      rough = rough || err > least;
+      falling = falling && err <= least && (rows < 2 || before - least >= least - err);
+      before = least;
+      least = fmin(least, err);
+      most = fmax(most, err);
+      rows++;
+    }
+  double largest = points_largest(j->points, j->count);
+  points_leave_out_floor(j->points, j->count, onset);
+  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * most : 0);
+  if (most <= ROUNDOFF * fmax(1, largest))
+    return true;
+  bool high = most > ROUGH * largest;
+  bool smooth = most <= (high ? SMOOTH : VERY_SMOOTH) * least || (falling && before <= VERY_SMOOTH * least);
+  smooth = smooth && (high || rows > 2);
+  if (!smooth && !(high && points_count(SCALLOP_ORDER_USED, j->points, j->count, 0) <= rows))
+    return true;
+  give(j, smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED);
+  reason_add(j, "err stops falling near %.2g", least);
+  reason_add_rows(j, is_floor, onset, j->count - 1);
+  reason_add(j, smooth ? ": a plateau far above roundoff" : ": a rough floor, with too few rows above");
+  return false;
+}
+
+/* Leaves out what is near a floor or the roundoff of doubles, where there are enough others, and takes the rest in again. False: there is nothing to
+ * leave out. */
+static bool leave_out_near_floor(struct judged *j)
+{
+  int above = 0, near = 0;
+  for (int i = 0; i < j->count; i++)
+    if (!is_floor(j->points, i) && !is_zero(j->points, i))
+      *(fabs(j->points[i].err) >= j->near_floor ? &above : &near) += 1;
+  if (above <= LEAST || near == 0)
+    return false;
+  for (int i = 0; i < j->count; i++)
+    if (!is_floor(j->points, i) && !is_zero(j->points, i))
+      j->points[i].use = fabs(j->points[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
+  *j->result->reason = '\0';
+  return true;
+}
+
+static void set_order(struct judged *j, enum scallop_order_interval interval, double order, double low, double high)
+{
+  struct scallop_order_result *r = j->result;
+  r->order = order;
+  r->low = low;
+  r->high = high;
+  r->interval = interval;
+  r->used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
+}
+
+/* The pairwise orders of the used points from first on */
+static void set_pairwise_order(struct judged *j, int first, double order)
+{
+  double low = INFINITY, high = -INFINITY;
+  for (int i = points_next(j->points, j->count, first), k; i < j->count; i = k) {
+    k = points_next(j->points, j->count, i + 1);
+    if (k < j->count) {
+      low = fmin(low, points_slope(&j->points[i], &j->points[k]));
+      high = fmax(high, points_slope(&j->points[i], &j->points[k]));
+    }
+  }
+  set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
+}
+
+static bool judge_few(struct judged *j)
+{
+  int used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
+  int zero = points_count(SCALLOP_ORDER_ZERO, j->points, j->count, 0);
+  bool exact = j->count >= 3 && !j->wanted->values;
+  for (int i = 0; i < j->count; i++)
+    exact = exact && fabs(j->points[i].err) <= j->points[i].noise;
+  if (used >= 3)
+    return false;
+  if (used == 2)
+    set_pairwise_order(j, 0, points_slope(&j->points[points_next(j->points, j->count, 0)], last_used(j)));
+  give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
+          : used + (j->wanted->values ? 0 : zero) == j->count ? SCALLOP_ORDER_INSUFFICIENT
+                                                              : SCALLOP_ORDER_FLOOR_LIMITED);
+  if (exact)
+    reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
+  else
+    reason_add(j, "%d usable %s, an order takes 3", used,
+               j->wanted->values ? "differences of values"
+               : used == 1       ? "row"
+                                 : "rows");
+  return true;
+}
+
+static void say_left_out(struct judged *j)
+{
+  static const struct {
+    reason_picks *picks;
+    const char *what;
+  } uses[] = { { is_zero, "err is 0" },
+               { is_floor, "roundoff" },
+               { is_coarse, "not yet in the trend" },
+               { is_before_change, "before a change of sign" } };
+  const char *between = "; left out: ";
+  for (size_t u = 0; u < sizeof uses / sizeof *uses; u++)
+    if (reason_count(j, uses[u].picks, 0, j->count - 1) > 0) {
+      reason_add(j, "%s%s", between, uses[u].what);
+      reason_add_rows(j, uses[u].picks, 0, j->count - 1);
+      between = ", ";
+    }
+}
+
+static bool meets(const struct scallop_order_wanted *w, double order)
+{
+  return order >= w->order - w->tolerance && (w->at_least || order <= w->order + w->tolerance);
+}
+
+/* How far the pairwise orders of few points are off the one that is expected. Returns how many there are, 0 for too many. */
+static int few_orders(const struct judged *j, double off[MOST_FEW])
+{
+  int pairs = 0;
+  for (int i = points_next(j->points, j->count, 0), k; i < j->count; i = k) {
+    k = points_next(j->points, j->count, i + 1);
+    if (k < j->count && pairs == MOST_FEW)
+      return 0;
+    if (k < j->count)
+      off[pairs++] = points_slope(&j->points[i], &j->points[k]) - j->wanted->order;
+  }
+  return pairs;
+}
+
+/* They move away from the one that is expected, faster and faster. */
+static bool moves_away(const struct judged *j)
+{
+  const struct scallop_order_wanted *w = j->wanted;
+  double off[MOST_FEW];
+  int pairs = few_orders(j, off);
+  if (pairs < 3 || (w->at_least && off[pairs - 1] > 0))
+    return false;
+  double side = off[pairs - 1] < 0 ? -1 : 1;
+  bool away = side * off[pairs - 1] > w->tolerance / (pairs == 3 ? 2 : 4);
+  for (int k = 1; k < pairs; k++)
+    away = away && side * (off[k] - off[k - 1]) > (k == 1 ? 0 : side * (off[k - 1] - off[k - 2]));
+  return away;
+}
+
+/* They come closer to it step by step, from one side, and the last one is there. */
+static bool comes_closer(const struct judged *j)
+{
+  double off[MOST_FEW];
+  int pairs = few_orders(j, off);
+  bool closer = pairs >= 3 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
+  for (int k = 1; k < pairs; k++)
+    closer = closer && off[k] * off[k - 1] > 0 && fabs(off[k]) < fabs(off[k - 1]);
+  return closer;
+}
+
+/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns whether it is so. */
+static bool has_arrived(struct judged *j, const struct trend *all)
+{
+  const struct scallop_order_wanted *w = j->wanted;
+  const struct scallop_order_point *last = last_used(j);
+  int first = (int)(last - j->points), tail = 1, coarsest = points_next(j->points, j->count, 0);
+  if (!(fabs(all->slope - w->order) <= ON_THE_WAY * w->tolerance))
+    return false;
+  while (first > 0 && (tail < 3 || j->points[first].h < TAIL * last->h))
+    tail += is_used(j->points, --first);
+  if (tail == all->points || j->points[first].h < TAIL * last->h)
+    return false;
+  double order = trend_of(j->points, j->count, first).slope;
+  double before = points_slope(&j->points[coarsest], &j->points[first]);
+  bool there = meets(w, order) && fabs(before - w->order) >= fabs(order - w->order);
+  if (there)
+    set_pairwise_order(j, first, order);
+  else if (comes_closer(j))
+    set_pairwise_order(j, coarsest, last[-1].pairwise);
+  return there || comes_closer(j);
+}
+
+static void say_drift(struct judged *j, const char *how)
+{
+  give(j, SCALLOP_ORDER_DRIFTING);
+  reason_add(j, "%s: pairwise orders ", how);
+  reason_add_orders(j);
+  reason_add_rows(j, is_used, 0, j->count - 1);
+}
+
+/* The order is known: is it the one that is expected? */
+static void compare(struct judged *j, const struct trend *whole)
+{
+  const struct scallop_order_wanted *w = j->wanted;
+  struct scallop_order_result *r = j->result;
+  bool measured = isnan(w->order), pass = measured || meets(w, r->order);
+  if (pass && !whole->rounded && moves_away(j)) {
+    say_drift(j, "the orders move away from the expected one");
+    return;
+  }
+  pass = pass || has_arrived(j, whole);
+  give(j, measured              ? SCALLOP_ORDER_MEASURED
+          : pass                ? SCALLOP_ORDER_PASS
+          : r->order < w->order ? SCALLOP_ORDER_TOO_LOW
+                                : SCALLOP_ORDER_TOO_HIGH);
+  reason_add(j, "order %.3g", r->order);
+  if (!pass)
+    reason_add(j, " is %.2g %s the expected %g", fabs(r->order - w->order), r->order < w->order ? "below" : "above",
+               w->order);
+  reason_add_rows(j, is_used, 0, j->count - 1);
+}
+
+/* Is the local order one number, by this trend, to the tolerance? Then that is set. */
+static bool sets_order(struct judged *j, const struct trend *t)
+{
+  double tolerance = j->wanted->tolerance, off = fmax(t->half_width, fabs(t->slope - t->finest_order));
+  if (t->points == 3) {
+    set_pairwise_order(j, 0, t->slope);
+    return j->result->high - j->result->low <= tolerance;
+  }
+  if (t->kind == TREND_SETTLING && t->limit_half_width <= tolerance)
+    set_order(j, SCALLOP_ORDER_LIMIT, t->limit, t->limit - t->limit_half_width, t->limit + t->limit_half_width);
+  else
+    set_order(j, SCALLOP_ORDER_CONFIDENCE, t->slope, t->slope - off, t->slope + off);
+  return j->result->high - j->result->order <= tolerance;
+}
+
+/* A term takes over, or the order changes like a logarithm: no pass, unless it is at least and rises */
+static void judge_drift(struct judged *j, const struct trend *t)
+{
+  const struct scallop_order_wanted *w = j->wanted;
+  bool rises = t->finest_order > t->coarsest_order, creeps = t->kind == TREND_CREEPING;
+  set_pairwise_order(j, 0, t->finest_order);
+  if (w->at_least && t->finest_order >= w->order && (rises || creeps)) {
+    give(j, SCALLOP_ORDER_PASS);
+    reason_add(j, "the local order is %.3g at the finest h", t->finest_order);
+    reason_add_rows(j, is_used, 0, j->count - 1);
+    return;
+  }
+  say_drift(j, creeps  ? "the orders change as slowly as a logarithm"
+               : rises ? "the orders rise faster and faster"
+                       : "the orders fall faster and faster: a term of lower order takes over");
+}
+
+static void judge_trend(struct judged *j)
+{
+  const struct trend whole = trend_of(j->points, j->count, 0);
+  int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
+  struct trend t = whole;
+  for (int first = 0; t.points >= least;) {
+    bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
+    if (drifts || sets_order(j, &t)) {
+      points_leave_out_first(j->points, first, SCALLOP_ORDER_COARSE);
+      j->result->used = t.points;
+      drifts ? judge_drift(j, &t) : compare(j, &whole);
+      return;
+    }
+    first = points_next(j->points, j->count, first) + 1;
+    if (t.points == least)
+      break;
+    t = trend_of(j->points, j->count, first);
+  }
+  sets_order(j, &whole);
+  if (!isnan(j->wanted->order) && has_arrived(j, &whole)) {
+    give(j, SCALLOP_ORDER_PASS);
+    reason_add(j, "the orders have come to %.3g: ", j->result->order);
+    reason_add_orders(j);
+  } else if (whole.kind == TREND_SETTLING) {
+    say_drift(j, "the orders have not settled");
+  } else {
+    give(j, SCALLOP_ORDER_SCATTERED);
+    reason_add(j, "the order is %.3g to no better than %.2g: pairwise orders ", j->result->order,
+               j->result->high - j->result->order);
+    reason_add_orders(j);
+  }
+}
+
+/* Judges the points that are used, and returns whether they decide. */
+static bool judge_used(struct judged *j)
+{
+  points_leave_out_before_sign_change(j->points, j->count);
+  if (!judge_few(j))
+    judge_trend(j);
+  return j->result->verdict <= SCALLOP_ORDER_MEASURED;
+}
+
+static void judge(struct judged *j)
+{
+  for (int i = 0; i < j->count; i++)
+    if (j->points[i].row == 0)
+      j->points[i].row = i + 1;
+  if (!points_sort(j->points, j->count)) {
+    say_invalid(j);
+    return;
+  }
+  bool announced = points_noise_is_known(j->points, j->count);
+  if (j->wanted->values) {
+    points_grid_convergence(j->points, j->count, j->wanted->order, &j->result->gci, &j->result->asymptotic_ratio);
+    points_from_values(j->points, &j->count);
+  }
+  points_note_pairwise(j->points, j->count);
+  points_leave_out_noise(j->points, j->count);
+  int onset = announced ? -1 : find_floor(j);
+  if (onset >= 0 && !judge_floor(j, onset))
+    return;
+  if (!judge_used(j) && leave_out_near_floor(j))
+    judge_used(j);
+  if (j->result->used > 0)
+    say_left_out(j);
+}
+
+void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
+                   struct scallop_order_result *result)
+{
+  *result = (struct scallop_order_result){
+    .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
+  };
+  struct judged j = { points, *count, wanted, result, NEAR_ROUNDOFF };
+  judge(&j);
+  *count = j.count;
+}
+
+const char *scallop_order_verdict_text(enum scallop_order_verdict verdict)
+{
+  static const char *const text[] = { "pass",      "measured", "too-low",       "too-high",     "drifting",
+                                      "scattered", "plateau",  "floor-limited", "insufficient", "invalid" };
+  return text[verdict];
+}
+
+const char *scallop_order_interval_text(enum scallop_order_interval interval)
+{
+  static const char *const text[] = { "none", "confidence-95", "limit", "pairwise" };
+  return text[interval];
+}

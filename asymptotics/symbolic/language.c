@@ -1,0 +1,339 @@
+/* Values in factored form, in five languages. */
+#include "asymptotics/symbolic/language.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <flint/fmpz_mpoly_factor.h>
+
+#define LIKE_C \
+  .plus = " + ", .minus = " - ", .sign = "-", .times = "*", .brackets = { "(", ")" }, .fraction = { "", "/", "" }, \
+  .subscript = { "", "", "" }, .alpha = "alpha", .letter = { "", "" }, .difference = "d", .slash = true
+
+const struct language language_text = {
+  .name = "text", LIKE_C, .number = { "", "" }, .power = { "", "^", "" }, .rest = "(1 - alpha)"
+};
+const struct language language_c = { .name = "c", LIKE_C, .number = { "", ".0" }, .power = { "pow(", ", ", ")" } };
+const struct language language_python = { .name = "python", LIKE_C, .number = { "", "" }, .power = { "", "**", "" } };
+const struct language language_latex = { .name = "latex",
+                                         .plus = " + ",
+                                         .minus = " - ",
+                                         .sign = "-",
+                                         .times = " ",
+                                         .number = { "", "" },
+                                         .brackets = { "(", ")" },
+                                         .power = { "", "^{", "}" },
+                                         .fraction = { "\\frac{", "}{", "}" },
+                                         .subscript = { "", "_{", "}" },
+                                         .alpha = "\\alpha",
+                                         .difference = "\\Delta ",
+                                         .rest = "(1 - \\alpha)",
+                                         .letter = { "", "" },
+                                         .ten = { " \\cdot 10^{", "}" } };
+const struct language language_mathml = { .name = "mathml",
+                                          .plus = "<mo>+</mo>",
+                                          .minus = "<mo>&#x2212;</mo>",
+                                          .sign = "<mo>&#x2212;</mo>",
+                                          .times = "<mo>&#x2062;</mo>",
+                                          .number = { "<mn>", "</mn>" },
+                                          .brackets = { "<mrow><mo>(</mo>", "<mo>)</mo></mrow>" },
+                                          .power = { "<msup>", "<mn>", "</mn></msup>" },
+                                          .fraction = { "<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>" },
+                                          .subscript = { "<msub>", "<mi>", "</mi></msub>" },
+                                          .alpha = "<mi>&#x3B1;</mi>",
+                                          .difference = "<mi>&#x394;</mi>",
+                                          .rest =
+                                              "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow>",
+                                          .letter = { "<mi>", "</mi>" },
+                                          .ten = { "<mo>&#xB7;</mo><msup><mn>10</mn><mn>", "</mn></msup>" } };
+
+struct writer {
+  FILE *out;
+  struct symbols *symbols;
+  const struct language *language;
+  slong T; /* its place in the list, -1: it has none                                             */
+};
+
+static void put(struct writer *w, const char *text) { fputs(text, w->out); }
+
+/* A letter and its index: m and 1 */
+static void put_letter(struct writer *w, char letter, const char *index)
+{
+  const struct language *l = w->language;
+  const char *const none[] = { "", "", "" }, *const *around = *index ? l->subscript : none;
+  fprintf(w->out, "%s%s%c%s%s%s%s", around[0], l->letter[0], letter, l->letter[1], around[1], index, around[2]);
+}
+
+static void put_symbol(struct writer *w, const struct symbol *symbol)
+{
+  const struct language *l = w->language;
+  char both[SYMBOL_NAME];
+  if (symbol->meaning == NAMED_alpha)
+    put(w, l->alpha);
+  else if (symbol->meaning == NAMED_beta)
+    put(w, l->rest ? l->rest : "beta");
+  else {
+    snprintf(both, sizeof both, "%s", symbol->name + 1);
+    for (char *gap = both; !l->slash && (gap = strchr(gap, '_'));) /* l3_0 has the indices 3 and 0 */
+      *gap = ',';
+    put_letter(w, symbol->name[0], both);
+  }
+}
+
+static void put_number(struct writer *w, const fmpz_t number)
+{
+  char *text = fmpz_get_str(NULL, 10, number);
+  fprintf(w->out, "%s%s%s", w->language->number[0], text, w->language->number[1]);
+  flint_free(text);
+}
+
+/* Begins and ends what is raised to a power, if that is not 1. */
+static void begin_power(struct writer *w, slong power) { put(w, power == 1 ? "" : w->language->power[0]); }
+
+static void end_power(struct writer *w, slong power)
+{
+  if (power != 1)
+    fprintf(w->out, "%s%ld%s", w->language->power[1], (long)power, w->language->power[2]);
+}
+
+static void put_times(struct writer *w, bool *any)
+{
+  put(w, *any ? w->language->times : "");
+  *any = true;
+}
+
+static void put_symbol_power(struct writer *w, slong place, slong power, bool *any)
+{
+  static const struct symbol time = { .meaning = NAMED_T, .name = "T" };
+  put_times(w, any);
+  begin_power(w, power);
+  put_symbol(w, place < 0 ? &time : &w->symbols->list[place]);
+  end_power(w, power);
+}
+
+static void put_sign(struct writer *w, bool negative, bool first)
+{
+  const struct language *l = w->language;
+  put(w, first ? negative ? l->sign : "" : negative ? l->minus : l->plus);
+}
+
+/* A polynomial as the sum of its terms */
+static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
+{
+  const fmpz_mpoly_ctx_struct *ring = w->symbols->ring;
+  ulong powers[MOST_SYMBOLS];
+  fmpz_t coefficient;
+  fmpz_init(coefficient);
+  for (slong i = 0; i < fmpz_mpoly_length(polynomial, ring); i++) {
+    bool any = false, constant = true;
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, ring);
+    fmpz_mpoly_get_term_exp_ui(powers, polynomial, i, ring);
+    for (int j = 0; j < w->symbols->count; j++)
+      constant &= powers[j] == 0;
+    put_sign(w, fmpz_sgn(coefficient) < 0, i == 0);
+    fmpz_abs(coefficient, coefficient);
+    if (!fmpz_is_one(coefficient) || constant) {
+      put_times(w, &any);
+      put_number(w, coefficient);
+    }
+    for (int j = 0; j < w->symbols->count; j++)
+      if (powers[j] > 0)
+        put_symbol_power(w, j, (slong)powers[j], &any);
+  }
+  fmpz_clear(coefficient);
+}
+
+static slong power_of_T(const struct writer *w, const fmpz_mpoly_t polynomial)
+{
+  return w->T < 0 ? 0 : fmpz_mpoly_degree_si(polynomial, w->T, w->symbols->ring);
+}
+
+static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong power);
+
+/* A polynomial by powers of T, with factored coefficients */
+static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
+{
+  const fmpz_mpoly_ctx_struct *ring = w->symbols->ring;
+  fmpz_mpoly_t coefficient;
+  bool first = true;
+  fmpz_mpoly_init(coefficient, ring);
+  for (ulong k = 0; (slong)k <= power_of_T(w, polynomial); k++) {
+    fmpz_mpoly_get_coeff_vars_ui(coefficient, polynomial, &w->T, &k, 1, ring);
+    if (fmpz_mpoly_is_zero(coefficient, ring))
+      continue;
+    bool negative = fmpz_sgn(coefficient->coeffs) < 0;
+    put_sign(w, negative, first);
+    first = false;
+    if (negative)
+      fmpz_mpoly_neg(coefficient, coefficient, ring);
+    put_product(w, coefficient, (slong)k);
+  }
+  fmpz_mpoly_clear(coefficient, ring);
+}
+
+/* Factors of a polynomial in which beta is written as 1 - alpha, where they have no other symbols than alpha and beta. Those that become 1
+ * are left out. */
+static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
+{
+  const fmpz_mpoly_ctx_struct *ring = s->ring;
+  fmpz_mpoly_struct instead[MOST_SYMBOLS], *list[MOST_SYMBOLS];
+  int used[MOST_SYMBOLS], alpha = -1, beta = -1;
+  for (int i = 0; i < s->count; i++) {
+    fmpz_mpoly_init(&instead[i], ring);
+    fmpz_mpoly_gen(&instead[i], i, ring);
+    list[i] = &instead[i];
+    alpha = s->list[i].meaning == NAMED_alpha ? i : alpha;
+    beta = s->list[i].meaning == NAMED_beta ? i : beta;
+  }
+  if (beta >= 0) {
+    fmpz_mpoly_neg(&instead[beta], &instead[alpha], ring);
+    fmpz_mpoly_add_si(&instead[beta], &instead[beta], 1, ring);
+  }
+  for (slong i = 0; beta >= 0 && i < factors->num; i++) {
+    fmpz_mpoly_used_vars(used, factors->poly + i, ring);
+    bool others = !used[alpha] || !used[beta];
+    for (int j = 0; j < s->count; j++)
+      others |= used[j] && j != alpha && j != beta;
+    if (!others)
+      fmpz_mpoly_compose_fmpz_mpoly(factors->poly + i, factors->poly + i, list, ring, ring);
+    if (fmpz_mpoly_is_one(factors->poly + i, ring))
+      fmpz_zero(factors->exp + i);
+  }
+  for (int i = 0; i < s->count; i++)
+    fmpz_mpoly_clear(&instead[i], ring);
+}
+
+/* How many factors there are to write, the number 1 not among them */
+static slong count_factors(const fmpz_mpoly_factor_t factors, slong power)
+{
+  slong count = (power != 0) + !fmpz_is_one(factors->constant);
+  for (slong i = 0; i < factors->num; i++)
+    count += !fmpz_is_zero(factors->exp + i);
+  return count;
+}
+
+/* The number, then the symbols in the order of the list, T^power, and the sums. held: nothing stands beside it that brackets keep off. */
+static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slong power, bool held)
+{
+  const struct symbols *s = w->symbols;
+  slong count = count_factors(factors, power);
+  bool any = false;
+  if (!fmpz_is_one(factors->constant) || count == 0) {
+    put_times(w, &any);
+    put_number(w, factors->constant);
+  }
+  for (slong place = 0; place < s->count; place++)
+    for (slong i = 0; i < factors->num; i++)
+      if (fmpz_mpoly_is_gen(factors->poly + i, place, s->ring))
+        put_symbol_power(w, place, fmpz_get_si(factors->exp + i), &any);
+  if (power != 0)
+    put_symbol_power(w, -1, power, &any);
+  for (slong i = 0; i < factors->num; i++) {
+    const fmpz_mpoly_struct *sum = factors->poly + i;
+    slong exponent = fmpz_get_si(factors->exp + i);
+    if (exponent == 0 || fmpz_mpoly_is_gen(sum, -1, s->ring))
+      continue;
+    bool bare = held && count == 1 && exponent == 1;
+    put_times(w, &any);
+    begin_power(w, exponent);
+    put(w, bare ? "" : w->language->brackets[0]);
+    (power_of_T(w, sum) > 0 ? put_by_powers : put_terms)(w, sum);
+    put(w, bare ? "" : w->language->brackets[1]);
+    end_power(w, exponent);
+  }
+}
+
+/* The factors of a polynomial, see write_in_alpha */
+static void factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t polynomial, const struct symbols *s)
+{
+  if (!fmpz_mpoly_factor(factors, polynomial, s->ring)) {         /* only if exponents overflow */
+    fmpz_mpoly_factor_one(factors, s->ring);                      /* GCOVR_EXCL_LINE: likewise  */
+    fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->ring); /* GCOVR_EXCL_LINE: likewise  */
+  }
+  fmpz_mpoly_factor_sort(factors, s->ring); /* the same order whatever FLINT finds first */
+  write_in_alpha(factors, s);
+}
+
+static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong power)
+{
+  fmpz_mpoly_factor_t factors;
+  fmpz_mpoly_factor_init(factors, w->symbols->ring);
+  factor(factors, polynomial, w->symbols);
+  put_factors(w, factors, power, false);
+  fmpz_mpoly_factor_clear(factors, w->symbols->ring);
+}
+
+static struct writer writer_of(struct symbols *s, const struct language *language, char **text, size_t *size)
+{
+  struct writer w = { open_memstream(text, size), s, language, -1 };
+  for (int i = 0; i < s->count; i++)
+    if (s->list[i].meaning == NAMED_T)
+      w.T = i;
+  return w;
+}
+
+struct written symbolic_written(struct symbols *s, symbolic a, slong power, const struct language *language)
+{
+  struct written written = { !symbolic_is_zero(a, s) && fmpz_sgn(a->over->coeffs) < 0, NULL };
+  size_t size;
+  struct writer w = writer_of(s, language, &written.text, &size);
+  fmpz_mpoly_factor_t over, under;
+  fmpz_mpoly_factor_init(over, s->ring);
+  fmpz_mpoly_factor_init(under, s->ring);
+  factor(over, a->over, s);
+  factor(under, a->under, s);
+  fmpz_abs(over->constant, over->constant);
+  slong below = power < 0 ? -power : 0, divisors = count_factors(under, below);
+  bool brackets = language->slash && divisors > 1;
+  put(&w, divisors > 0 ? language->fraction[0] : "");
+  put_factors(&w, over, power > 0 ? power : 0, divisors > 0 && !language->slash);
+  if (divisors > 0) {
+    put(&w, language->fraction[1]);
+    put(&w, brackets ? language->brackets[0] : "");
+    put_factors(&w, under, below, !language->slash);
+    put(&w, brackets ? language->brackets[1] : "");
+    put(&w, language->fraction[2]);
+  }
+  fmpz_mpoly_factor_clear(over, s->ring);
+  fmpz_mpoly_factor_clear(under, s->ring);
+  fclose(w.out);
+  return written;
+}
+
+struct written decimal_written(const char *decimal, slong power, const struct language *language)
+{
+  struct written written = { *decimal == '-', NULL };
+  size_t size;
+  struct symbols none = { .count = 0 };
+  struct writer w = writer_of(&none, language, &written.text, &size);
+  const char *digits = decimal + written.negative, *e = language->slash ? NULL : strchr(digits, 'e');
+  bool any = true;
+  fprintf(w.out, "%s%.*s", language->slash ? "" : language->number[0], (int)(e ? e - digits : (long)strlen(digits)), digits);
+  put(&w, language->slash ? "" : language->number[1]);
+  if (e)
+    fprintf(w.out, "%s%s%s", language->ten[0], e + 1, language->ten[1]);
+  if (power != 0)
+    put_symbol_power(&w, -1, power, &any);
+  fclose(w.out);
+  return written;
+}
+
+char *symbol_written(const struct symbol *symbol, const struct language *language)
+{
+  char *text;
+  size_t size;
+  struct symbols none = { .count = 0 };
+  struct writer w = writer_of(&none, language, &text, &size);
+  put_symbol(&w, symbol);
+  fclose(w.out);
+  return text;
+}
+
+void symbolic_uses(symbolic a, const struct symbols *s, bool *used)
+{
+  int over[MOST_SYMBOLS], under[MOST_SYMBOLS];
+  fmpz_mpoly_used_vars(over, a->over, s->ring);
+  fmpz_mpoly_used_vars(under, a->under, s->ring);
+  for (int i = 0; i < s->count; i++)
+    used[i] |= over[i] || under[i];
+}

@@ -1,0 +1,129 @@
+#include "compare/order/columns.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char message[300];
+
+bool read_cell(const char *text, double *value)
+{
+  char *end;
+  *value = strtod(text, &end);
+  return end != text && *end == '\0';
+}
+
+void column_name(char name[COLUMN_NAME], const struct tsv *t, int column)
+{
+  if (t->columns > 0)
+    snprintf(name, COLUMN_NAME, "%.99s", t->column[column]);
+  else
+    snprintf(name, COLUMN_NAME, "column %d", column + 1);
+}
+
+static bool is_among(const char *const *names, const char *name)
+{
+  while (*names && strcmp(*names, name) != 0)
+    names++;
+  return *names != NULL;
+}
+
+/* The place of the only column that has one of these names; -1: there is none, -2: there are several */
+static int only_column(const struct tsv *t, const char *const *names)
+{
+  int place = -1;
+  for (int i = 0; i < t->columns; i++)
+    if (is_among(names, t->column[i]))
+      place = place == -1 ? i : -2;
+  return place;
+}
+
+/* A column by its name, or by its number from 1. Returns NULL or what is wrong. */
+static const char *chosen(int *place, const struct tsv *t, const char *option, const char *name)
+{
+  const char *const names[] = { name, NULL };
+  char *end;
+  long number = strtol(name, &end, 10);
+  *place = only_column(t, names);
+  if (*place == -1 && end != name && *end == '\0' && number >= 1 && number <= t->count)
+    *place = (int)number - 1;
+  if (*place >= 0)
+    return NULL;
+  snprintf(message, sizeof message, *place == -2 ? "--%s: the column '%.100s' is there twice" : "--%s: no column '%.100s'",
+           option, name);
+  return message;
+}
+
+static const char *add_y(struct layout *l, int place, bool values)
+{
+  if (l->ys == MOST_Y)
+    return "more than 64 columns of errors: choose some with --y";
+  l->values[l->ys] = values;
+  l->y[l->ys++] = place;
+  return NULL;
+}
+
+static const char *chosen_ys(struct layout *l, const struct tsv *t, const struct columns_wanted *wanted)
+{
+  const char *wrong = NULL;
+  for (const char *at = wanted->y; at && !wrong; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+    char name[COLUMN_NAME];
+    int place, length = (int)strcspn(at, ",");
+    snprintf(name, sizeof name, "%.*s", length < COLUMN_NAME ? length : COLUMN_NAME - 1, at);
+    wrong = chosen(&place, t, "y", name);
+    if (!wrong)
+      wrong = place == l->x ? "--y: this column is x" : add_y(l, place, wanted->values || strcmp(name, "value") == 0);
+  }
+  return wrong;
+}
+
+/* Each column right of x that holds a number and is neither noise nor an order that the table brings along */
+static const char *other_ys(struct layout *l, const struct tsv *t, bool values)
+{
+  static const char *const orders[] = {
+    "noise", "order", "orders", "rate", "rates", "eoc", "EOC", "pairwise", "ratio", NULL
+  };
+  const char *wrong = NULL;
+  double number;
+  for (int i = l->x + 1; i < t->count && !wrong; i++)
+    if (read_cell(t->cell[i], &number) && !(i < t->columns && is_among(orders, t->column[i])))
+      wrong = add_y(l, i, values);
+  return wrong ? wrong : l->ys == 0 ? "right of h there is no column of numbers: name it with --y" : NULL;
+}
+
+static const char *find_x(struct layout *l, const struct tsv *t, const struct columns_wanted *wanted)
+{
+  static const char *const h[] = { "h", NULL };
+  if (wanted->x)
+    return chosen(&l->x, t, "x", wanted->x);
+  l->x = only_column(t, h);
+  if (l->x == -2)
+    return "the column 'h' is there twice";
+  l->x = l->x < 0 ? 0 : l->x;
+  return NULL;
+}
+
+const char *columns_find(struct layout *l, const struct tsv *t, const struct columns_wanted *wanted)
+{
+  static const char *const err[] = { "err", "error", "value", NULL }, *const noise[] = { "noise", NULL };
+  *l = (struct layout){ .columns = t->columns > 0 ? t->columns : t->count };
+  if (t->count != l->columns)
+    return "the number of columns changes";
+  const char *wrong = find_x(l, t, wanted);
+  if (wrong)
+    return wrong;
+  int named = only_column(t, err);
+  l->noise = only_column(t, noise);
+  if (l->noise == -2)
+    return "the column 'noise' is there twice";
+  if (wanted->y)
+    wrong = chosen_ys(l, t, wanted);
+  else if (named == -2)
+    return "one column 'err', 'error' or 'value' is wanted, not two: choose with --y";
+  else if (named >= 0 && named != l->x)
+    wrong = add_y(l, named, wanted->values || t->column[named][0] == 'v');
+  else
+    wrong = other_ys(l, t, wanted->values);
+  l->noise = l->ys == 1 ? l->noise : -1;
+  return wrong;
+}

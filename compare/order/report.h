@@ -1,0 +1,28 @@
+/* The verdicts on series, in the formats that people and CI servers read. */
+#ifndef SCALLOP_ORDER_REPORT_H
+#define SCALLOP_ORDER_REPORT_H
+
+#include "compare/order/series.h"
+#include "compare/text/table.h"
+
+/* Those of tables (enum format), and two more. */
+enum report_format { REPORT_TAP = FORMATS, REPORT_JUNIT };
+/* Their names, NULL-terminated, in this order. */
+extern const char *const report_formats[];
+
+/* What was asked of all of them. */
+struct report {
+  const struct series_list *list;
+  const struct scallop_order_wanted *wanted;
+  int format; /* enum format or enum report_format */
+  const struct style *style;
+};
+
+/* How many series have failed: those without a pass or, where no order was expected, those that are invalid. */
+int report_failed(const struct report *report);
+/* Writes a verdict for each series and a summary to the output of the style. */
+enum exit_code report_write(const struct report *report);
+/* Writes each row with its pairwise order and its use, in a format of tables. */
+enum exit_code report_write_rows(const struct report *report);
+
+#endif

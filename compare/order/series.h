@@ -1,0 +1,32 @@
+/* Tables of h and err as files hold them: series, each one column y against x, and the rows with the same texts left of x. */
+#ifndef SCALLOP_SERIES_H
+#define SCALLOP_SERIES_H
+
+#include "asymptotics/observed/order.h"
+#include "compare/order/columns.h"
+#include "compare/text/message.h"
+
+enum { MOST_SERIES = 4096, MOST_ROWS = 1000000 };
+
+struct series {
+  const char *file; /* as it is called in messages                                              */
+  char *name;       /* the texts left of x, joined; "" where there are none                     */
+  char *y;          /* the column                                                              */
+  bool values;      /* it holds values                                                         */
+  struct scallop_order_point *points;
+  int count;
+  struct scallop_order_result result;
+};
+
+struct series_list {
+  struct series *series;
+  int count;
+  long rows; /* of all of them                                                          */
+};
+
+/* Adds the series of a file ('-': standard input). Otherwise the message of command is on stderr. */
+enum exit_code series_read(struct series_list *list, const char *command, const char *file,
+                           const struct columns_wanted *wanted);
+void series_free(struct series_list *list);
+
+#endif

@@ -1,0 +1,256 @@
+/* How often the verdict on tables of a known kind is right, beside least squares over all points and the mean of the pairwise orders. Prints
+ * the table of docs/order.md, and holds the verdict to what that promises. */
+#include "tests/support/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "asymptotics/observed/order.h"
+#include "tests/support/random_crawler.h"
+
+enum { TABLES = 4000, MOST = 24 };
+static const double TOLERANCE = 0.1;
+
+struct table {
+  struct scallop_order_point points[MOST];
+  int count;
+  double expected;
+};
+
+static struct random numbers;
+
+static double uniform(double low, double high) { return random_between(&numbers, low, high); }
+static int whole(int low, int high) { return low + random_below(&numbers, high - low + 1); }
+static double sign(void) { return whole(0, 1) ? 1 : -1; }
+/* Normal (Box & Muller) */
+static double normal(void) { return sqrt(-2 * log(uniform(1e-300, 1))) * cos(6.283185307179586 * uniform(0, 1)); }
+
+static double printed(double x, int digits)
+{
+  char text[40];
+  snprintf(text, sizeof text, "%.*e", digits - 1, x);
+  return strtod(text, NULL);
+}
+
+/* err = C h^order (1 + relative c h) from h0, each h the one before over ratio */
+static void fill_by(struct table *t, int count, double h0, double order, double c, double ratio)
+{
+  double C = pow(10, uniform(-1, 1));
+  t->count = count;
+  for (int i = 0; i < count; i++) {
+    double h = h0 / pow(ratio, i);
+    t->points[i] = (struct scallop_order_point){ .h = h, .err = C * pow(h, order) * (1 + c * h) };
+  }
+}
+static void fill(struct table *t, int count, double h0, double order, double c) { fill_by(t, count, h0, order, c, 2); }
+static void print(struct table *t, int digits)
+{
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err = printed(t->points[i].err, digits);
+}
+static void scatter(struct table *t, double part)
+{
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err *= exp(part * normal());
+}
+
+static void clean(struct table *t, int digits)
+{
+  fill(t, whole(4, 5), pow(10, uniform(-2, 0)), t->expected = whole(1, 4), 0);
+  print(t, digits);
+}
+static void clean_2(struct table *t) { clean(t, 2); }
+static void clean_3(struct table *t) { clean(t, 3); }
+static void clean_4(struct table *t) { clean(t, 4); }
+static void corrected(struct table *t)
+{
+  fill(t, whole(5, 8), 0.5, t->expected = whole(1, 4), uniform(-0.5, 1));
+  print(t, 4);
+}
+static void corrected_2(struct table *t)
+{
+  fill(t, 5, 0.5, t->expected = 2, 1);
+  print(t, whole(2, 4));
+}
+static void noisy(struct table *t, int count, double order)
+{
+  fill(t, count, 0.5, order, 0);
+  scatter(t, 0.05);
+}
+static void noisy_close(struct table *t)
+{
+  fill_by(t, 12, 0.5, t->expected = whole(1, 4), 0, 1.3);
+  scatter(t, 0.05);
+}
+static void noisy_12(struct table *t) { noisy(t, 12, t->expected = whole(1, 4)); }
+static void noisy_8(struct table *t) { noisy(t, 8, t->expected = whole(1, 4)); }
+static void noisy_4(struct table *t) { noisy(t, 4, t->expected = whole(1, 4)); }
+static void noisy_5(struct table *t) { noisy(t, 5, t->expected = whole(1, 4)); }
+static void roundoff(struct table *t)
+{
+  fill(t, 20, 0.5, t->expected = whole(2, 4), uniform(-0.5, 1));
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err += 1e-15 * normal();
+}
+static void solver(struct table *t)
+{
+  fill(t, 14, 0.5, t->expected = whole(2, 4), uniform(-0.5, 1));
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err = fabs(t->points[i].err + 1e-9 * t->points[0].err * normal());
+}
+static void bad_start(struct table *t)
+{
+  fill(t, 10, 0.5, t->expected = whole(1, 4), 0);
+  for (int i = 0; i < 2; i++)
+    t->points[i].err *= exp(sign() * uniform(0.5, 1.5));
+  scatter(t, 0.01);
+}
+static void zeros(struct table *t)
+{
+  fill(t, whole(3, 8), 1, t->expected = whole(1, 4), 0);
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err = 0;
+}
+static void wrong_clean(struct table *t)
+{
+  t->expected = whole(1, 4);
+  fill(t, whole(4, 8), pow(10, uniform(-2, 0)), t->expected + 0.4 * sign(), 0);
+  print(t, whole(2, 4));
+}
+static void wrong_noisy(struct table *t)
+{
+  t->expected = whole(1, 4);
+  noisy(t, whole(4, 12), t->expected + 0.4 * sign());
+}
+static void wrong_bent(struct table *t)
+{
+  t->expected = whole(1, 4);
+  fill(t, whole(4, 8), 0.5, t->expected + 0.4 * sign(), uniform(-0.5, 1));
+  print(t, whole(2, 4));
+}
+static void lower_term(struct table *t, int digits)
+{
+  double h0 = pow(10, uniform(-1, 0));
+  fill(t, whole(5, 10), h0, 2, 0);
+  for (int i = 0; i < t->count; i++) {
+    double h = t->points[i].h;
+    t->points[i].err = printed(h * h + 2e-3 * h, digits);
+  }
+  t->expected = 2;
+}
+static void lower_term_exact(struct table *t) { lower_term(t, 17); }
+static void lower_term_3(struct table *t) { lower_term(t, 3); }
+static void logarithm(struct table *t, int digits)
+{
+  double h0 = pow(10, uniform(-4, -1)), ratio = whole(0, 1) ? 2 : 10;
+  t->count = whole(4, 8);
+  for (int i = 0; i < t->count; i++, h0 /= ratio)
+    t->points[i] = (struct scallop_order_point){ .h = h0, .err = printed(h0 * h0 * log(1 / h0), digits) };
+  t->expected = 2;
+}
+static void logarithm_exact(struct table *t) { logarithm(t, 17); }
+static void logarithm_4(struct table *t) { logarithm(t, 4); }
+static void levels_off(struct table *t)
+{
+  fill(t, 10, 0.5, t->expected = whole(1, 4), 0);
+  double level = t->points[0].err * pow(10, uniform(-5, -2));
+  for (int i = 0; i < t->count; i++)
+    t->points[i].err += level;
+}
+
+static const struct kind {
+  const char *name;
+  void (*make)(struct table *t);
+  bool good;
+  double least; /* share of right verdicts that is promised, in percent */
+} kinds[] = {
+  { "C h^p, 4 or 5 rows, 2 digits", clean_2, true, 99.8 },
+  { "the same, 3 digits", clean_3, true, 99.8 },
+  { "the same, 4 digits", clean_4, true, 99.8 },
+  { "C h^2 (1 + h) from 1/2 to 1/32, 2 to 4 digits", corrected_2, true, 95 },
+  { "C h^p (1 + c h), -1/2 < c < 1, 5 to 8 rows from 1/2, 4 digits", corrected, true, 99.8 },
+  { "C h^p, 12 rows, 5 % noise", noisy_12, true, 95 },
+  { "the same, h over 1.3 from row to row", noisy_close, true, 95 },
+  { "C h^p, 8 rows, 5 % noise", noisy_8, true, 95 },
+  { "C h^p, 5 rows, 5 % noise", noisy_5, true, 0 },
+  { "C h^p, 4 rows, 5 % noise", noisy_4, true, 0 },
+  { "C h^p (1 + c h), 20 rows, roundoff 1e-15", roundoff, true, 99.8 },
+  { "C h^p (1 + c h), 14 rows, noise of 1e-9 of the first error", solver, true, 95 },
+  { "C h^p, 10 rows, the first two wrong by 1.6 to 4.5, 1 % noise", bad_start, true, 95 },
+  { "all errors 0", zeros, true, 100 },
+  { "C h^(p +- 0.4), 4 to 8 rows, 2 to 4 digits", wrong_clean, false, 100 },
+  { "C h^(p +- 0.4), 4 to 12 rows, 5 % noise", wrong_noisy, false, 100 },
+  { "C h^(p +- 0.4) (1 + c h), 4 to 8 rows from 1/2", wrong_bent, false, 100 },
+  { "h^2 + 2e-3 h, 5 to 10 rows from 0.1 to 1", lower_term_exact, false, 100 },
+  { "the same, 3 digits", lower_term_3, false, 95 },
+  { "h^2 log(1/h), 4 to 8 rows", logarithm_exact, false, 100 },
+  { "the same, 4 digits", logarithm_4, false, 85 },
+  { "C h^p + a plateau at 1e-5 to 1e-2 of the first error, 10 rows", levels_off, false, 100 },
+};
+
+static double pairwise_mean(const struct table *t)
+{
+  double sum = 0;
+  for (int i = 1; i < t->count; i++)
+    sum += log(t->points[i - 1].err / t->points[i].err) / log(t->points[i - 1].h / t->points[i].h) / (t->count - 1);
+  return sum;
+}
+
+static double least_squares(const struct table *t)
+{
+  double n = t->count, x = 0, y = 0, xx = 0, xy = 0;
+  for (int i = 0; i < t->count; i++) {
+    double lx = log(t->points[i].h), ly = log(fabs(t->points[i].err));
+    x += lx;
+    y += ly;
+    xx += lx * lx;
+    xy += lx * ly;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+enum { VERDICT, SQUARES, MEAN, RULES };
+
+static void count_passes(const struct kind *k, double share[RULES], int *all_used)
+{
+  int passes[RULES] = { 0 };
+  numbers.state = 20130314;
+  *all_used = 0;
+  for (int i = 0; i < TABLES; i++) {
+    struct table t;
+    k->make(&t);
+    passes[SQUARES] += fabs(least_squares(&t) - t.expected) <= TOLERANCE;
+    passes[MEAN] += fabs(pairwise_mean(&t) - t.expected) <= TOLERANCE;
+    struct scallop_order_wanted wanted = { .order = t.expected, .tolerance = TOLERANCE };
+    struct scallop_order_result result;
+    scallop_order(t.points, &t.count, &wanted, &result);
+    passes[VERDICT] += result.verdict == SCALLOP_ORDER_PASS;
+    *all_used += result.used == t.count;
+  }
+  for (int r = 0; r < RULES; r++)
+    share[r] = 100.0 * passes[r] / TABLES;
+}
+
+TEST(rates)
+{
+  bool kept = true;
+  int all_used;
+  puts("| tables | should pass | `scallop order` | least squares | mean of pairs |\n|---|---|---|---|---|");
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    const struct kind *k = &kinds[i];
+    double share[RULES];
+    count_passes(k, share, &all_used);
+    printf("| %s | %s | %.1f %% | %.1f %% | %.1f %% |\n", k->name, k->good ? "yes" : "no", share[VERDICT], share[SQUARES],
+           share[MEAN]);
+    double right = k->good ? share[VERDICT] : 100 - share[VERDICT];
+    if (right < k->least) {
+      print_error("%s: right in %g %%, promised %g %%\n", k->name, right, k->least);
+      kept = false;
+    }
+    if ((k->make == noisy_12 || k->make == noisy_close) && all_used < 0.99 * TABLES) {
+      print_error("all points used in %g %%\n", 100.0 * all_used / TABLES);
+      kept = false;
+    }
+  }
+  assert_true(kept);
+}
