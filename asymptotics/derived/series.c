@@ -1,4 +1,6 @@
 /* Arithmetic of truncated Laurent series; each result knows the power from which on it is unknown. */
+#include <stdlib.h>
+
 #include "asymptotics/derived/series.h"
 
 static slong least(slong a, slong b) { return a < b ? a : b; }
@@ -407,4 +409,10 @@ void series_value(arb_t value, const struct series *s, const arb_t x, slong befo
   arb_poly_clear(balls);
   arb_clear(power);
   series_clear(&cut);
+}
+
+slong series_bits(const struct series *s)
+{
+  const fmpq_poly_struct *p = s->rational;
+  return s->exact ? labs(_fmpz_vec_max_bits(p->coeffs, p->length)) + (slong)fmpz_bits(fmpq_poly_denref(p)) : 0;
 }

@@ -89,6 +89,8 @@ const char *series_sqrt(struct series *to, const struct series *a, const struct 
 void series_coefficient(arb_t value, const struct series *s, slong power, slong precision);
 bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power); /* false if it is a ball */
 bool series_coefficient_is_zero(const struct series *s, slong power);                /* exactly            */
+/* Bits of the largest exact numerator and the denominator; 0 of balls, which have as many as their ring. */
+slong series_bits(const struct series *s);
 /* States that this coefficient is exactly 0, which the caller has proven. */
 void series_set_zero(struct series *s, slong power);
 

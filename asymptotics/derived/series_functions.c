@@ -398,14 +398,6 @@ static const char *set_small_power(struct series *to, const struct series *base,
   return raised ? NULL : "divides by what may be 0";
 }
 
-/* Bits of the largest exact coefficient; balls have as many as the ring. */
-static slong bits_of(const struct series *s)
-{
-  const fmpq_poly_struct *p = s->rational;
-  slong bits = s->exact ? _fmpz_vec_max_bits(p->coeffs, p->length) : 0;
-  return s->exact ? labs(bits) + (slong)fmpz_bits(fmpq_poly_denref(p)) : 0;
-}
-
 static const char *set_power(struct series *to, struct series *base, const struct series *exponent, const struct ring *ring)
 {
   if (!is_constant(exponent)) {
@@ -420,7 +412,7 @@ static const char *set_power(struct series *to, struct series *base, const struc
   bool by_products = small && fmpz_is_one(fmpq_denref(value));
   slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
   fmpq_clear(value);
-  if (bits_of(base) * labs(power) / root > SERIES_BITS)
+  if (series_bits(base) * labs(power) / root > SERIES_BITS)
     return IS_LARGE;
   return by_products ? set_small_power(to, base, power, ring) : set_constant_power(to, base, exponent, ring);
 }
