@@ -25,7 +25,9 @@ struct series {
 
 enum {
   SERIES_EXACT_POWER = 64, /* the largest numerator, and denominator, of an exact power           */
-  SERIES_FARTHEST = 4096   /* the largest power of x that series_power makes: products do not run out of memory */
+  SERIES_BITS =
+      1 << 20, /* what an exact power has at most, but for rounding up: powers of powers would take all time and memory */
+  SERIES_FARTHEST = 4096 /* the largest power of x that series_power makes: products do not run out of memory */
 };
 
 /* known of a series with finitely many terms, all of which are there */

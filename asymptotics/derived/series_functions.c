@@ -398,6 +398,14 @@ static const char *set_small_power(struct series *to, const struct series *base,
   return raised ? NULL : "divides by what may be 0";
 }
 
+/* Bits of the largest exact coefficient; balls have as many as the ring. */
+static slong bits_of(const struct series *s)
+{
+  const fmpq_poly_struct *p = s->rational;
+  slong bits = s->exact ? _fmpz_vec_max_bits(p->coeffs, p->length) : 0;
+  return s->exact ? labs(bits) + (slong)fmpz_bits(fmpq_poly_denref(p)) : 0;
+}
+
 static const char *set_power(struct series *to, struct series *base, const struct series *exponent, const struct ring *ring)
 {
   if (!is_constant(exponent)) {
@@ -408,9 +416,12 @@ static const char *set_power(struct series *to, struct series *base, const struc
   }
   fmpq_t value;
   fmpq_init(value);
-  bool by_products = series_rational_coefficient(value, exponent, 0) && fmpz_is_one(fmpq_denref(value)) && is_small(value);
-  slong power = by_products ? fmpz_get_si(fmpq_numref(value)) : 0;
+  bool small = series_rational_coefficient(value, exponent, 0) && is_small(value);
+  bool by_products = small && fmpz_is_one(fmpq_denref(value));
+  slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
   fmpq_clear(value);
+  if (bits_of(base) * labs(power) / root > SERIES_BITS)
+    return IS_LARGE;
   return by_products ? set_small_power(to, base, power, ring) : set_constant_power(to, base, exponent, ring);
 }
 

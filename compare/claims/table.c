@@ -184,6 +184,9 @@ static enum exit_code write_ledger(const struct claims_options *o)
     complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
              o->errors);
     code = EXIT_USAGE;
+  } else if (is_of_book(o) && ledger.count == 0) {
+    complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
+    code = EXIT_USAGE;
   } else if (begin(&table, o, o->errors ? error_columns : columns)) {
     for (int i = 0; i < ledger.count; i++)
       if (is_wanted(&ledger.rows[i], o))

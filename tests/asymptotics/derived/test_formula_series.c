@@ -200,6 +200,8 @@ TEST(what_a_series_cannot_do)
     { "max(x, x*pi/pi)", "character 1: max of series whose order is not proven" },
     { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
     { "three + none^-2", "character 13: ^ divides by what may be 0" },
+    { "(((2^64)^64)^63)^5", "character 17: ^ is too large" },
+    { "(((x/2^64)^64)^63)^-5", "character 19: ^ is too large" },
   };
   SCOPED(series, value);
   for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
@@ -207,6 +209,9 @@ TEST(what_a_series_cannot_do)
     assert_non_null(wrong);
     assert_string_equal(wrong, refusals[i][1]);
   }
+  SCOPED(fmpq, number);
+  assert_true(evaluate(&value, "(((2^64)^64)^63)^4") && series_rational_coefficient(number, &value, 0));
+  assert_true(fmpz_bits(fmpq_numref(number)) == 1 + 64 * 64 * 63 * 4 && fmpz_is_one(fmpq_denref(number)));
 }
 
 /* pi is enclosed, to the precision of the ring. */

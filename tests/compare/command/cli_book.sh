@@ -173,6 +173,7 @@ whole ":1: there is no 'a' in a book of formulas" 'a = 1;'
 whole ':1: formulas is a list' 'formulas = 3;'
 whole ':1: a formula is a group' 'formulas = ( 3 );'
 whole ': there is no formula' 'formulas = ( );'
+whole ': no formula of this book has a claim' 'formulas = ( { name = "a"; of = "v_end"; text = "T"; } );'
 whole ':2: syntax error' 'formulas = ( { name = "f" of = '
 run 4 claims --book none.cfg
 run 4 claims --book figure4
