@@ -122,8 +122,9 @@ void samples_measure(struct claim_row *row, const struct trial *m, const struct 
       double before = last;
       last = log_size(error);
       row->slope = (before - last) / log(4);
-      row->points[row->count++] =
-          (struct scallop_order_point){ .h = nearest_double(s->T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
+      row->points[row->count++] = (struct scallop_order_point){ .h = nearest_double(s->T),
+                                                                .err = middle(error),
+                                                                .noise = mag_get_d(arb_radref(error)) };
     }
   arb_clear(error);
 }

@@ -265,7 +265,8 @@ struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quan
   struct scallop_order_point points[STIFF_MOST_RUNS];
   struct stiff_trend trend = { .worst_beyond = NAN };
   for (; trend.good < count && is_good(runs, trend.good, quantity); trend.good++)
-    points[trend.good] = (struct scallop_order_point){ .h = runs[trend.good].delta, .err = runs[trend.good].error[quantity] };
+    points[trend.good] = (struct scallop_order_point){ .h = runs[trend.good].delta,
+                                                       .err = runs[trend.good].error[quantity] };
   for (int i = trend.good; i < count; i++)
     if (runs[i].solved)
       trend.worst_beyond = fmax(trend.worst_beyond, fabs(runs[i].error[quantity]));
