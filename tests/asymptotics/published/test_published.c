@@ -18,7 +18,7 @@ enum { POINTS = 2 };
 
 #define AT(m1, m2, F1, F2, T, l0, lT, l_start, l_end, v0, t1, dT, x_switch) \
   { \
-    .of = { m1, m2, F1, F2, m1 + m2, NAN, NAN, NAN, T, l0, lT, NAN, NAN, l_start, l_end, v0, t1, dT, x_switch } \
+    .of = { m1, m2, F1, F2, (m1) + (m2), NAN, NAN, NAN, T, l0, lT, NAN, NAN, l_start, l_end, v0, t1, dT, x_switch } \
   }
 /* m1, m2, F1, F2, T, l0, lT; l_start, l_end, v0, t1, dT, x_switch. F1 > F2, then F1 < F2 */
 static const struct scallop_values extension[POINTS] = {

@@ -28,7 +28,7 @@ static void check_same(const struct scallop_formula *read, const struct scallop_
     check_texts(read->parts[i].text, part[i].text);
   }
   assert_true(!read->when == !built->when);
-  for (int i = 0; built->when && (i == 0 || built->when[i - 1]); i++)
+  for (int i = 0; read->when && built->when && (i == 0 || built->when[i - 1]); i++)
     check_texts(read->when[i], built->when[i]);
 }
 
