@@ -188,7 +188,7 @@ TEST(fourth_derivatives)
   struct scallop_polynomial made[2];
   const char *why;
   const struct scallop_gait *gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait, &made[0].gait,
-                                         &made[1].gait };
+                                         &made[1].gait,           &minimum_jerk_gait };
   assert_int_equal(scallop_make_polynomial(&made[0], "a", (double[]){ 0, 0, 3, -2 }, 3, &why), SCALLOP_OK);
   assert_int_equal(scallop_make_polynomial(&made[1], "b", (double[]){ 0, 0, 0, 10, -15, 6 }, 5, &why), SCALLOP_OK);
   SCOPED(scallop_rational, exact);

@@ -318,3 +318,34 @@ TEST(beyond_the_range)
   }
   assert_true(beyond[0] > 0 && beyond[1] > 0);
 }
+
+/* A sinusoidal gait that says no law: what cancels stays as doubles have it, good to a few ulp of the amplitude. */
+TEST(of_a_gait_without_a_law)
+{
+  enum { MOST = 4 };
+  struct scallop_piece pieces[2][MOST];
+  struct scallop_gait lawless = scallop_gait_sinusoidal;
+  struct random r = { 20261123 };
+  for (int kind = 0; kind < 2; kind++) {
+    assert_true(lawless.phase[kind].count <= MOST);
+    for (int i = 0; i < lawless.phase[kind].count; i++) {
+      pieces[kind][i] = lawless.phase[kind].pieces[i];
+      pieces[kind][i].law = NULL;
+    }
+    lawless.phase[kind].pieces = pieces[kind];
+  }
+  for (int i = 0; i < check_cases(400); i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? EQUAL_FORCES : NEARLY_EQUAL_FORCES, &scallop_gait_sinusoidal);
+    struct scallop_steady_result with = steady_of(&c), without;
+    struct scallop_period_result period;
+    struct scallop_phase_result phase, wanted;
+    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, with.period.v_start, &wanted), SCALLOP_OK);
+    c.gait = &lawless;
+    assert_int_equal(scallop_steady(&c, &without), SCALLOP_OK);
+    assert_int_equal(scallop_period(&c, without.period.v_start, &period), SCALLOP_OK);
+    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, with.period.v_start, &phase), SCALLOP_OK);
+    CHECK_NEAR(without.period.displacement, with.period.displacement, 64 * DBL_EPSILON * c.L);
+    CHECK_NEAR(period.displacement, with.period.displacement, 64 * DBL_EPSILON * c.L);
+    CHECK_NEAR(phase.dxC, wanted.dxC, 64 * DBL_EPSILON * c.L);
+  }
+}
