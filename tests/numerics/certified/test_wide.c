@@ -339,13 +339,18 @@ TEST(of_a_gait_without_a_law)
     struct scallop_steady_result with = steady_of(&c), without;
     struct scallop_period_result period;
     struct scallop_phase_result phase, wanted;
-    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, with.period.v_start, &wanted), SCALLOP_OK);
+    double low = -20 * c.L / c.T, high = 20 * c.L / c.T; /* a start velocity from which body 1 hardly gets anywhere */
+    for (int n = 0; n < 40; n++) {
+      assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, (low + high) / 2, &wanted), SCALLOP_OK);
+      *(wanted.dx1 > 0 ? &high : &low) = (low + high) / 2;
+    }
+    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, low, &wanted), SCALLOP_OK);
     c.gait = &lawless;
     assert_int_equal(scallop_steady(&c, &without), SCALLOP_OK);
     assert_int_equal(scallop_period(&c, without.period.v_start, &period), SCALLOP_OK);
-    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, with.period.v_start, &phase), SCALLOP_OK);
+    assert_int_equal(scallop_phase(&c, SCALLOP_EXTENSION, low, &phase), SCALLOP_OK);
     CHECK_NEAR(without.period.displacement, with.period.displacement, 64 * DBL_EPSILON * c.L);
     CHECK_NEAR(period.displacement, with.period.displacement, 64 * DBL_EPSILON * c.L);
-    CHECK_NEAR(phase.dxC, wanted.dxC, 64 * DBL_EPSILON * c.L);
+    CHECK_NEAR(phase.dx1, wanted.dx1, 64 * DBL_EPSILON * (c.L + fabs(low) * c.T));
   }
 }
