@@ -1,5 +1,5 @@
 # The displacement over alpha, exact and by (28): below 1/2 the bodies exchange their parts, and so they must in the formula.
-eval picture(640, 400, 13)
+eval picture(480, 340, 12)
 set xlabel "α, the share of the extension in the period"
 set ylabel "displacement in a period, over L"
 set xzeroaxis lt 1 lc rgb "#999999"

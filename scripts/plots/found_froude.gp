@@ -1,5 +1,5 @@
 # The displacement over the Froude number: stick-slip crawls far below 1.
-eval picture(640, 400, 13)
+eval picture(480, 340, 12)
 set logscale x
 set xlabel "Froude number  M L / (T^2 (F_1 + F_2))"
 set ylabel "displacement in a period, over L"

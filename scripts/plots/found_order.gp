@@ -1,5 +1,5 @@
 # The relative error of (28) against T for both gaits: the measured slopes, and the claimed one beside them.
-eval picture(640, 400, 13)
+eval picture(480, 340, 12)
 array gaits[2] = [ "quadratic", "sinusoidal" ]
 array slopes[2]
 do for [i=1:2] {

@@ -1,5 +1,5 @@
 # The displacement over F1/F2 at alpha = 3/4 for both gaits, with the boundary where the start velocity vanishes and the highest point.
-eval picture(640, 400, 13)
+eval picture(480, 340, 12)
 table = tables."/found_ratio.tsv"
 array gaits[2] = [ "quadratic", "sinusoidal" ]
 array boundary[2]
@@ -19,8 +19,8 @@ set logscale x
 set xlabel "F_1 / F_2"
 set ylabel "displacement in a period, over L"
 set xrange [1:200]
-set yrange [0:0.65]
-set key top left
+set yrange [0:0.5]
+set key below center vertical maxrows 3
 plot for [i=1:2] table using 3:(is(gaits[i]) ? $4 / 10 : NaN) skip 1 with lines lw 2 lc rgb (i == 1 ? one : two) \
        title sprintf("%s gait: highest at %.0f, boundary at %.0f", gaits[i], peak[i], boundary[i]), \
      keyentry with lines lw 1.2 dt 3 lc rgb grey title "boundary: the start velocity vanishes"
