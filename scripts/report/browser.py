@@ -88,12 +88,17 @@ class Browser:
             raise Trouble(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
 
+    def prefer(self, **features):
+        """What the reader prefers: color_scheme="dark", reduced_motion="reduce"."""
+        listed = [{"name": "prefers-" + name.replace("_", "-"), "value": value} for name, value in features.items()]
+        self.ask("Emulation.setEmulatedMedia", media="screen", features=listed)
+
     def show(self, address, width, height, scheme):
         """Loads a page anew at a width, light or dark, and reports from the first byte on."""
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
-        self.ask("Emulation.setEmulatedMedia", media="screen", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        self.prefer(color_scheme=scheme)
         self.events.clear()
         self.ask("Page.navigate", url=address)
         self.wait_for("Page.loadEventFired")

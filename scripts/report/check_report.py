@@ -78,14 +78,14 @@ class Check:
                     f"{name}: blank, {painted['colours']} colours, one on {100 * painted['common']:.1f} % of it"
                 )
 
-    def motion(self):
-        """The crawlers move, unless they are stopped or the reader wants no motion."""
+    def motion(self, scheme):
+        """The crawlers move, unless they are stopped or the reader wants no motion, as from here on."""
         if min(self.call("moved")) < 1:
             self.complain("a crawler does not move")
         self.page.run("document.getElementById('still').click()")
         if max(self.call("moved")) > 0:
             self.complain("a crawler does not stop")
-        self.page.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
+        self.page.prefer(color_scheme=scheme, reduced_motion="reduce")
         self.page.run("document.getElementById('still').click()")
         if max(self.call("moved")) > 0:
             self.complain("a crawler moves where no motion is wanted")
@@ -113,6 +113,7 @@ class Check:
                 if quick and (width, scheme) != (360, "dark"):
                     continue
                 self.load(width, scheme)
+                self.motion(scheme)
                 self.width()
                 self.figures()
                 if folder:
@@ -125,7 +126,6 @@ class Check:
                 ):
                     self.complain(what)
                 self.filtering()
-                self.motion()
                 self.reports()
 
 
