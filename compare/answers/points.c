@@ -206,18 +206,13 @@ bool close_beside_gaits(struct table *t)
   return false;
 }
 
-static enum exit_code finish(struct reader *r, struct table *table)
+static enum exit_code finish(struct table *table, long rows, long unsolved)
 {
-  if (tsv_error(&r->tsv)) {
-    complain(r->command, "%s", tsv_error(&r->tsv));
-    table_abandon(table);
-    return EXIT_FILE;
-  }
   if (!close_beside_gaits(table))
     return EXIT_FILE;
-  if (r->unsolved > 0)
-    complain(r->command, "%ld of %ld points could not be solved: the column 'status' says why", r->unsolved, r->rows);
-  return r->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+  if (unsolved > 0)
+    complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
+  return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
 static bool begin(struct table *table, const struct style *style, const struct point_table *of)
@@ -246,6 +241,23 @@ static enum exit_code one_point(const struct request *request, const struct poin
   return why ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
+static enum exit_code points_of_sweep(const struct request *request, const struct point_table *of)
+{
+  const struct sweep_product *product = request->sweep.product;
+  long index[SWEEP_GROUPS] = { 0 }, rows = 0, unsolved = 0;
+  struct swept swept = { .product = NULL };
+  struct table table;
+  if (!begin(&table, &request->style, of))
+    return EXIT_FILE;
+  do {
+    struct point point = request->point;
+    sweep_move(&swept, &point, product, index, NULL, NULL);
+    rows++;
+    unsolved += of->row(&table, &point, of->context, swept.why[0] != '\0' ? swept.why : NULL) != NULL;
+  } while (sweep_next(product, index) && !table_failed(&table));
+  return finish(&table, rows, unsolved);
+}
+
 /* Is the file that is read the one that standard output is added to? Then it would never end. */
 static bool feeds_itself(const struct reader *r, const struct style *style)
 {
@@ -271,15 +283,21 @@ static enum exit_code points_of_file(const struct request *request, const struct
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
     solve_rows(&r, &table, request, of);
-    code = finish(&r, &table);
+    code = tsv_error(&r.tsv) ? EXIT_FILE : finish(&table, r.rows, r.unsolved);
+    if (tsv_error(&r.tsv)) {
+      complain(r.command, "%s", tsv_error(&r.tsv));
+      table_abandon(&table);
+    }
   }
   tsv_close(&r.tsv);
   return code;
 }
 
+bool has_many_points(const struct request *request) { return request->points || request->sweep.products > 0; }
+
 enum exit_code for_each_point(const struct request *request, const struct point_table *of)
 {
-  return (request->points ? points_of_file : one_point)(request, of);
+  return (request->points ? points_of_file : request->sweep.products > 0 ? points_of_sweep : one_point)(request, of);
 }
 
 void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held, bool as_written)

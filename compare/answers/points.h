@@ -1,9 +1,11 @@
-/* Points: the one of the command line, or rows of parameters from a TSV file, one at a time; and what of a point stands in tables. */
+/* Points: the one of the command line, those of its lists and ranges, or rows of parameters from a TSV file, one at a time; and what of a
+ * point stands in tables. */
 #ifndef SCALLOP_POINTS_H
 #define SCALLOP_POINTS_H
 
 #include "compare/answers/gaits.h"
 #include "compare/answers/point.h"
+#include "compare/answers/sweep.h"
 #include "compare/text/message.h"
 #include "compare/text/table.h"
 #include "compare/text/values.h"
@@ -13,6 +15,7 @@
 struct request {
   struct style style;
   struct point point;
+  struct sweep sweep; /* lists and ranges of options: no product, or one, at whose first point point is */
   const char *points; /* file name, "-" for standard input, or NULL */
   const char *book;   /* file name of a book of formulas, or NULL     */
 };
@@ -28,7 +31,10 @@ struct point_table {
   point_row *row;
   const void *context;
 };
-/* Runs row over the points of request->points, or over the one point of the request itself. Opens and closes the table. */
+/* Runs row over the points of request->points, over those of request->sweep, or over the one point of the request itself. Opens and
+ * closes the table. */
+/* Are there, or may there be, many points? */
+bool has_many_points(const struct request *request);
 enum exit_code for_each_point(const struct request *request, const struct point_table *of);
 
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */

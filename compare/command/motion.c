@@ -154,14 +154,20 @@ static bool is_sound(const void *options)
   return digits_hold(&o->request.style, o->certified, DIGITS);
 }
 
-#define ABOUT_ARITHMETICS \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of the " \
-  "doubles\n" \
-  "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
-  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
-  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table too,\n" \
-  "and status is certified. What touches a boundary exactly cannot be decided, which status says. A polynomial\n" \
-  "whose l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
+#define ABOUT_ROWS \
+  ABOUT_MANY_POINTS \
+      ".\n" \
+      "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of " \
+      "the " \
+      "doubles\n" \
+      "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
+      "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
+      "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table " \
+      "too;\n" \
+      "of a range they are the decimals that the row prints. status is certified. What touches a boundary exactly\n" \
+      "cannot be decided, which status says. A polynomial whose l' changes its sign within a phase, or is not exactly 0 " \
+      "at\n" \
+      "its ends, is that of the doubles."
 
 const struct command command_steady = {
   .name = "steady",
@@ -175,7 +181,7 @@ const struct command command_steady = {
   .about =
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
       "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
-      "answer.\n" ABOUT_ARITHMETICS,
+      "answer.\n" ABOUT_ROWS,
   .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
@@ -191,7 +197,7 @@ const struct command command_phase = {
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
-           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
+           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

@@ -15,6 +15,9 @@ static const void *value_of(const void *options, const struct option *o) { retur
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
+  if (sweep_is_many(o->name, text))
+    return sweep_vary(&r->sweep, &r->point, o->name, text);
+  sweep_hold(&r->sweep, o->name);
   return point_set(&r->point, o->name, text);
 }
 
@@ -273,13 +276,30 @@ static bool rules_hold(const struct arguments *a)
   return true;
 }
 
+/* Lists and ranges are for commands that take many points, and stand in place of a file of them. */
+static bool sweep_holds(const struct arguments *a)
+{
+  const struct request *r = &a->options.request;
+  const struct sweep_variable *v = sweep_variable(&r->sweep, 0);
+  if (!v || (option_of(a->command, "points") && !r->points))
+    return true;
+  if (r->points)
+    return complain(a->command->name,
+                    "--%s: a list or a range and --points exclude each other: the file has a row for each point", v->name);
+  return complain(
+      a->command->name,
+      "--%s: this command takes one value: a list or a range is for steady, phase and series, which print a row for "
+      "each point",
+      v->name);
+}
+
 /* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
 static bool is_sound(const struct arguments *a)
 {
   const char *output = a->options.request.style.output;
   if (output && gait_is_from(output))
     return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file", output);
-  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
+  return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -322,6 +342,7 @@ enum exit_code options_book(const struct arguments *a)
 
 void options_free(struct arguments *a)
 {
+  sweep_free(&a->options.request.sweep);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

@@ -144,7 +144,7 @@ for command in $takes_crawler claims; do
     [ "$command $name" != "claims T" ] || continue
     allowed='> 0'
     [ $name != alpha ] || allowed='between 0 and 1'
-    for value in nan inf -inf 0 -0 -1 '' text 1x '1 ' 1e999 1e-400 1,5; do
+    for value in nan inf -inf 0 -0 -1 '' text 1x '1 ' 1e999 1e-400 '1;5'; do
       refuse 2 "--$name: '$value'.*$allowed" $command --$name "$value"
       [ "$command" = steady ] || [ "$value" != inf ] || break # every value on one command, two on the others
     done

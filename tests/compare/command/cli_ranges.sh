@@ -1,0 +1,78 @@
+#!/bin/sh
+# Lists and ranges of parameters on the command line, columns that are chosen, and columns that are carried along.
+# Usage: sh tests/compare/command/cli_ranges.sh build/scallop. One line for each check; non-zero if any failed.
+. "$(dirname "$0")/../../support/common.sh"
+
+refuse() { # MESSAGE ARGUMENT...: exit code 2, one line on standard error, nothing on standard output
+  message=$1
+  shift
+  run 2 "$@"
+  { grep -q -e "$message" err && [ "$(wc -l <err)" = 1 ]; } || note "scallop $*: $(cat err)"
+  [ ! -s out ] || note "scallop $*: $(head -n 1 out)"
+}
+
+# ---- which points, in which order ----
+run 0 steady --alpha 0.6,0.70 --F1 1:4:4 --gait quadratic,trapezoidal:0.1,0.2,sinusoidal
+rows out | cut -f 3,7,8 >got
+for alpha in 0.6 0.7; do for F1 in 1 2 3 4; do for gait in quadratic trapezoidal:0.1,0.2 sinusoidal; do
+  printf '%s\t%s\t%s\n' $F1 $alpha $gait
+done; done; done >wanted
+cmp -s got wanted || note "$(diff got wanted | head -n 5)"
+run 0 phase --phase extension,contraction --v0 -1:1:3
+[ "$(cells out phase v0 | tr '\n' ';')" = 'extension -1;extension 0;extension 1;contraction -1;contraction 0;contraction 1;' ] ||
+  note "$(cells out phase v0)"
+finish "the product of what varies, the last option fastest"
+run 0 steady --T 1:2:3 --F1 3,4 --T 0.5
+[ "$(cells out F1 T | tr '\n' ';')" = '3 0.5;4 0.5;' ] || note "$(cells out F1 T)"
+run 0 steady --T 0.5 --F1 3 --T 1,2
+[ "$(cells out F1 T | tr '\n' ';')" = '3 1;3 2;' ] || note "$(cells out F1 T)"
+finish "of an option that stands twice the second holds"
+
+run 0 steady --F1 1:10:40 --T 1e-3:1:50:log
+cp out swept.tsv
+rows swept.tsv | cut -f 1-8 >points
+{ header swept.tsv | cut -d ' ' -f 1-8 | tr ' ' '\t'; cat points; } >points.tsv
+run 0 steady --points points.tsv
+cmp -s out swept.tsv || note "$(diff out swept.tsv | head -n 4)"
+cat >scene.cfg <<'END'
+vary = ( { F1 = { from = 1; to = 10; count = 40; }; }, { T = { from = 1e-3; to = 1; count = 50; spacing = "log"; }; } );
+want = ( { what = "steady"; file = "scene.tsv"; } );
+END
+run 0 run scene.cfg
+rows scene.tsv | cut -f 1-8 >scene
+[ "$(wc -l <scene)" = 2000 ] || note "$(wc -l <scene) points of the scene"
+cmp -s points scene || note "$(diff points scene | head -n 4)"
+finish "the points of a range are those of a scene, and the rows those of --points"
+run 0 phase --v0 0,2.5 --T 0.1,1 --format json
+run 0 series --T 0.1,1
+[ "$(rows out | wc -l)" = 2 ] || note "$(rows out | wc -l) rows"
+cp out series.tsv
+printf 'T\n0.1\n1\n' >two.tsv
+run 0 series --points two.tsv
+cmp -s out series.tsv || note "series: other rows"
+finish "series: the rows of --points"
+run 3 steady --T 1e-170,1 --m1 1e300,1
+[ "$(cells out status | grep -c '^ok$')" = 2 ] || note "$(cells out T m1 status)"
+grep -q '2 of 4 points could not be solved' err || note "$(cat err)"
+finish "a point without an answer keeps its row"
+run 0 steady --certified --alpha 0.6,0.70 --T 0.1:0.3:3 --digits 20
+[ "$(cells out alpha T froude | tr '\n' ';')" = "0.6 0.1 400.00000000000000000;0.6 0.2 100.00000000000000000;0.6 0.3 44.444444444444444444;\
+0.70 0.1 400.00000000000000000;0.70 0.2 100.00000000000000000;0.70 0.3 44.444444444444444444;" ] || note "$(cells out alpha T froude)"
+finish "certified: lists as they are written, ranges as they are printed"
+
+# ---- what is refused ----
+refuse "--F1: '1:10:0' is no range: FROM:TO:COUNT, .*COUNT is from 2 to 1000000000" steady --F1 1:10:0
+refuse "--F1: '0' is not allowed here: it takes a finite number > 0" steady --F1 0:1:4:log
+refuse "--v0: .*log spacing is > 0" phase --v0 0:1:4:log
+refuse "--m2: 1e+16 points: more than 1e+15" steady --m1 1:2:100000000 --m2 1:2:100000000
+refuse "--F1: a list or a range and --points exclude each other" steady --F1 1,2 --points points.tsv
+for command in trajectory claims workprec stress breakdown 'figure 4' 'run scene.cfg'; do
+  # shellcheck disable=SC2086
+  refuse "--F1: this command takes one value: a list or a range is for steady, phase and series" $command --F1 1,2
+done
+for source in derived limit; do
+  refuse "is for --source published: one point at a time" series --T 0.1,0.2 --source $source
+done
+refuse "and --symbolic exclude each other" series --T 0.1,0.2 --symbolic
+finish "what is no list and no range, and where none is taken"
+exit $failed
