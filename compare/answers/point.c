@@ -74,28 +74,35 @@ static const char *set_v0(struct point *p, double x, const char *text)
   return NULL;
 }
 
-const char *point_set_double(struct point *p, int place, double x, const char *text)
+/* Takes over the candidate, which differs from the point in one number. */
+static const char *take(struct point *p, const struct scallop_crawler *candidate, int place, const char *text)
 {
   struct scallop_complaint complaint;
-  struct scallop_crawler candidate = p->crawler; /* has no other fault */
-  if (place == CRAWLER_NUMBERS)
-    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
-  *crawler_field(&candidate, place) = x;
-  if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
+  if (scallop_crawler_check(candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
-  p->crawler = candidate;
+  p->crawler = *candidate;
   p->written[place] = text;
   return NULL;
 }
 
+const char *point_set_double(struct point *p, int place, double x, const char *text)
+{
+  struct scallop_crawler candidate = p->crawler; /* has no other fault */
+  if (place == CRAWLER_NUMBERS)
+    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
+  *crawler_field(&candidate, place) = x;
+  return take(p, &candidate, place, text);
+}
+
 const char *point_set_number(struct point *p, int place, const char *text)
 {
-  double x;
-  if (!read_number(text, &x))
-    return no_number(text, place == ALPHA             ? "a number between 0 and 1, both excluded"
-                           : place == CRAWLER_NUMBERS ? "a finite number"
-                                                      : "a finite number > 0");
-  return point_set_double(p, place, x, text);
+  struct scallop_crawler candidate = p->crawler;
+  double v0;
+  if (place == CRAWLER_NUMBERS)
+    return read_number(text, &v0) ? set_v0(p, v0, text) : no_number(text, "a finite number");
+  if (!read_number(text, crawler_field(&candidate, place)))
+    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
+  return take(p, &candidate, place, text);
 }
 
 static const char *set_gait(struct point *p, const char *text)

@@ -7,6 +7,7 @@
 
 #include "compare/answers/gaits.h"
 #include "compare/book/book.h"
+#include "compare/columns/columns.h"
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
@@ -144,11 +145,20 @@ static const char *read_output(void *options, const struct option *o, const char
   return NULL;
 }
 
+static const char *read_choice(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  (void)o;
+  columns_free(r->style.choice);
+  return columns_read(&r->style.choice, text);
+}
+
 const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
                          number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
                          word_option = { read_word, show_word }, text_option = { read_text, NULL },
                          format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
-                         output_option = { read_output, NULL }, dropped_option = { NULL, NULL };
+                         output_option = { read_output, NULL }, columns_option = { read_choice, NULL },
+                         dropped_option = { NULL, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -334,6 +344,12 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
 }
 
+enum exit_code options_judge(const struct arguments *a, enum exit_code code)
+{
+  const struct table_choice *choice = a->options.request.style.choice;
+  return choice && choice->refused ? EXIT_USAGE : code;
+}
+
 enum exit_code options_book(const struct arguments *a)
 {
   const char *book = a->options.request.book;
@@ -343,6 +359,7 @@ enum exit_code options_book(const struct arguments *a)
 void options_free(struct arguments *a)
 {
   sweep_free(&a->options.request.sweep);
+  columns_free(a->options.request.style.choice);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

@@ -37,6 +37,7 @@ extern const struct option_kind
     text_option,                  /* const char *, one for each value, not empty: allowed says what it is   */
     format_option, output_option, /* of the style                                                           */
     digits_option,                /* likewise, from 1 to most                                               */
+    columns_option,               /* likewise: which columns                                                */
     dropped_option;               /* one that is no longer there: help says what to use instead             */
 
 struct option {
@@ -116,7 +117,10 @@ struct option_rule {
 
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
-#define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTION_COLUMNS \
+  OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
+         .kind = &columns_option)
+#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
@@ -179,6 +183,8 @@ enum reading options_read(struct arguments *arguments, const struct command *com
                           int count, char **all, enum exit_code *code);
 /* Reads the book that the options name, if they do: the exit code, the message being on stderr. */
 enum exit_code options_book(const struct arguments *arguments);
+/* The exit code of a command that ended with code: EXIT_USAGE where --columns named what its table has not. */
+enum exit_code options_judge(const struct arguments *arguments, enum exit_code code);
 void options_free(struct arguments *arguments);
 
 #endif

@@ -41,7 +41,7 @@ static const char *const columns[] = { "formula",   "equation", "phase", "quanti
 static const char *const extra[] = { "v0", NULL };
 
 /* A formula and the motion that it is about: a kind of phase, or the period. */
-enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = TABLE_COLUMNS };
+enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = 96 };
 struct use {
   const struct scallop_formula *formula;
   int of;
@@ -208,6 +208,8 @@ static const char *excluded(const struct series_options *o)
   bool document = strcmp(o->emit.value, "text") != 0;
   if (document && o->request.style.has_format)
     return "--format is for tables: with --emit it is of no use";
+  if (document && o->request.style.choice)
+    return "--columns is for tables: with --emit it is of no use";
   if (o->symbolic && o->request.sweep.products > 0)
     return "a list or a range of a parameter and --symbolic exclude each other: formulas are of one motion";
   if (o->symbolic)

@@ -75,4 +75,48 @@ for source in derived limit; do
 done
 refuse "and --symbolic exclude each other" series --T 0.1,0.2 --symbolic
 finish "what is no list and no range, and where none is taken"
+
+# ---- columns that are chosen ----
+run 0 steady --F1 1:10:40 --T 1e-3:1:50:log --columns 'status,T,ratio = F1/F2,v_start'
+rows out >got
+rows swept.tsv | awk -F '\t' -v OFS='\t' '{ print $17, $6, $3, $10 }' >wanted
+[ "$(header swept.tsv | cut -d ' ' -f 10,17)" = 'v_start status' ] || note "$(header swept.tsv)"
+cmp -s got wanted || note "$(diff got wanted | head -n 4)"
+[ "$(header out)" = 'status T ratio v_start' ] || note "$(header out)"
+sed '/^[^#]/,$d' out >heads
+grep '^#' swept.tsv | cmp -s - heads || note "other '#' lines: $(cat heads)"
+finish "steady: the columns that are asked for, and a formula"
+chosen() { # HEADER ARGUMENT...
+  wanted_header=$1
+  shift
+  run 0 "$@"
+  [ "$(header out)" = "$wanted_header" ] || note "$*: $(header out)"
+  [ "$(rows out | wc -l)" -gt 0 ] || note "$*: no rows"
+}
+chosen 'v0 w' phase --columns 'v0,w=v_end/v0' --v0 2
+chosen 't d' trajectory --columns 't,d=x1-x2'
+chosen 'formula relative' series --columns 'formula,relative=error/exact'
+chosen 'power c' series --source derived --columns 'power,c=2*coefficient'
+chosen 'claim verdict' claims --columns claim,verdict --gait quadratic --quiet
+chosen 'T f' breakdown --only radius --columns 'T,f=froude/2'
+chosen 'next_ratio gait' workprec --quick --summary --limit 0.01 --columns next_ratio,gait --quiet
+chosen 'certified quantity' stress --T 0.5 --columns certified,quantity
+chosen 'dT F1_over_F2' figure 4 --columns 'dT=10*T,F1_over_F2'
+printf 'h err\n0.1 0.01\n0.05 0.0025\n0.025 0.000625\n' >errors.txt
+chosen 'verdict order' order errors.txt --columns verdict,order
+run 0 order errors.txt --columns verdict --format json
+[ "$(cat out)" = '{"verdict": "measured"}' ] || note "json: $(cat out)"
+finish "every table of rows takes --columns"
+for command in steady phase trajectory series 'series --source derived' 'breakdown --only radius' 'figure 4' 'order errors.txt' 'claims --quiet --gait quadratic'; do
+  # shellcheck disable=SC2086
+  refuse "^scallop [a-z]*: --columns: there is no column 'nonsense_of_mine'" $command --columns nonsense_of_mine
+done
+refuse "there is no column 'statu': did you mean 'status'" steady --columns statu -o none.tsv
+[ ! -e none.tsv ] || note "none.tsv is there"
+refuse "'F1/': character" steady --columns 'r=F1/'
+refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
+refuse "is there twice" steady --columns F1,F1
+refuse "columns is for tables" series --source derived --emit c --columns power
+refuse "columns is for tables" order errors.txt --format tap --columns verdict
+finish "columns that are not there are refused, and nothing is written"
 exit $failed
