@@ -20,14 +20,17 @@ struct request {
   const char *book;   /* file name of a book of formulas, or NULL     */
 };
 
-/* What a command does with one point: adds one row to the table. refused is NULL, or why the point could
+/* What a command adds to the row of a point behind its parameters: the cells of its columns. refused is NULL, or why the point could
  * not even be read; the row then has no numbers and that status. Returns NULL, or why it was not solved. */
 typedef const char *point_row(struct table *table, const struct point *point, const void *context, const char *refused);
 
+/* A row has the crawler's parameters and extra; then, of a file, the columns that are no parameters, byte for byte, but for those whose
+ * names are taken; then columns. */
 struct point_table {
-  const char *const *extra;   /* parameters beyond the crawler's that the points may name, NULL-terminated */
-  const char *const *columns; /* written after the crawler's parameters and extra */
+  const char *const *extra;   /* parameters beyond the crawler's that the points may name, phase or v0, NULL-terminated */
+  const char *const *columns; /* of the command */
   bool v0_may_be_nan;         /* where none was given */
+  bool as_written;            /* parameters with all the digits that were given */
   point_row *row;
   const void *context;
 };
@@ -41,12 +44,6 @@ enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 /* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
 const char *name_among(const char *const *names, const char *name);
-
-/* The leading cells: the crawler's parameters; of a point that was refused, nan and -. */
-void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused);
-
-/* Cells for numbers[count] that are all nan, for rows without an answer. */
-void point_blank(struct table *table, int count);
 
 /* " m1=1 ...": the parameters without those in not_held; as below */
 enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };

@@ -128,16 +128,17 @@ void sweep_hold(struct sweep *sweep, const char *name)
 
 const char *sweep_vary(struct sweep *sweep, struct point *point, const char *name, const char *text)
 {
-  struct sweep_variable v;
   if (!sweep->product && !(sweep->product = calloc(1, sizeof *sweep->product)))
     return "out of memory";
   sweep->products = 1;
   sweep_hold(sweep, name);
   struct sweep_product *product = sweep->product;
-  if (!sweep_variable_of_name(&v, name) || product->groups == SWEEP_GROUPS)
+  struct sweep_group *group = &product->group[product->groups];
+  struct sweep_variable *v = &group->variable[0];
+  if (product->groups == SWEEP_GROUPS || !sweep_variable_of_name(v, name))
     return "this does not vary";
-  const char *wrong = (is_number_of(&v) && strchr(text, ':') ? read_range : read_list)(&v, point, text);
-  double points = wrong ? 0 : (double)v.count;
+  const char *wrong = (is_number_of(v) && strchr(text, ':') ? read_range : read_list)(v, point, text);
+  double points = wrong ? 0 : (double)v->count;
   for (int g = 0; g < product->groups; g++)
     points *= (double)product->group[g].count;
   if (points > SWEEP_POINTS) {
@@ -145,9 +146,11 @@ const char *sweep_vary(struct sweep *sweep, struct point *point, const char *nam
     wrong = message;
   }
   if (wrong) {
-    sweep_variable_free(&v);
+    sweep_variable_free(v);
     return wrong;
   }
-  product->group[product->groups++] = (struct sweep_group){ .variables = 1, .variable = { v }, .count = v.count };
+  group->variables = 1;
+  group->count = v->count;
+  product->groups++;
   return NULL;
 }

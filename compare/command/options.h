@@ -93,7 +93,7 @@ struct option_rule {
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
 #define OPTION_POINTS \
-  OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
+  OPTION_TEXT("points", "FILE", "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", NULL, \
               request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
 #define OPTION_FORMAT(otherwise) \

@@ -119,8 +119,6 @@ static const char *row(struct table *table, const struct point *point, const voi
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, published, exact);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   (void)context;
-  point_crawler(table, &point->crawler, refused);
-  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
   for (int i = 0, n = table->count - table->at - 1; i < n; i++)
     table_number(table, why ? NAN : published[i]);
   table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);

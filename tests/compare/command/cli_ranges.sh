@@ -119,4 +119,54 @@ refuse "is there twice" steady --columns F1,F1
 refuse "columns is for tables" series --source derived --emit c --columns power
 refuse "columns is for tables" order errors.txt --format tap --columns verdict
 finish "columns that are not there are refused, and nothing is written"
+
+# ---- columns that are carried along ----
+printf 'case\tT\tnote\t\tcase\tstatus\tF1\n' >marked.tsv
+printf '007\t0.5\tna\303\257ve, "so" \\ x|y\t1\tagain\told\t3\n' >>marked.tsv
+printf '1e400\t-1\t\t1\tagain\told\t3\n-0.50\t1\t#2\n' >>marked.tsv
+run 3 steady --points marked.tsv
+[ "$(header out | cut -d ' ' -f 6-11)" = 'T alpha gait case note froude' ] || note "$(header out)"
+rows out | cut -f 9,10 >got
+printf '007\tna\303\257ve, "so" \\ x|y\n1e400\t\n-0.50\t#2\n' >wanted
+cmp -s got wanted || note "$(cat got)"
+grep -q "not carried along, as their names are taken or empty: '', case, status\$" err || note "$(cat err)"
+[ "$(rows out | cut -f 19 | cut -c 1-10 | tr '\n' ';')" = 'ok;line 3: T:;line 4: 3 ;' ] || note "$(rows out | cut -f 19)"
+finish "columns that are no parameters are carried along byte for byte, also in rows without an answer"
+run 3 steady --points marked.tsv --format json --quiet
+python <<'END'
+rows = [json.loads(line) for line in open("out", encoding="utf-8")]
+if [(r["case"], r["note"]) for r in rows] != [("007", 'naïve, "so" \\ x|y'), ("1e400", ""), (-0.5, "#2")]:
+    bad(rows)
+END
+grep -q '"case": -0.50, ' out || note "$(cat out)"
+run 3 steady --points marked.tsv --format csv --quiet
+python <<'END'
+import csv
+rows = list(csv.DictReader(line for line in open("out", encoding="utf-8")))
+if rows[0]["note"] != 'naïve, "so" \\ x|y':
+    bad(rows[0])
+END
+run 3 steady --points marked.tsv --format markdown --quiet --columns note,case
+sed -n 3p out | grep -q -F -x "$(printf '| na\303\257ve, "so" \\ x\\|y | 007 |')" || note "$(cat out)"
+printf 'T\ta\001b\tbad\n1\tc\002d\t\377\n' >odd.tsv
+run 0 steady --points odd.tsv
+[ "$(rows out | cut -f 9,10)" = "$(printf 'c\002d\t\377')" ] || note "$(rows out | cut -f 9,10)"
+run 0 steady --points odd.tsv --format json
+/usr/bin/python3 -c 'import json; json.load(open("out", encoding="utf-8"))' 2>said || note "json: $(tail -n 1 said)"
+finish "carried cells in every format"
+"$tool" steady --T 0.1,0.2 --error >first.tsv
+"$tool" steady --points first.tsv --error --quiet | cmp -s - first.tsv || note "another table"
+"$tool" steady --T 0.1,0.2 | "$tool" phase --points - --quiet >out
+[ "$(header out | cut -d ' ' -f 9-12)" = 'phase v0 froude v_start' ] || note "$(header out)"
+"$tool" steady --points out --quiet >again
+[ "$(header again | cut -d ' ' -f 8-11)" = 'gait phase v0 t1' ] || note "$(header again)"
+"$tool" series --points first.tsv --quiet >series.tsv
+[ "$(header series.tsv | cut -d ' ' -f 8-11)" = 'gait v0 froude v_start' ] || note "$(header series.tsv)"
+[ "$(awk -F '\t' '!/^#/ && NF != n { if (n) print NF; n = NF }' series.tsv)" = '' ] || note "series: rows of other lengths"
+"$tool" series --points series.tsv --quiet | cmp -s - series.tsv || note "series: another table"
+finish "a table goes through its own command, and through others"
+{ printf 'T'; for i in $(seq 255); do printf '\tc%d' "$i"; done; printf '\n1'; for i in $(seq 255); do printf '\t%d' "$i"; done; echo; } >wide.tsv
+run 0 steady --points wide.tsv
+[ "$(header out | wc -w) $(cells out c255 status)" = '272 255 ok' ] || note "$(header out | wc -w) columns"
+finish "as many columns as a table may have"
 exit $failed
