@@ -136,9 +136,7 @@ static const char *read_columns(struct reader *r, const struct point_table *of)
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
   if (*unused && !r->quiet)
     complain(r->command, "note: %s",
-             tsv_at(&r->tsv,
-                    "these columns are not carried along, as their names are taken or empty: %s",
-                    unused));
+             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s", unused));
   return NULL;
 }
 

@@ -93,8 +93,10 @@ struct option_rule {
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
 #define OPTION_POINTS \
-  OPTION_TEXT("points", "FILE", "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", NULL, \
-              request, points, "a file name")
+  OPTION_TEXT( \
+      "points", "FILE", \
+      "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", NULL, \
+      request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
 #define OPTION_FORMAT(otherwise) \
   OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
@@ -108,6 +110,7 @@ struct option_rule {
   OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
          .kind = &output_option)
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
+#define OPTION_PAGER OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
 /* What --help says of lists and ranges, where a command takes many points */
 #define ABOUT_MANY_POINTS \
@@ -120,7 +123,7 @@ struct option_rule {
 #define OPTION_COLUMNS \
   OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
          .kind = &columns_option)
-#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
