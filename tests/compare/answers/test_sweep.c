@@ -132,6 +132,8 @@ TEST(lists_and_ranges_of_options)
   assert_null(sweep_vary(&sweep, &point, "T", "1e-3:10:5:log")); /* in place of the list, and last */
   assert_string_equal(sweep_variable(&sweep, 2)->name, "T");
   assert_int_equal(sweep_points(&sweep), 30);
+  assert_null(sweep_vary(&sweep, &point, "gait", "constant:0.1,quadratic,skewed:0.2"));
+  assert_int_equal(sweep_points(&sweep), 45);
   sweep_hold(&sweep, "gait");
   sweep_hold(&sweep, "gait");
   assert_int_equal(sweep_points(&sweep), 15);
