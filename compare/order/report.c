@@ -57,6 +57,8 @@ static void write_counts(struct table *t, const struct report *r)
                r->list->count - failed, failed);
     return;
   }
+  if (t->choice) /* of the columns of the verdicts */
+    return;
   t->count = 0;
   table_columns(t, counts);
   table_rounded(t, r->list->count, "%.0f");
