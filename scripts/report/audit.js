@@ -120,14 +120,19 @@ globalThis.audit = (() => {
     }
     return bad.slice(0, 5);
   };
-  // How far each body of the crawlers gets in half a second, in pixels; whether it wants to move or not
+  // How far each body of the crawlers goes, back and forth, in a second, in pixels
   const moved = async () => {
     const bodies = Array.from(document.querySelectorAll('.body1, .body2'));
     const places = () => bodies.map((body) => new DOMMatrix(getComputedStyle(body).transform).e);
+    const paths = bodies.map(() => 0);
     await drawn();
-    const before = places();
-    await new Promise((done) => setTimeout(done, 500));
-    return places().map((place, i) => Math.abs(place - before[i]));
+    for (let before = places(), i = 0; i < 4; i++) {
+      await new Promise((done) => setTimeout(done, 250));
+      const now = places();
+      now.forEach((place, body) => { paths[body] += Math.abs(place - before[body]); });
+      before = now;
+    }
+    return paths;
   };
   // Follows a link to the ledger; gives what is shown, what should be, and what the line above the table says.
   const filtered = (selector) => {

@@ -203,7 +203,7 @@ finish 'report: formulas are typeset as they are'
 mkdir explorer
 touch explorer/index.html
 report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
-links='href="../explorer/index.html#m1=1&amp;m2=1&amp;F1=4&amp;F2=1&amp;L=10&amp;T=2&amp;gait=quadratic&amp;alpha=0.75"'
+links='href="../explorer/index.html#m1=1&amp;m2=1&amp;F1=4&amp;F2=1&amp;L=10&amp;T=2&amp;gait=quadratic&amp;alpha=0.75&amp;start=rest"'
 grep -q -F "$links" page/index.html || note "no link to the explorer at figure 2"
 rm -r explorer
 report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
