@@ -120,6 +120,15 @@ globalThis.audit = (() => {
     }
     return bad.slice(0, 5);
   };
+  // Pictures and captions that lie over one another
+  const overlaps = () => {
+    const parts = Array.from(document.querySelectorAll('figure .plot svg, figcaption'), (part) => [part, part.getBoundingClientRect()]);
+    return parts.slice(1).filter(([, box], i) => {
+      const before = parts[i][1];
+      return Math.min(box.bottom, before.bottom) - Math.max(box.top, before.top) > 1
+        && Math.min(box.right, before.right) - Math.max(box.left, before.left) > 1;
+    }).map(([part]) => `lies over what is before it: ${part.getAttribute('aria-label') || named(part)}`);
+  };
   // How far each body of the crawlers goes, back and forth, in a second, in pixels
   const moved = async () => {
     const bodies = Array.from(document.querySelectorAll('.body1, .body2'));
@@ -145,5 +154,5 @@ globalThis.audit = (() => {
       said: Number(link.textContent.match(/\d+/)[0]),
       says: document.querySelector('.controls output').textContent };
   };
-  return { texts, plotTexts, colours, pictures, painted, open, width, ledgers, moved, filtered };
+  return { texts, plotTexts, colours, pictures, painted, open, width, ledgers, overlaps, moved, filtered };
 })();

@@ -122,7 +122,7 @@ class Check:
                 self.width()
                 for what in (
                     self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
-                    + self.call("ledgers")
+                    + self.call("ledgers") + self.call("overlaps")
                 ):
                     self.complain(what)
                 self.filtering()
