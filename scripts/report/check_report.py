@@ -5,8 +5,9 @@ scripts/report/check_report.py build/report/index.html [--quick] [--screenshots 
 
 Nothing is said on the console and nothing is asked of the network; every figure is there and painted; the page is no wider
 than the window; text has contrast and size; the ledger shows verdict and conditions of every row, and is filtered; the crawlers
-move, and stand still where no motion is wanted. Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it
-fails, 4 no such file.
+move, and stand still where no motion is wanted.
+
+Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it fails, 4 no such file.
 """
 import argparse
 import base64
