@@ -318,8 +318,10 @@ void options_initial(struct arguments *a, const struct command *command)
   a->command = command;
   if (command->initial)
     memcpy(&a->options, command->initial, command->size);
-  a->options.request = (struct request){ .style = { .command = command->name, .meaning = quantity_meaning },
-                                         .point = point_initial(command->defaults) };
+  const enum format format = a->options.request.style.format; /* of the command, where none is given */
+  a->options.request =
+      (struct request){ .style = { .command = command->name, .format = format, .meaning = quantity_meaning },
+                        .point = point_initial(command->defaults) };
 }
 
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,

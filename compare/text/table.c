@@ -348,6 +348,16 @@ void table_cell(struct table *t, const struct table_cell *cell)
   }
 }
 
+FILE *table_page(struct table *t)
+{
+  if (t->format != FORMAT_TABLE || t->style->choice)
+    return NULL;
+  aligned_free(&t->aligned);
+  t->at = 0;
+  hand_on(t);
+  return t->file;
+}
+
 bool table_failed(const struct table *t) { return t->error != 0; }
 
 bool table_flush(struct table *t)

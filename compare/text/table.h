@@ -93,6 +93,9 @@ void table_text(struct table *table, const char *text);
 void table_carried(struct table *table, const char *text);
 /* Any of these */
 void table_cell(struct table *table, const struct table_cell *cell);
+/* Where the table is aligned, for people: a row that is written as a page, to this stream, instead of its cells; what was kept of the row is
+ * forgotten. NULL: the table has another format, or columns are chosen. */
+FILE *table_page(struct table *table);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
 /* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
