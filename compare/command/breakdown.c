@@ -35,6 +35,7 @@ static const struct option options_of_breakdown[] = {
   OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
   OPTION_T("with --map %s"),
   OPTION_FLAG("boundaries", "with --map: the curves between its regions instead", breakdown_options, boundaries),
+  OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = { { "only phase v0", RULE_WITH, "map", NULL },

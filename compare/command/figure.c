@@ -15,6 +15,7 @@ static const struct option options_of_figure[] = {
               stats),
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 

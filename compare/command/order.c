@@ -48,6 +48,7 @@ static const struct option options_of_order[] = {
   OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
               order_options, format, report_formats),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct option_rule rules[] = {

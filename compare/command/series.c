@@ -31,6 +31,7 @@ static const struct option options_of_series[] = {
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct series_options initial = { .source = { "published", false },

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "compare/text/memory.h"
 #include "compare/text/message.h"
 
 enum { PEOPLE_DIGITS = 6 };
@@ -31,6 +32,41 @@ static enum format format_of(const struct style *style, const char *output)
   return to_people ? FORMAT_TABLE : style->format;
 }
 
+/* The rows of a table that is drawn: a table that never takes its place, for gnuplot to read until the picture is there. */
+struct pictured {
+  struct style style;
+  struct table copy;
+};
+
+static bool open_pictured(struct table *t)
+{
+  const struct style *of = t->style;
+  struct pictured *p = t->pictured = calloc(1, sizeof *p);
+  if (!p)
+    return complain(of->command, "out of memory");
+  p->style = (struct style){ .command = of->command, .has_format = true };
+  return plot_may_replace(&of->plot, of->command) && table_open_at(&p->copy, &p->style, of->plot.file);
+}
+
+static bool draw_pictured(const struct table *t, struct pictured *p)
+{
+  struct plot plot = t->style->plot;
+  plot.table = p->copy.out.temporary;
+  plot.meaning = t->style->meaning;
+  if (p->copy.error != 0 || fflush(p->copy.file) != 0)
+    return complain(t->style->command, "cannot write beside %s: %s", plot.file,
+                    strerror(p->copy.error != 0 ? p->copy.error : errno));
+  return plot_choose(&plot, t->style->command) && plot_draw(&plot, t->style->command);
+}
+
+static void end_pictured(struct table *t)
+{
+  if (t->pictured && t->pictured->copy.file)
+    table_abandon(&t->pictured->copy);
+  free(t->pictured);
+  t->pictured = NULL;
+}
+
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
   *t = (struct table){ .style = style, .output = output, .format = format_of(style, output) };
@@ -41,7 +77,25 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
   return error == 0;
 }
 
-bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
+static bool open_output(struct table *t)
+{
+  if (t->style->plot.file && !open_pictured(t)) {
+    end_pictured(t);
+    table_abandon(t);
+    return false;
+  }
+  return true;
+}
+
+bool table_open(struct table *t, const struct style *style)
+{
+  return table_open_at(t, style, style->output) && open_output(t);
+}
+
+bool table_open_picture(struct table *t, const struct style *style)
+{
+  return table_open_at(t, style, "/dev/null") && open_output(t);
+}
 
 /* The first error is the one to tell of. */
 static void note_error(struct table *t, bool failed)
@@ -89,19 +143,28 @@ static void print_aligned(struct table *t)
     t->error = ENOMEM;
 }
 
-void table_note(struct table *t, const char *format, ...)
+static void put_note(struct table *t, const char *format, va_list arguments)
 {
-  va_list arguments;
   if (t->format != FORMAT_TSV && t->format != FORMAT_TABLE)
     return;
   if (t->format == FORMAT_TABLE)
     print_aligned(t);
   hand_on(t);
   note_error(t, fputs("# ", t->file) < 0);
-  va_start(arguments, format);
   note_error(t, vfprintf(t->file, format, arguments) < 0);
-  va_end(arguments);
   note_error(t, fputc('\n', t->file) < 0);
+}
+
+void table_note(struct table *t, const char *format, ...)
+{
+  va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  put_note(t, format, arguments);
+  if (t->pictured)
+    put_note(&t->pictured->copy, format, again);
+  va_end(again);
+  va_end(arguments);
 }
 
 size_t number_text(char text[NUMBER_TEXT], double x, long digits)
@@ -113,6 +176,8 @@ size_t number_text(char text[NUMBER_TEXT], double x, long digits)
 
 void table_columns(struct table *t, const char *const *names)
 {
+  if (t->pictured)
+    table_columns(&t->pictured->copy, names);
   while (*names && t->count < TABLE_COLUMNS)
     t->columns[t->count++] = *names++;
 }
@@ -145,28 +210,39 @@ static void end_cell(struct table *t)
   hand_on(t);
 }
 
-void table_digits(struct table *t, const char *number)
+static void put_digits(struct table *t, const char *number)
 {
   begin_cell(t);
   put_text(t, number);
   end_cell(t);
 }
 
+void table_digits(struct table *t, const char *number)
+{
+  if (t->pictured)
+    put_digits(&t->pictured->copy, number);
+  put_digits(t, number);
+}
+
 void table_begin_rows(struct table *t)
 {
+  if (t->pictured)
+    table_begin_rows(&t->pictured->copy);
   t->aligned.columns = t->count;
   for (int i = 0; i < t->count && !is_json(t); i++)
-    table_digits(t, t->columns[i]);
+    put_digits(t, t->columns[i]);
   for (int i = 0; i < t->count && t->format == FORMAT_MARKDOWN; i++)
-    table_digits(t, "---");
+    put_digits(t, "---");
 }
 
 void table_number(struct table *t, double value)
 {
   char text[NUMBER_TEXT];
   long digits = t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits;
+  if (t->pictured)
+    table_number(&t->pictured->copy, value);
   number_text(text, value, digits == 0 && t->format == FORMAT_TABLE ? PEOPLE_DIGITS : digits);
-  table_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
+  put_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
 }
 
 void table_rounded(struct table *t, double value, const char *format)
@@ -175,7 +251,9 @@ void table_rounded(struct table *t, double value, const char *format)
   snprintf(text, sizeof text, format, value);
   if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
     memmove(text, text + 1, strlen(text));
-  table_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
+  if (t->pictured)
+    table_rounded(&t->pictured->copy, value, format);
+  put_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
 }
 
 /* Bytes that are no plain characters, in a message, must not make the table unreadable. */
@@ -184,6 +262,8 @@ void table_text(struct table *t, const char *text)
   /* characters that have a meaning in the format, and what stands in front of them then */
   static const char *const special[FORMATS] = { "", "\"\\", "\"", "|", "" };
   static const char before[FORMATS] = { [FORMAT_JSON] = '\\', [FORMAT_CSV] = '"', [FORMAT_MARKDOWN] = '\\' };
+  if (t->pictured)
+    table_text(&t->pictured->copy, text);
   const char *meant = special[t->format];
   bool quoted = is_json(t) || (t->format == FORMAT_CSV && strpbrk(text, ",\""));
   begin_cell(t);
@@ -224,11 +304,14 @@ bool table_close(struct table *t)
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0)
     complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", strerror(t->error));
-  return t->error == 0;
+  bool drawn = t->error == 0 && (!t->pictured || draw_pictured(t, t->pictured));
+  end_pictured(t);
+  return drawn;
 }
 
 void table_abandon(struct table *t)
 {
+  end_pictured(t);
   aligned_free(&t->aligned);
   file_close(&t->out, false);
 }

@@ -9,6 +9,7 @@
 #include "compare/text/aligned.h"
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
+#include "compare/text/plot.h"
 
 enum { TABLE_COLUMNS = 96, TABLE_PART = 4096, NUMBER_TEXT = DIGITS_TEXT };
 
@@ -28,6 +29,7 @@ struct style {
   bool quiet;
   bool has_output, has_format; /* are given */
   column_meaning *meaning;     /* of columns, for people, or NULL */
+  struct plot plot;            /* a picture of the table; of file NULL: none */
 };
 
 struct table {
@@ -38,16 +40,17 @@ struct table {
   const char *output;     /* its name, NULL: standard output */
   struct file out;
   const char *columns[TABLE_COLUMNS];
-  int count, at; /* columns; the next one in this row */
-  int error;     /* of the first write that failed */
-  size_t used;   /* of part: what is not yet handed to file, part of a row */
+  int count, at;             /* columns; the next one in this row */
+  int error;                 /* of the first write that failed */
+  struct pictured *pictured; /* a copy in TSV, of which a picture is drawn; NULL: none is wanted */
+  size_t used;               /* of part: what is not yet handed to file, part of a row           */
   char part[TABLE_PART];
 };
 
 /* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with
  * EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
-/* Opens the output of the style. */
+/* Opens the output of the style. If the style has a plot, the rows are kept in TSV too, beside the picture, until table_close. */
 bool table_open(struct table *table, const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -63,7 +66,10 @@ void table_text(struct table *table, const char *text);
 bool table_failed(const struct table *table);
 /* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
 bool table_flush(struct table *table);
-/* Closes, and puts the file in its place. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
+/* The same of a table that is drawn and not written. */
+bool table_open_picture(struct table *table, const struct style *style);
+/* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with EXIT_FILE; an earlier
+ * file stays, but where only the picture has failed the table is written. */
 bool table_close(struct table *table);
 /* Gives the output up: nothing is left behind. */
 void table_abandon(struct table *table);
