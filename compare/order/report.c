@@ -88,11 +88,11 @@ static enum exit_code write_table(const struct report *r)
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
-enum exit_code report_write_rows(const struct report *r)
+static enum exit_code write_rows(const struct report *r, bool (*open)(struct table *, const struct style *))
 {
   static const char *const columns[] = { "file", "series", "y", "row", "h", "err", "pairwise", "use", NULL };
   struct table t;
-  if (!table_open(&t, r->style))
+  if (!open(&t, r->style))
     return EXIT_FILE;
   table_note(&t, "scallop " SCALLOP_VERSION);
   table_note(&t, "command: order");
@@ -112,6 +112,10 @@ enum exit_code report_write_rows(const struct report *r)
     }
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
+
+enum exit_code report_write_rows(const struct report *r) { return write_rows(r, table_open); }
+
+enum exit_code report_draw(const struct report *r) { return write_rows(r, table_open_picture); }
 
 /* Text in which what means something to the format is written otherwise; what is no printable ASCII becomes '?' */
 static void put(FILE *out, const char *text, const char *special, const char *const *instead)

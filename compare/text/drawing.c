@@ -12,6 +12,8 @@
 
 #define PARAMETERS "T", "alpha", "F1", "F2", "m1", "m2", "L", "gait"
 
+#define AXES "F1/F2", "F1_over_F2", "m1/m2", "m1_over_m2", "alpha", "T", "froude"
+
 /* The first row all of whose columns a table has is its kind. Lists end with NULL. */
 static const struct drawing {
   const char *has[6];
@@ -21,6 +23,10 @@ static const struct drawing {
   const char *y[PLOT_COLUMNS + 1];   /* columns                                                             */
   const char *by[PLOT_COLUMNS + 1];  /* a curve is of each of their values                                  */
   enum { AS_IS, LOG_Y, LOG_XY } log; /* as the values ask for it, or logarithmic whatever they are          */
+  bool is_map;                       /* of vary the first two columns are the axes, and the head says which is logarithmic */
+  bool magnitudes;                   /* are drawn                                                                          */
+  const char *over;                  /* the column that y is divided by                                                    */
+  const char *limit;                 /* the head has this text, and behind it a number that is a limit                    */
 } drawings[] = {
   { .has = { "t", "x1", "x2", "xC" }, .program = "curves", .x = "t", .y = { "x1", "x2", "xC" } },
   { .has = { "series", "row", "h", "err" },
@@ -28,17 +34,59 @@ static const struct drawing {
     .x = "h",
     .y = { "err" },
     .by = { "file", "series", "y" },
-    .log = LOG_XY },
+    .log = LOG_XY,
+    .magnitudes = true },
   { .has = { "power", "coefficient", "sum", "error" },
     .program = "curves",
     .x = "power",
     .y = { "error" },
     .by = { "phase", "quantity" },
-    .log = LOG_Y },
+    .log = LOG_Y,
+    .magnitudes = true },
+  { .has = { "formula", "phase", "published", "exact", "error" },
+    .program = "dots",
+    .y = { "error" },
+    .by = { "formula", "phase", "quantity" },
+    .over = "exact" },
+  { .has = { "quantity", "C", "T0", "bound" }, .program = "dots", .y = { "bound" }, .by = { "quantity" } },
+  { .has = { "what", "series", "tolerance", "T" }, .program = "reach", .x = "T" },
+  { .has = { "region_1", "region_2", "curve" }, .program = "boundaries", .vary = { AXES }, .is_map = true },
+  { .has = { "modes", "regime", "error_published" }, .program = "map", .vary = { AXES }, .y = { "modes" }, .is_map = true },
+  { .has = { "modes", "regime", "T_1e-2_limit" }, .program = "map", .vary = { AXES }, .y = { "modes" }, .is_map = true },
+  { .has = { "method", "kind", "gait", "quantity", "time_median" },
+    .program = "workprec",
+    .x = "time_median",
+    .y = { "error" } },
+  { .has = { "wanted_error", "next_ratio", "rival_over_exact" },
+    .program = "dots",
+    .y = { "next_ratio", "rival_over_exact", "simulation_over_exact" },
+    .by = { "gait", "T", "quantity", "wanted_error" } },
+  { .has = { "family", "gait", "cases", "units" },
+    .program = "dots",
+    .y = { "units", "rounding", "perturbed" },
+    .by = { "family", "gait" },
+    .limit = "promised, in units: error " },
+  { .has = { "quantity", "certified", "units" },
+    .program = "dots",
+    .y = { "units", "rounding", "perturbed" },
+    .by = { "quantity" } },
+  { .has = { "scene", "stepper", "delta", "v_end_error" },
+    .program = "curves",
+    .x = "delta",
+    .y = { "displacement_error" },
+    .by = { "scene", "gait", "stepper" },
+    .log = LOG_XY,
+    .magnitudes = true },
+  { .has = { "scene", "stepper", "order_low" },
+    .program = "dots",
+    .y = { "order", "order_low", "order_high" },
+    .by = { "scene", "gait", "stepper", "quantity" } },
   { .has = { "m1", "phase", "v0", "dxC" }, .program = "curves", .vary = { PARAMETERS, "phase", "v0" }, .y = { "dxC" } },
   { .has = { "m1", "froude", "mean_velocity" }, .program = "curves", .vary = { PARAMETERS }, .y = { "mean_velocity" } },
+  { .has = { "m1", "v0", "text_steady_xC" }, .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
+  { .has = { NULL }, .program = "curves" }, /* any other: x and y are named */
 };
-enum { DRAWINGS = sizeof drawings / sizeof *drawings, MANY = 32 };
+enum { MANY = 32, TITLE = 160 };
 
 /* What is in a column: how many different values, at most MANY, and from where to where its numbers go. */
 struct content {
@@ -52,6 +100,8 @@ struct seen {
   const char *command;
   struct tsv tsv;
   struct content *content; /* one for each column */
+  bool log[2];             /* what the head says of the axes of a map */
+  double limit;            /* what it says of limits */
 };
 
 static bool refuse(const struct seen *s, const char *what, const char *name)
@@ -103,9 +153,53 @@ static bool has_all(const struct seen *s, const char *const *columns)
 static const struct drawing *drawing_of(const struct seen *s)
 {
   const struct drawing *d = drawings;
-  while (d < drawings + DRAWINGS && !has_all(s, d->has))
+  while (!has_all(s, d->has))
     d++;
-  return d < drawings + DRAWINGS ? d : NULL;
+  return d;
+}
+
+/* What the '#' lines say: which axes are logarithmic, a limit, and the parameters, which are the title where none is given. */
+static void read_head(struct seen *s, const struct drawing *d)
+{
+  static char title[TITLE];
+  char line[1024];
+  FILE *table = fopen(s->plot->table, "r");
+  while (table && fgets(line, sizeof line, table) && *line == '#') {
+    line[strcspn(line, "\n")] = '\0';
+    for (int i = 0; i < 2; i++)
+      if (strncmp(line, i == 0 ? "# x: " : "# y: ", 5) == 0)
+        s->log[i] = strlen(line) > 5 && strcmp(line + strlen(line) - 5, ", log") == 0;
+    if (d->limit && strncmp(line + 2, d->limit, strlen(d->limit)) == 0)
+      s->limit = strtod(line + 2 + strlen(d->limit), NULL);
+    if (!s->plot->title && strncmp(line, "# parameters: ", 14) == 0) {
+      snprintf(title, sizeof title, "%.*s", TITLE - 1, line + 14);
+      s->plot->title = title;
+    }
+  }
+  if (table)
+    fclose(table);
+}
+
+/* The parameters that are the same in all rows, as a title */
+static void title_of_held(const struct seen *s)
+{
+  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
+  static char title[TITLE];
+  size_t used = 0;
+  for (const char *const *name = names; *name; name++) {
+    const struct content *c = content_of(s, *name);
+    if (c && c->count == 1 && c->value[0] && used < sizeof title)
+      used += (size_t)snprintf(title + used, sizeof title - used, "%s%s=%s", used > 0 ? " " : "", *name, c->value[0]);
+  }
+  if (used > 0 && !s->plot->title)
+    s->plot->title = title;
+}
+
+static const char *in_list(const char *const *list, const char *name)
+{
+  while (*list && strcmp(*list, name) != 0)
+    list++;
+  return *list;
 }
 
 static void choose_varied(const struct seen *s, const struct drawing *d)
@@ -128,6 +222,16 @@ static void choose_varied(const struct seen *s, const struct drawing *d)
 
 static bool is_wide(const struct content *c, double factor) { return c && c->least > 0 && c->most >= factor * c->least; }
 
+static void choose_map(const struct seen *s, const struct drawing *d)
+{
+  int found = 0;
+  for (int i = 0; i < s->tsv.columns && found < 2; i++) {
+    const char *name = in_list(d->vary, s->tsv.column[i]);
+    if (name)
+      *(found++ == 0 ? &s->plot->x : &s->plot->by[0]) = name;
+  }
+}
+
 static void choose_axes(const struct seen *s, const struct drawing *d)
 {
   enum { OF_X = 30, OF_Y = 1000 };
@@ -135,33 +239,62 @@ static void choose_axes(const struct seen *s, const struct drawing *d)
   bool wide = p->y[0] != NULL;
   for (const char *const *y = p->y; *y; y++)
     wide = wide && is_wide(content_of(s, *y), OF_Y);
+  if (d->is_map) {
+    p->log_x = s->log[0];
+    p->log_y = s->log[1];
+    return;
+  }
   p->log_x = p->x_range.is_given ? p->x_range.is_log : d->log == LOG_XY || is_wide(content_of(s, p->x), OF_X);
   p->log_y = p->y_range.is_given ? p->y_range.is_log : d->log != AS_IS || wide;
 }
 
-static bool choose(const struct seen *s)
+/* Of columns that only name a curve those count that are not the same in all rows. */
+static void choose_names(const struct seen *s, const struct drawing *d)
+{
+  int bys = 0;
+  bool is_curves = strcmp(d->program, "curves") == 0;
+  for (const char *const *name = d->by; !s->plot->by[bys] && *name; name++) {
+    const struct content *c = content_of(s, *name);
+    if (!is_curves || !c || c->count > 1)
+      s->plot->by[bys++] = *name;
+  }
+}
+
+static bool has_columns(const struct seen *s, const char *const *names)
+{
+  for (; *names; names++)
+    if (!content_of(s, *names))
+      return refuse(s, "the table has no column ", *names);
+  return true;
+}
+
+static bool choose(struct seen *s)
 {
   struct plot *p = s->plot;
   const struct drawing *d = drawing_of(s);
-  if (!d)
-    return refuse(s, "no picture is known for a table of these columns", "");
-  if (!p->program && !p->script)
-    p->program = shipped_text(shipped_scripts, d->program);
+  if (d->is_map && (p->x || p->by[0]))
+    return refuse(s, "the axes of a map are those of --map", "");
+  p->program = shipped_text(shipped_scripts, d->program);
   p->x = p->x ? p->x : d->x;
   if (!p->y[0])
     memcpy(p->y, d->y, sizeof p->y);
-  if (!p->by[0])
-    memcpy(p->by, d->by, sizeof p->by);
-  choose_varied(s, d);
-  if (!p->x)
+  choose_names(s, d);
+  read_head(s, d);
+  title_of_held(s);
+  if (d->is_map)
+    choose_map(s, d);
+  else
+    choose_varied(s, d);
+  if (!p->x && d->vary[0])
     return refuse(s, "no parameter varies: a curve needs several points, from --points FILE", "");
-  const char *const x[] = { p->x, NULL }, *const *const lists[] = { x, p->y, p->by };
-  for (int i = 0; i < 3; i++)
-    for (const char *const *name = lists[i]; *name; name++)
-      if (!content_of(s, *name))
-        return refuse(s, "the table has no column ", *name);
+  if (!d->has[0] && (!p->x || !p->y[0]))
+    return refuse(s, "--plot-x and --plot-y name the columns of such a table", "");
   choose_axes(s, d);
-  return true;
+  p->magnitudes = d->magnitudes && p->log_y;
+  p->over = d->over;
+  p->limit = s->limit;
+  const char *const x[] = { p->x, NULL };
+  return has_columns(s, x) && has_columns(s, p->y) && has_columns(s, p->by);
 }
 
 /* A list with commas between its names. False: a name is empty, or there are too many. */
@@ -238,7 +371,9 @@ const char *plot_set(struct plot *p, const char *option, const char *text)
 
 bool plot_choose(struct plot *plot, const char *command)
 {
-  struct seen s = { plot, command, .content = NULL };
+  struct seen s = { plot, command, .limit = NAN };
+  if (plot->program || plot->script)
+    return true;
   bool good = tsv_open(&s.tsv, plot->table, TSV_TABS) ? look_at_rows(&s) && choose(&s) : refuse(&s, "its table is gone", "");
   for (int i = 0; s.content && i < s.tsv.columns; i++)
     for (int k = 0; k < s.content[i].count; k++)

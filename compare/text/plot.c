@@ -98,6 +98,10 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
   put_columns(to, "y", p->y);
   put_columns(to, "by", p->by);
   fprintf(to, "log_x = %d\nlog_y = %d\nwidth = %ld\nheight = %ld\n", p->log_x, p->log_y, p->width, p->height);
+  fprintf(to, "abs_y = %d\n", p->magnitudes);
+  if (p->limit - p->limit == 0 && p->limit > 0)
+    fprintf(to, "limit = %.17g\n", p->limit);
+  put_text(to, "over_column", p->over);
   put_range(to, "x", &p->x_range);
   put_range(to, "y", &p->y_range);
   put_units(to, p);

@@ -2,7 +2,7 @@
  *
  * gnuplot runs scripts/plots/common.gp, then the script of the picture, with these variables: table and output_file, paths; kind, "svg",
  * "png" or "pdf"; title and x_column; the arrays y_columns and by_columns, of which ys and bys elements are used; log_x and log_y, 0 or
- * 1; width and height, 0: those of the script; low_x, high_x, low_y and high_y, where has_x_range or has_y_range is 1; unit(column), a
+ * 1; width and height, 0: those of the script; low_x, high_x, low_y and high_y, where has_x_range or has_y_range is 1; abs_y, 1: magnitudes; over_column; limit; unit(column), a
  * function: the unit of a column, or "". Texts reach gnuplot as quoted bytes: no name or path can be taken for a command. */
 #ifndef SCALLOP_PLOT_H
 #define SCALLOP_PLOT_H
@@ -28,6 +28,9 @@ struct plot {
   const char *by[PLOT_COLUMNS + 1]; /* a curve for each combination of the values in these columns          */
   bool log_x, log_y;
   struct plot_range x_range, y_range;
+  bool magnitudes;         /* are drawn, of numbers with a sign                                 */
+  const char *over;        /* the column that y is divided by, or NULL                          */
+  double limit;            /* where a line is drawn; NAN: none                                  */
   long width, height;      /* of an SVG, in pixels; 0: as the script has it */
   column_meaning *meaning; /* of columns, or NULL                           */
 };

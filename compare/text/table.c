@@ -74,28 +74,16 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
   if (error != 0)
     complain(style->command, "cannot write %s: %s", output, strerror(error));
   t->file = t->out.stream;
-  return error == 0;
-}
-
-static bool open_output(struct table *t)
-{
-  if (t->style->plot.file && !open_pictured(t)) {
-    end_pictured(t);
+  if (error == 0 && style->plot.file && !open_pictured(t)) {
     table_abandon(t);
     return false;
   }
-  return true;
+  return error == 0;
 }
 
-bool table_open(struct table *t, const struct style *style)
-{
-  return table_open_at(t, style, style->output) && open_output(t);
-}
+bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
 
-bool table_open_picture(struct table *t, const struct style *style)
-{
-  return table_open_at(t, style, "/dev/null") && open_output(t);
-}
+bool table_open_picture(struct table *t, const struct style *style) { return table_open_at(t, style, "/dev/null"); }
 
 /* The first error is the one to tell of. */
 static void note_error(struct table *t, bool failed)

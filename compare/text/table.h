@@ -47,10 +47,10 @@ struct table {
   char part[TABLE_PART];
 };
 
-/* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with
- * EXIT_FILE. */
+/* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are kept in TSV too,
+ * beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
-/* Opens the output of the style. If the style has a plot, the rows are kept in TSV too, beside the picture, until table_close. */
+/* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -66,7 +66,7 @@ void table_text(struct table *table, const char *text);
 bool table_failed(const struct table *table);
 /* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
 bool table_flush(struct table *table);
-/* The same of a table that is drawn and not written. */
+/* Opens a table that is drawn and not written. */
 bool table_open_picture(struct table *table, const struct style *style);
 /* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with EXIT_FILE; an earlier
  * file stays, but where only the picture has failed the table is written. */
