@@ -14,10 +14,10 @@ unset table
 stats table using (column(x_column)):(column(y_column)) name "seen" nooutput
 rows = (regions + 1) / 2
 eval picture(900, 640 + 20 * rows, 13)
-set title title noenhanced font ",".(kind eq "png" ? 12 : 10)
+set title title noenhanced font small
 set border 15 lw 1
 set tics out nomirror
-set xlabel axis(x_column) noenhanced offset 0,0.4
+set xlabel axis(x_column) noenhanced
 set ylabel axis(y_column) noenhanced
 set rmargin 4
 wide(low, high) = low > 0 && log10(high / low) > 3.999
@@ -37,7 +37,14 @@ vx(u) = log_x ? 10**u : u
 vy(u) = log_y ? 10**u : u
 across = ux(x_high) - ux(x_low)
 up = uy(y_high) - uy(y_low)
-AWAY = 0.022
+AWAY = 0.02
+NEAR = 0.12 # of the picture: two numbers that are the same are not as near as this
+MOST_NUMBERS = 400
+array at_x[MOST_NUMBERS]
+array at_y[MOST_NUMBERS]
+array number[MOST_NUMBERS]
+numbers = 0
+is_near(x, y, k, i) = i > numbers ? 0 : number[i] == k && sqrt((at_x[i] - x)**2 + (at_y[i] - y)**2) < NEAR ? 1 : is_near(x, y, k, i + 1)
 set print $numbers
 print "x\ty\tnumber"
 do for [c=1:curves] {
@@ -59,13 +66,22 @@ do for [c=1:curves] {
     dy = (uy(y2) - uy(y1)) / up
     length = sqrt(dx**2 + dy**2)
     do for [side=-1:1:2] {
-      print sprintf("%.10g\t%.10g\t%d", vx(ux(xm) + (length > 0 ? side * dy / length * AWAY * across : 0)), \
-                    vy(uy(ym) - (length > 0 ? side * dx / length * AWAY * up : 0)), side < 0 ? left : right)
+      x = (ux(xm) - ux(x_low)) / across + (length > 0 ? side * dy / length * AWAY : 0)
+      y = (uy(ym) - uy(y_low)) / up - (length > 0 ? side * dx / length * AWAY : 0)
+      region = side < 0 ? left : right
+      if (numbers < MOST_NUMBERS && !is_near(x, y, region, 1)) {
+        numbers = numbers + 1
+        at_x[numbers] = x
+        at_y[numbers] = y
+        number[numbers] = region
+        print sprintf("%.10g\t%.10g\t%d", vx(ux(x_low) + x * across), vy(uy(y_low) + y * up), region)
+      }
     }
   }
 }
 unset print
-set key below left Left reverse noenhanced samplen 0 maxrows rows width 2 font "DejaVu Sans Mono,".(kind eq "png" ? 12 : 10)
+set key at screen 0.5, screen 0.01 center bottom vertical Left reverse noenhanced samplen 0 maxrows rows width 2 font mono
+set bmargin at screen (17.0 * rows + 62) / (height > 0 ? height : 640 + 20 * rows)
 entry(k) = sprintf("%2d  %s", k, name[k])
 plot for [c=1:curves] table using (int(column("curve")) == c ? column(x_column) : NaN):(column(y_column)) with lines lw 2 lc rgb "black" notitle, \
      $numbers using 1:2:3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 14 : 11) notitle, \

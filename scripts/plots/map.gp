@@ -15,12 +15,15 @@ array z[count]
 array name[MOST]
 array note[MOST]
 nx = ny = n = regions = 0
+z_low = 1e999
+z_high = -1e999
 number(text) = text eq "inf" ? 1e999 : text eq "-inf" ? -1e999 : text eq "nan" || text eq "-" ? NaN : text + 0
 place(text, more, i) = i > MOST ? MOST : i > regions ? (regions = i, name[i] = text, note[i] = more, i) : \
                        name[i] eq text ? i : place(text, more, i + 1)
 take(x, y, text, more, value) = (n = n + 1, ny = n == 1 || y != ys_[ny] ? ny + 1 : ny, ys_[ny] = y, \
                                  nx = ny == 1 ? n : nx, xs[ny == 1 ? n : 1] = ny == 1 ? x : xs[1], \
-                                 region[n] = place(text, more, 1), z[n] = value, 0)
+                                 region[n] = place(text, more, 1), z[n] = value, \
+                                 value - value == 0 ? (z_low = value < z_low ? value : z_low, z_high = value > z_high ? value : z_high) : 0, 0)
 is_regions = z_column eq "modes" || z_column eq "regime"
 set table $nodes
 plot table using (take(column(x_column), column(y_column), strcol(is_regions ? z_column : "modes"), strcol("regime"), \
@@ -79,43 +82,50 @@ do for [j=1:ny] { do for [i=1:nx] {
   print sprintf("%.10g %.10g %.10g %.10g %.10g %.10g %d %.10g", px(i), py(j), px(i - seam), px(i + seam), py(j - seam), py(j + seam), \
                 fill(region[at(i, j)]), z[at(i, j)])
 } }
+
+# Squares between four nodes. Where one corner is of another region than the three others, that region is cut off there; a boundary goes
+# from the middle of an edge to that of the next. Else it goes through the centre.
+corner(i, j) = region[at(i, j)]
+point(x, y) = sprintf("%.10g %.10g", px(x), py(y))
+over = seam - 0.5
 set print $corners
 print "NaN NaN 0"
-if (is_regions) { do for [j=1:ny-1] { do for [i=1:nx-1] { do for [corner=0:3] {
-  oi = i + corner % 2
-  oj = j + corner / 2
-  odd = region[at(oi, oj)]
-  next = region[at(2 * i + 1 - oi, oj)]
-  if (next != odd && next == region[at(oi, 2 * j + 1 - oj)] && next == region[at(2 * i + 1 - oi, 2 * j + 1 - oj)]) {
-    print sprintf("\n%.10g %.10g %d\n%.10g %.10g %d\n%.10g %.10g %d\n", px(i + 0.5), py(oj), fill(next), px(i + 0.5), py(j + 0.5), fill(next), \
-                  px(oi), py(j + 0.5), fill(next))
+do for [j=1:ny-1] { do for [i=1:nx-1] { do for [c=0:3] {
+  oi = i + c % 2
+  oj = j + c / 2
+  next = corner(2 * i + 1 - oi, oj)
+  if (next != corner(oi, oj) && next == corner(oi, 2 * j + 1 - oj) && next == corner(2 * i + 1 - oi, 2 * j + 1 - oj)) {
+    sx = oi == i ? over : -over
+    sy = oj == j ? over : -over
+    print sprintf("\n%s %d\n%s %d\n%s %d\n%s %d\n%s %d\n", point(i + 0.5, oj), fill(next), point(i + 0.5 + sx, oj), fill(next), \
+                  point(i + 0.5 + sx, j + 0.5 + sy), fill(next), point(oi, j + 0.5 + sy), fill(next), point(oi, j + 0.5), fill(next))
   }
-} } } }
+} } }
+set print $lines
+print "NaN NaN"
+half_way(x, y, i, j) = sprintf("\n%s\n%s\n", point(x, y), point(i, j))
+do for [j=1:ny-1] { do for [i=1:nx-1] {
+  south = corner(i, j) != corner(i + 1, j)
+  north = corner(i, j + 1) != corner(i + 1, j + 1)
+  west = corner(i, j) != corner(i, j + 1)
+  east = corner(i + 1, j) != corner(i + 1, j + 1)
+  if (south + north + west + east == 2 && south != north) {
+    print half_way(i + 0.5, south ? j : j + 1, west ? i : i + 1, j + 0.5)
+  } else {
+    if (south) { print half_way(i + 0.5, j, i + 0.5, j + 0.5) }
+    if (north) { print half_way(i + 0.5, j + 1, i + 0.5, j + 0.5) }
+    if (west) { print half_way(i, j + 0.5, i + 0.5, j + 0.5) }
+    if (east) { print half_way(i + 1, j + 0.5, i + 0.5, j + 0.5) }
+  }
+} }
 unset print
-
-# Boundaries: half-way between nodes of different regions
-set print $grid
-do for [j=1:ny] {
-  do for [i=1:nx] { print sprintf("%d %d %d", i, j, region[at(i, j)]) }
-  print ""
-}
-unset print
-set contour base
-unset surface
-set cntrparam levels discrete 0.5
-do for [k=1:regions] {
-  eval sprintf("set table $line%d", k)
-  if (nx > 1 && ny > 1 && regions > 1) { splot $grid using 1:2:($3 == k) } else { splot '+' using (NaN):(NaN):(NaN) }
-  unset table
-}
-unset contour
 
 rows = (regions + 1) / 2
 eval picture(900, 640 + 20 * (is_regions ? rows : 0), 13)
-set title title noenhanced font ",".(kind eq "png" ? 12 : 10)
+set title title noenhanced font small
 set border 15 lw 1
 set tics out nomirror
-set xlabel axis(x_column) noenhanced offset 0,0.4
+set xlabel axis(x_column) noenhanced
 set ylabel axis(y_column) noenhanced
 wide(low, high) = low > 0 && log10(high / low) > 3.999
 if (log_x) { set logscale x; if (wide(xs[1], xs[nx])) { set format x "10^{%T}" } else { set format x "%g" } }
@@ -123,29 +133,29 @@ if (log_y) { set logscale y; if (wide(ys_[1], ys_[ny])) { set format y "10^{%T}"
 set xrange [has_x_range ? low_x : px(nx > 1 ? 1 : 0.5) : has_x_range ? high_x : px(nx > 1 ? nx : 1.5)]
 set yrange [has_y_range ? low_y : py(ny > 1 ? 1 : 0.5) : has_y_range ? high_y : py(ny > 1 ? ny : 1.5)]
 set rmargin 4
-FEW = 3 # nodes: too small a part for a number, where the region has others
-array numbered[regions]
-do for [k=1:regions] { numbered[k] = 0 }
-do for [c=1:n] { if (size[c] > FEW) { numbered[region[c]] = 1 } }
+# The largest part of each region has a number, and each that is not small.
+NOT_SMALL = 0.02 # of the map
+array largest[regions]
+do for [k=1:regions] { largest[k] = 0 }
+do for [c=1:n] { if (size[c] > 0 && (largest[region[c]] == 0 || size[c] > size[largest[region[c]]])) { largest[region[c]] = c } }
 set print $numbers
-do for [c=1:n] {
-  if (size[c] > FEW || (size[c] > 0 && !numbered[region[c]])) { print sprintf("%.10g %.10g %d", px(best_i[c]), py(best_j[c]), region[c]) }
-}
+do for [c=1:n] { if (size[c] > NOT_SMALL * n || largest[region[c]] == c) {
+  print sprintf("%.10g %.10g %d", px(best_i[c]), py(best_j[c]), region[c])
+} }
 unset print
-line(k) = sprintf("$line%d", k)
 if (is_regions) {
-  set key below left Left reverse noenhanced samplen 2 maxrows rows width 2 font "DejaVu Sans Mono,".(kind eq "png" ? 12 : 10)
+  set key at screen 0.5, screen 0.01 center bottom vertical Left reverse noenhanced samplen 2 maxrows rows width 2 font mono
+  set bmargin at screen (17.0 * rows + 62) / (height > 0 ? height : 640 + 20 * rows)
   entry(k) = sprintf("%2d  %s%s", k, name[k], z_column eq "modes" && note[k] ne name[k] ? "  " . note[k] : "")
   set style fill solid noborder
   plot $cells using 1:2:3:4:5:6:7 with boxxyerror lc rgb variable fs solid notitle, \
        $corners using 1:2:3 with filledcurves closed lc rgb variable fs solid notitle, \
-       for [k=1:regions] line(k) using (px($1)):(py($2)) with lines lw 1.6 lc rgb "black" notitle, \
+       $lines using 1:2 with lines lw 1.6 lc rgb "black" notitle, \
        $numbers using 1:2:3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 17 : 13) notitle, \
        for [k=1:regions] keyentry with boxes lc rgb fill(k) fs solid border lc rgb "#555555" title entry(k)
 } else {
   unset key
-  stats $cells using 8 nooutput
-  logarithmic = STATS_records > 0 && STATS_min > 0 && STATS_max > 100 * STATS_min
+  logarithmic = z_low > 0 && z_high > 100 * z_low && z_high < 1e300
   if (logarithmic) { set logscale cb; set format cb "10^{%T}" }
   set palette defined (0 "#3b1f6b", 1 "#2f5d9b", 2 "#2a9d8f", 3 "#9fcf6f", 4 "#fff3a0")
   set cblabel axis(z_column) noenhanced
@@ -154,5 +164,5 @@ if (is_regions) {
   set colorbox user origin screen 0.85,0.2 size 0.025,0.6
   plot $cells using 1:2:3:4:5:6:($8 - $8 == 0 ? $8 : NaN) with boxxyerror fs solid noborder fc palette notitle, \
        $cells using ($8 - $8 == 0 ? NaN : $1):2:3:4:5:6 with boxxyerror lc rgb "#dddddd" fs solid notitle, \
-       for [k=1:regions] line(k) using (px($1)):(py($2)) with lines lw 1.2 lc rgb "white" notitle
+       $lines using 1:2 with lines lw 1.2 lc rgb "white" notitle
 }

@@ -39,7 +39,7 @@ do for [k=1:events] { set arrow k from event_T[k], graph 0 to event_T[k], graph 
                       set label k sprintf("%d", k) at event_T[k], graph 1 offset 0,(k % 2 ? 0.5 : 1.1) center font ",".(kind eq "png" ? 11 : 9) }
 top = 1 - 50.0 / h
 gap = 80.0 / h
-set multiplot layout rows,columns_of title title noenhanced font ",".(kind eq "png" ? 12 : 10) margins 0.09,0.98,bottom,top spacing 0.09,gap
+set multiplot layout rows,columns_of title title noenhanced font small margins 0.09,0.98,bottom,top spacing 0.09,gap
 unset key
 pick(q, s) = strcol("what") eq "reach" && strcol("quantity") eq quantity[q] && line_name(strcol("series"), strcol("order")) eq series[s]
 finite(T) = T > 0 && T - T == 0 ? T : NaN
