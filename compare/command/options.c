@@ -288,6 +288,9 @@ static bool is_sound(const struct arguments *a)
   if (style->output && gait_is_from(style->output))
     return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file",
                     style->output);
+  if (style->plot.file && gait_is_from(style->plot.file))
+    return complain(a->command->name, "--plot: %s is the file of the gait and is not replaced: name another file",
+                    style->plot.file);
   if (of_plot && !style->plot.file)
     return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
   return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));

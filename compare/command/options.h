@@ -116,7 +116,7 @@ struct option_rule {
       OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", "what else varies"), \
       OPTION_PLOT("plot-x-range", "FROM:TO", "the ends of the x axis, with :log or :linear", "those of the table"), \
       OPTION_PLOT("plot-y-range", "FROM:TO", "the ends of the y axis, with :log or :linear", "those of the table"), \
-      OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "none"), \
+      OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
       OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
                   "800x500, more where there is more to show")
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)

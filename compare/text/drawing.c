@@ -86,7 +86,7 @@ static const struct drawing {
   { .has = { "m1", "v0", "text_steady_xC" }, .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
   { .has = { NULL }, .program = "curves" }, /* any other: x and y are named */
 };
-enum { MANY = 32, TITLE = 160 };
+enum { MANY = 32, TITLE = 112 };
 
 /* What is in a column: how many different values, at most MANY, and from where to where its numbers go. */
 struct content {
@@ -112,7 +112,7 @@ static bool refuse(const struct seen *s, const char *what, const char *name)
 static void take_cell(struct content *c, const char *cell)
 {
   double number;
-  int i = 0;
+  int i = c->count == MANY ? MANY : 0; /* of more nothing is asked */
   while (i < c->count && c->value[i] && strcmp(c->value[i], cell) != 0)
     i++;
   if (i == c->count && i < MANY)

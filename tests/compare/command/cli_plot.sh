@@ -59,7 +59,7 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   # shellcheck disable=SC2086
   of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
   grid='--x 0.1:10:7 --y 0.1:0.9:5'
-  of_map "a map" 'F₁/F₂^α^2^-- -+ -- | -- +- --  sliding' F1/F2,alpha
+  of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal'
   of_map "a map over other axes" 'α^T (time)^1' alpha,T
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --boundaries'
@@ -90,6 +90,19 @@ head -c 4 picture.png | grep -q PNG || note "no PNG"
 head -c 4 picture.pdf | grep -q '%PDF' || note "no PDF"
 finish "PNG and PDF, beside a table in another format"
 
+scene() { printf 'vary = ( { T = [ 0.1, 0.5, 1.0 ]; } );\nwant = ( { what = "steady"; file = "scene.tsv"; plot = { file = "scene.svg"; x = "T"; y = "v_start"; %s }; } );\n' "$1" >scene.cfg; }
+scene 'title = "Of a scene"; size = "640x420"; x_range = "0.01:10:log"; y_range = "-5:45";'
+run 0 run scene.cfg --quiet
+shown_in scene.svg 'Of a scene^T (time)^v_start (length/time)^40'
+grep -q 'width="640" height="420"' scene.svg || note "another size"
+scene 'size = "640";'
+run 2 run scene.cfg
+grep -q "size: '640' is not allowed here" err || note "$(cat err)"
+scene 'x_range = "1";'
+run 2 run scene.cfg
+grep -q "x_range: '1' is not allowed here" err || note "$(cat err)"
+finish "the plot of a scene takes the same"
+
 # ---- refusals: nothing is computed, no picture, no table ----
 refused() { # CODE WORDS ARGUMENT...
   wanted=$1 words=$2
@@ -118,6 +131,10 @@ refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
 refused 4 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
+printf '0 0\n0.25 0.5\n0.5 1\n0.75 0.5\n1 0\n' >measured.svg
+cp measured.svg before
+run 2 trajectory --gait measured:measured.svg --plot measured.svg
+cmp -s measured.svg before || note "the file of the gait is replaced"
 finish "refusals"
 
 # ---- the table comes without gnuplot ----
