@@ -131,9 +131,10 @@ refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
 refused 4 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
-printf '0 0\n0.25 0.5\n0.5 1\n0.75 0.5\n1 0\n' >measured.svg
+printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >measured.svg
 cp measured.svg before
 run 2 trajectory --gait measured:measured.svg --plot measured.svg
+grep -q 'is the file of the gait' err || note "$(cat err)"
 cmp -s measured.svg before || note "the file of the gait is replaced"
 finish "refusals"
 
