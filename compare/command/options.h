@@ -120,10 +120,11 @@ struct option_rule {
       OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
                   "800x500, more where there is more to show")
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
+#define OPTION_PAGER OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
-#define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */

@@ -352,7 +352,7 @@ const char *plot_set(struct plot *p, const char *option, const char *text)
   char *parts = is_list ? lists[is_by] : copy;
   if (strlen(text) >= LONGEST)
     return not_allowed(text, "a shorter text");
-  strcpy(parts, text);
+  snprintf(parts, LONGEST, "%s", text);
   if (*of == '\0') {
     p->file = text;
     return plot_kind(text) ? NULL : not_allowed(text, "a file name that ends in .svg, .png or .pdf");

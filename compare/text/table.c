@@ -28,7 +28,7 @@ static bool is_json(const struct table *t) { return t->format == FORMAT_JSON; }
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
 {
-  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
+  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && (style->pager || isatty(STDOUT_FILENO));
   return to_people ? FORMAT_TABLE : style->format;
 }
 

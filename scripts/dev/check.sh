@@ -24,6 +24,7 @@ perform() { # TEST
     tables) same_tables ;;
     verdicts) "$build/scallop" claims --check ;;
     reference) /usr/bin/python3 scripts/python/reference.py --check tests/support/reference.tsv --every 40 ;;
+    explorer) sh tests/explorer/core.sh "$build" ;;
     cli_*) sh "tests/compare/command/$1" "$build/scallop" ;;
     fuzz_*) "$build/$1" tests/corpus/"${1#fuzz_}"/* ;;
     *) "$build/$1" ;;
@@ -34,6 +35,7 @@ title() {
     tables) echo "data/ is what the tool writes" ;;
     verdicts) echo "verdicts are those of data/claims.tsv" ;;
     reference) echo "reference table, every 40th row" ;;
+    explorer) echo "the core of the explorer in WebAssembly" ;;
     *) echo "$1" ;;
   esac
 }
@@ -66,6 +68,8 @@ count() { # TEST, which has ended
   if [ ! -f "$runs/$1/code" ]; then
     failed=$((failed + 1))
     echo "FAIL $name: it did not end"
+  elif [ "$(cat "$runs/$1/code")" = 0 ] && grep -q '^skipped: ' "$log"; then
+    echo "skip $name: $(sed -n 's/^skipped: //p' "$log")"
   elif [ "$(cat "$runs/$1/code")" = 0 ]; then
     count=$(grep -c -e '^\[       OK \]' -e '^ok ' "$log")
     if [ "$count" = 0 ]; then
@@ -105,7 +109,7 @@ for script in tests/compare/command/cli_*.sh; do
   esac
 done
 [ "${WITH_FLINT:-1}" = 0 ] || together="$together tables verdicts"
-together="$together reference"
+together="$together reference explorer"
 for program in "$@"; do
   together="$together $(basename "$program")"
 done

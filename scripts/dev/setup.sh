@@ -14,6 +14,8 @@ purposes() { # GOAL...
       fuzz | lint | valgrind | matrix | coverage) echo "build tests $goal" ;;
       reproduce) echo build plots ;;
       check-report) echo build plots report ;;
+      explorer) echo build explorer ;;
+      check-explorer) echo build explorer report ;;
       *) echo build ;;
     esac
   done
@@ -36,6 +38,13 @@ look() { # GOAL...: what is missing
       plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
                 [ -x /usr/bin/python3 ] || need python3 ;;
       report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
+      explorer) command -v clang >/dev/null 2>&1 || need clang
+                command -v wasm-ld >/dev/null 2>&1 || need lld
+                command -v wasm-opt >/dev/null 2>&1 || need binaryen
+                [ -f /usr/lib/wasm32-wasi/libc.a ] || need wasi-libc
+                ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 || need libclang-rt-dev-wasm32
+                command -v node >/dev/null 2>&1 || need nodejs
+                command -v npm >/dev/null 2>&1 || need npm ;;
       tests)    has_header cmocka.h || need libcmocka-dev
                 command -v pkg-config >/dev/null 2>&1 || need pkgconf
                 command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"

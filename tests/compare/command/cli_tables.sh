@@ -49,18 +49,25 @@ def on_terminal(*arguments):
     except OSError:
         os.close(master)
     return seen.decode().replace("\r\n", "\n")
-if "\ndisplacement   3.24121 L " not in on_terminal("steady"):
+if "\ndisplacement   3.24121 length " not in on_terminal("steady"):
     bad("not upright:", on_terminal("steady"))
-if "\ndisplacement   3.2412122 L " not in on_terminal("steady", "--digits", "8"):
+if "\ndisplacement   3.2412122 length " not in on_terminal("steady", "--digits", "8"):
     bad("--digits:", on_terminal("steady", "--digits", "8"))
 if on_terminal("steady", "--format", "tsv") != subprocess.run([sys.argv[1], "steady"], capture_output=True, text=True).stdout:
     bad("--format tsv is not what a pipe gets")
 lines = on_terminal("steady", "--points", "points.tsv").splitlines()
 names = [l for l in lines if not l.startswith("#")][0]
-if "  v_start" not in names or "L/T" not in lines[lines.index(names) + 1]:
+if "  v_start" not in names or "length/time" not in lines[lines.index(names) + 1]:
     bad("no names and units:", lines)
+os.environ["PAGER"] = "sed s/^/paged:/"
+for command in (["steady"], ["steady", "--certified"]):  # the second is handed over to the program with FLINT
+    if "\npaged:displacement   3.24121" not in on_terminal(*command, "--pager"):
+        bad("not paged:", on_terminal(*command, "--pager"))
+os.environ["PAGER"] = "true"
+on_terminal("claims", "--pager")  # a reader who leaves at once is no error
 END
-finish "a terminal gets an aligned table"
+run 2 steady --pager -o x.tsv
+finish "a terminal gets an aligned table, by a pager if asked"
 
 # ---- header lines, and the same bytes ----
 all='steady|steady --gait sinusoidal|steady --points points.tsv|phase|phase --phase contraction --v0 2|trajectory --start steady|

@@ -1,0 +1,16 @@
+// Makes the page one file: node build.js CORE.wasm OUT.html. Modules, styles and the core go into it; it asks for nothing else.
+import { readFile, writeFile } from "node:fs/promises";
+import { dirname, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const [core, out] = process.argv.slice(2);
+const here = dirname(fileURLToPath(import.meta.url));
+const common = { bundle: true, write: false, minify: true, target: "es2022", charset: "utf8", logLevel: "warning", absWorkingDir: here };
+const [script, style] = await Promise.all([
+  build({ ...common, entryPoints: ["page.js"], format: "esm", legalComments: "inline", alias: { "core.wasm": resolve(core) }, loader: { ".wasm": "binary" } }),
+  build({ ...common, entryPoints: ["page.css"] }),
+]);
+const parts = { SCRIPT: script.outputFiles[0].text.replaceAll("</script", "<\\/script"), STYLE: style.outputFiles[0].text };
+const page = (await readFile(`${here}/index.html`, "utf8")).replace(/\/\*(SCRIPT|STYLE)\*\//g, (_, name) => parts[name]);
+await writeFile(out, page);

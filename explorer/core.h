@@ -1,0 +1,59 @@
+/* explorer/: a page in which the solver follows the reader's hand. The core is the library in WebAssembly: model/, the exact periods of
+ * numerics/ and the published formulas, without a single import. It takes numbers from flat arrays and leaves its answers there. A gait is
+ * chosen, then a crawler, and then asked about. Statuses are those of enum scallop_status; where one is negative text() says why. core.js is the
+ * other side. */
+#ifndef EXPLORER_CORE_H
+#define EXPLORER_CORE_H
+
+#include "scallop.h"
+
+enum { EXPLORER_MOST = 16384, EXPLORER_ROWS = 20, EXPLORER_NUMBERS = 64, EXPLORER_TEXT = 1 << 20 };
+
+/* The crawler that was chosen last, with the gait that was. */
+extern struct scallop_crawler explorer_crawler;
+extern double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];
+extern char explorer_text[EXPLORER_TEXT];
+
+#define EXPORTED(name) __attribute__((export_name(#name), used)) name
+
+/* Places for numbers, for rows of most() numbers, and for a text of text_size() bytes with its NUL */
+double *EXPORTED(numbers)(void);
+double *EXPORTED(row)(int i);
+char *EXPORTED(text)(void);
+int EXPORTED(most)(void);
+int EXPORTED(text_size)(void);
+const char *EXPORTED(version)(void);
+/* Of family i: 0 its name, 1 what its numbers are called, 2 the usual ones, 3 their domain, 4 the sentence about it. NULL: it has none. */
+const char *EXPORTED(family_text)(int i, int which);
+/* The gait of family i with the first count of numbers(). The gait before stays where there is none. */
+int EXPORTED(choose_gait)(int i, int count);
+/* The measured gait of the table in text(); name: what to call it in messages, the first line of that text. numbers(): its L, T and alpha. */
+int EXPORTED(choose_table)(void);
+/* The crawler m1, m2, F1, F2, L, T, alpha of numbers(). */
+int EXPORTED(choose_crawler)(void);
+/* numbers(): froude, v_start, v_mid, displacement, mean_velocity, multiplier, v_low, v_high, regime, friction_work. text(): the modes */
+int EXPORTED(steady)(void);
+/* The period from v0. numbers(): v_mid, v_end, displacement, multiplier, regime. text(): the modes */
+int EXPORTED(period)(double v0);
+/* The intervals of constant mode of so many periods from v0, each in row(0)...: t_begin, t_end, directions of both bodies, their velocities at
+ * its beginning and at its end. Returns how many (as many as there is room for), or a status. */
+int EXPORTED(walk)(double v0, int periods);
+/* row(0)...: t, x1, x2, xC, v1, v2, l. Returns how many samples, or a status. */
+int EXPORTED(trajectory)(double v0, int periods, int samples);
+/* Classes: a regime with its modes, numbered as steady_states meets them. */
+const char *EXPORTED(class_name)(int i);
+int EXPORTED(class_count)(void);
+void EXPORTED(forget_classes)(void);
+/* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of the crawler that was chosen.
+ * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted) */
+void EXPORTED(steady_states)(int count, int with_work);
+/* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts of its parts in turn.
+ * NULL: there is none */
+const char *EXPORTED(formula_text)(int i, int which);
+/* 0 setting, 1 quantity, 2 remainder, 3 turns */
+int EXPORTED(formula_number)(int i, int which);
+/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula.
+ * Returns 1 if the formula is claimed for the crawler, else 0. */
+int EXPORTED(formula_along)(int i, int kind, double v0, int count);
+
+#endif

@@ -1,0 +1,141 @@
+// The core, in WebAssembly: core.h has what its calls take and give. Numbers are those of the command `scallop`.
+export const PARAMETERS = ["m1", "m2", "F1", "F2", "L", "T", "alpha"];
+export const REGIMES = ["sliding", "stick-slip", "at-rest"];
+const COLUMNS = ["froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "class", "friction_work"];
+const NUMBER = /^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$/;
+
+/** The number that a text is, or NaN: decimal notation as the command takes it, finite. */
+export function numberOf(text) {
+  const trimmed = String(text).trim();
+  const x = NUMBER.test(trimmed) ? Number(trimmed) : NaN;
+  return Number.isFinite(x) ? x : NaN;
+}
+
+export class Core {
+  constructor(bytes) {
+    this.calls = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
+    this.families = [];
+    for (let i = 0; this.calls.family_text(i, 0); i++) {
+      const [name, numbers, usual, allowed, sentence] = [0, 1, 2, 3, 4].map((k) => this.string(this.calls.family_text(i, k)));
+      this.families.push({ name, numbers, usual, allowed, sentence });
+    }
+    this.formulas = [];
+    for (let i = 0; this.calls.formula_text(i, 0); i++) this.formulas.push(this.formula(i));
+    this.version = this.string(this.calls.version());
+  }
+
+  string(at) {
+    if (!at) return null;
+    const bytes = new Uint8Array(this.calls.memory.buffer, at);
+    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+  text() {
+    return this.string(this.calls.text());
+  }
+  numbers() {
+    return new Float64Array(this.calls.memory.buffer, this.calls.numbers(), 64);
+  }
+  row(i, count = this.calls.most()) {
+    return new Float64Array(this.calls.memory.buffer, this.calls.row(i), count);
+  }
+  rows(count, ...numbers) {
+    return numbers.map((i) => this.row(i, count).slice());
+  }
+
+  formula(i) {
+    const [name, equation, text, quantity, corrected] = [0, 1, 2, 3, 4].map((k) => this.string(this.calls.formula_text(i, k)));
+    const [setting, , remainder, turns] = [0, 1, 2, 3].map((k) => this.calls.formula_number(i, k));
+    const parts = {};
+    for (let k = 5; this.calls.formula_text(i, k); k += 2)
+      parts[this.string(this.calls.formula_text(i, k))] = this.string(this.calls.formula_text(i, k + 1));
+    return { index: i, name, equation, text, quantity, corrected, setting, remainder, turns, parts };
+  }
+
+  /** Chooses a gait, "trapezoidal:0.1,0.2", or with a table { name, text } a measured one. Null or, for a table, its own { L, T, alpha };
+   * throws an Error that says what is allowed. */
+  chooseGait(text, table) {
+    const [name, numbers] = text.split(/:(.*)/s);
+    if (name === "measured") return this.chooseTable(table);
+    const i = this.families.findIndex((family) => family.name === name);
+    if (i < 0) throw new Error(`there is no gait '${name}'`);
+    const family = this.families[i];
+    if (!family.allowed && numbers !== undefined) throw new Error(`${name} takes no numbers`);
+    const parts = numbers ?? family.usual ?? "", given = parts ? parts.split(",").map(numberOf) : [];
+    if (given.length > 16 || given.some(Number.isNaN)) throw new Error(`it takes ${family.allowed}`);
+    this.numbers().set(given);
+    if (this.calls.choose_gait(i, given.length) < 0) throw new Error(this.text());
+    return null;
+  }
+
+  chooseTable(table) {
+    if (!table) throw new Error("a measured gait needs its file: choose it, or drop it on the page");
+    const name = table.name.replace(/[\x00-\x1f\x7f]/g, " ");
+    const bytes = new TextEncoder().encode(`${name}\n${table.text}\0`);
+    if (bytes.length > this.calls.text_size()) throw new Error(`${name}: a table of more than a million characters`);
+    if (bytes.indexOf(0) < bytes.length - 1) throw new Error(`${name}: this is not a text file`);
+    new Uint8Array(this.calls.memory.buffer, this.calls.text()).set(bytes);
+    if (this.calls.choose_table() < 0) throw new Error(this.text());
+    const [L, T, alpha] = this.numbers();
+    return { L, T, alpha };
+  }
+
+  /** Chooses the crawler { m1, m2, F1, F2, L, T, alpha }; throws an Error that says what is allowed. */
+  chooseCrawler(crawler) {
+    this.numbers().set(PARAMETERS.map((name) => crawler[name]));
+    if (this.calls.choose_crawler() < 0) throw new Error(this.text());
+  }
+
+  /** The steady state of the crawler. */
+  steady() {
+    const status = this.calls.steady();
+    if (status < 0) throw new Error(this.text());
+    const [froude, v_start, v_mid, displacement, mean_velocity, multiplier, v_low, v_high, regime, friction_work] = this.numbers();
+    const modes = this.text();
+    return { status, froude, v_start, v_mid, displacement, mean_velocity, multiplier, v_low, v_high, friction_work,
+             regime: REGIMES[regime], modes };
+  }
+
+  /** One period from v0. */
+  period(v0) {
+    if (this.calls.period(v0) < 0) throw new Error(this.text());
+    const [v_mid, v_end, displacement, multiplier, regime] = this.numbers();
+    return { v_mid, v_end, displacement, multiplier, regime: REGIMES[regime], modes: this.text() };
+  }
+
+  /** Intervals of constant mode: t_begin, t_end, s1, s2 of each. */
+  walk(v0, periods) {
+    const count = this.calls.walk(v0, periods);
+    if (count < 0) throw new Error(this.text());
+    const [begin, end, s1, s2] = this.rows(count, 0, 1, 2, 3);
+    return { count, begin, end, s1, s2 };
+  }
+
+  /** Samples: t, x1, x2, xC, v1, v2, l. */
+  trajectory(v0, periods, samples) {
+    const count = this.calls.trajectory(v0, periods, samples);
+    if (count < 0) throw new Error(this.text());
+    const [t, x1, x2, xC, v1, v2, l] = this.rows(count, 0, 1, 2, 3, 4, 5, 6);
+    return { count, t, x1, x2, xC, v1, v2, l };
+  }
+
+  /** The steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, good until the next call. */
+  steadyStates(count, fill, withWork = false) {
+    fill(PARAMETERS.map((_, i) => this.row(i, count)));
+    this.calls.steady_states(count, withWork ? 1 : 0);
+    return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
+  }
+  className(i) {
+    return this.string(this.calls.class_name(i));
+  }
+  forgetClasses() {
+    this.calls.forget_classes();
+  }
+
+  /** A formula along the periods T, beside what is exact; phase: 0 extension, 1 contraction. */
+  formulaAlong(formula, phase, v0, T) {
+    this.row(0, T.length).set(T);
+    const claimed = this.calls.formula_along(formula.index, phase, v0, T.length) === 1;
+    const [exact, value] = this.rows(T.length, 1, 2);
+    return { claimed, exact, value };
+  }
+}

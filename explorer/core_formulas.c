@@ -1,0 +1,131 @@
+/* The formulas, and what they are off by. */
+#include "explorer/core.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "asymptotics/published/read.h"
+
+/* Number i of the published formulas and then of the corrected ones; NULL after the last. */
+static const struct scallop_formula *formula_at(int i)
+{
+  int published = 0;
+  while (scallop_published[published].name)
+    published++;
+  const struct scallop_formula *f = i < published ? &scallop_published[i] : &scallop_corrected[i - published];
+  return f->name ? f : NULL;
+}
+
+const char *formula_text(int i, int which)
+{
+  const struct scallop_formula *f = formula_at(i);
+  if (!f)
+    return NULL;
+  const char *const texts[] = { f->name, f->equation, f->text, scallop_quantity_words[f->quantity], f->corrected };
+  if (which < 5)
+    return texts[which];
+  const struct scallop_part *part = f->parts;
+  for (int k = 5; part && part->name; k += 2, part++)
+    if (k == which || k + 1 == which)
+      return k == which ? part->name : part->text;
+  return NULL;
+}
+
+int formula_number(int i, int which)
+{
+  const struct scallop_formula *f = formula_at(i);
+  const int numbers[] = { (int)f->setting, (int)f->quantity, f->remainder, (int)f->turns };
+  return numbers[which];
+}
+
+struct turning { /* positions of the rear body, from its start and in L, at the first and at the last change of mode */
+  double mu_front, stroke, first, last;
+  struct scallop_mode mode;
+  bool started;
+};
+
+static void note_turning(void *context, const struct scallop_interval *i)
+{
+  struct turning *t = context;
+  if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
+    double way = i->piece->anchor == SCALLOP_FROM_END ? t->stroke : 0;
+    t->last = i->x_begin - t->mu_front * t->stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
+    t->first = isnan(t->first) ? t->last : t->first;
+  }
+  t->mode = i->mode;
+  t->started = true;
+}
+
+static double steady_number(const struct scallop_crawler *c, enum scallop_quantity quantity)
+{
+  struct scallop_steady_result s;
+  double work = NAN;
+  if (scallop_steady(c, &s) < 0)
+    return NAN;
+  switch (quantity) {
+  case SCALLOP_STEADY_VELOCITY: return s.period.v_start;
+  case SCALLOP_STEADY_V_MID: return s.period.v_mid;
+  case SCALLOP_STEADY_DISPLACEMENT: return s.period.displacement;
+  case SCALLOP_STEADY_MEAN_VELOCITY: return s.mean_velocity;
+  default: scallop_friction_work(c, s.period.v_start, s.period.v_mid, &work); return work;
+  }
+}
+
+static double phase_number(const struct scallop_phase_result *p, const struct turning *t, enum scallop_phase_kind kind,
+                           double v0, double L, enum scallop_quantity quantity)
+{
+  bool extension = kind == SCALLOP_EXTENSION;
+  switch (quantity) {
+  case SCALLOP_LAG: return p->dT;
+  case SCALLOP_FIRST_SWITCH: return p->t1;
+  case SCALLOP_REAR_AT_FIRST: return t->first * L;
+  case SCALLOP_REAR_AT_LAST: return t->last * L;
+  case SCALLOP_REAR_AT_END: return extension ? p->dx1 : p->dx2;
+  case SCALLOP_FRONT_AT_END: return extension ? p->dx2 : p->dx1;
+  case SCALLOP_CENTRE_AT_END: return p->dxC;
+  case SCALLOP_VELOCITY_AT_END: return p->v_end;
+  case SCALLOP_VELOCITY_CHANGE: return p->v_end - v0;
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return isnan(p->dT) ? NAN : 0;
+  default: return NAN;
+  }
+}
+
+struct pair {
+  double exact, formula;
+};
+
+static struct pair of_phase(const struct scallop_read_formula *read, const struct scallop_formula *f,
+                            const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+{
+  bool extension = kind == SCALLOP_EXTENSION;
+  struct scallop_phase_result p;
+  struct turning t = {
+    .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
+  };
+  if (scallop_phase(c, kind, v0, &p) < 0)
+    return (struct pair){ NAN, NAN };
+  scallop_phase_intervals(c, kind, v0, note_turning, &t);
+  return (struct pair){ phase_number(&p, &t, kind, v0, c->L, f->quantity),
+                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L) };
+}
+
+int formula_along(int i, int kind, double v0, int count)
+{
+  const struct scallop_formula *f = formula_at(i);
+  char message[SCALLOP_FORMULA_MESSAGE];
+  struct scallop_read_formula *read = scallop_formula_read(f, message);
+  struct scallop_crawler c = explorer_crawler;
+  struct scallop_values values = scallop_steady_values(&c);
+  for (int k = 0; k < count; k++) {
+    c.T = explorer_rows[0][k];
+    struct pair both = f->setting == SCALLOP_STEADY
+                           ? (struct pair){ steady_number(&c, f->quantity),
+                                            scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN) }
+                           : of_phase(read, f, &c, (enum scallop_phase_kind)kind, v0);
+    explorer_rows[1][k] = both.exact;
+    explorer_rows[2][k] = both.formula;
+  }
+  scallop_formula_free(read);
+  return scallop_formula_is_claimed(f, &values);
+}

@@ -1,0 +1,109 @@
+// The core of the explorer beside the command: node tests/explorer/core.js CORE.wasm SCALLOP FOLDER
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { Core } from "../../explorer/core.js";
+import { NAMES, NUMBERS, crawlers, measuredTable, random, unit } from "./crawlers.js";
+
+const [wasm, scallop, folder] = process.argv.slice(2);
+const MOST_UNITS = 8, MOST_BYTES = 200000, COUNT = 1000;
+const bytes = readFileSync(wasm), core = new Core(bytes);
+mkdirSync(folder, { recursive: true });
+
+function test(name, body) {
+  body();
+  console.log(`ok ${name}`);
+}
+
+test("the core is small, and imports nothing", () => {
+  assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
+  assert.ok(statSync(wasm).size < MOST_BYTES, `${statSync(wasm).size} bytes`);
+});
+
+/** Rows of a table of the command, by the names of its header. */
+function rowsOf(text) {
+  const [header, ...rows] = text.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split("\t"));
+  return rows.map((cells) => Object.fromEntries(header.map((name, i) => [name, cells[i]])));
+}
+
+test("1000 crawlers have the numbers of the command", () => {
+  const next = random(5), tables = {};
+  for (let i = 0; i < 3; i++) {
+    const name = `${folder}/gait${i}.tsv`;
+    tables[`measured:${name}`] = { name, text: measuredTable(next) };
+    writeFileSync(name, tables[`measured:${name}`].text);
+  }
+  const points = crawlers(COUNT, Object.keys(tables));
+  const columns = [...NAMES, "gait"];
+  writeFileSync(`${folder}/points.tsv`, [columns, ...points.map((p) => columns.map((name) => p[name]))].map((row) => row.join("\t")).join("\n") + "\n");
+  const command = spawnSync(scallop, ["steady", "--points", `${folder}/points.tsv`, "--quiet"], { encoding: "utf8" });
+  assert.equal(command.stderr, "");
+  const rows = rowsOf(command.stdout);
+  assert.equal(rows.length, COUNT);
+  let equal = 0, worst = 0, modes = 0;
+  points.forEach((point, i) => {
+    core.chooseGait(point.gait.startsWith("measured") ? "measured" : point.gait, tables[point.gait]);
+    core.chooseCrawler(point);
+    const steady = core.steady();
+    assert.ok(["ok", "interval"].some((status) => rows[i].status.startsWith(status)), rows[i].status);
+    modes += steady.modes === rows[i].modes && steady.regime === rows[i].regime;
+    for (const name of NUMBERS) {
+      const wanted = Number(rows[i][name]);
+      if (Object.is(steady[name], wanted)) {
+        equal++;
+        continue;
+      }
+      const apart = Math.abs(steady[name] - wanted) / unit(core, point, name);
+      assert.ok(apart <= MOST_UNITS, `${name} of ${JSON.stringify(point)}: ${steady[name]}, not ${wanted}: ${apart} units`);
+      worst = Math.max(worst, apart);
+    }
+  });
+  console.log(`  ${equal} of ${COUNT * NUMBERS.length} numbers have the same bits; the others differ by up to ${worst.toFixed(2)} units; ${modes} of ${COUNT} modes are the same`);
+  assert.ok(modes >= 0.99 * COUNT);
+  assert.ok(equal >= 0.99 * COUNT * NUMBERS.length);
+});
+
+test("many at once are those one by one", () => {
+  const points = crawlers(500, []).map((point) => ({ ...point, gait: "sinusoidal" }));
+  core.chooseGait("sinusoidal");
+  core.chooseCrawler(points[0]);
+  core.forgetClasses();
+  const many = core.steadyStates(points.length, (rows) => points.forEach((p, i) => NAMES.forEach((name, k) => (rows[k][i] = p[name]))), true);
+  const kept = Object.fromEntries(Object.entries(many).map(([name, row]) => [name, row.slice()]));
+  points.forEach((point, i) => {
+    core.chooseCrawler(point);
+    const one = core.steady();
+    for (const name of [...NUMBERS, "friction_work"]) assert.equal(kept[name][i], one[name]);
+    assert.equal(core.className(kept.class[i]), `${one.regime}: ${one.modes}`);
+  });
+});
+
+test("what is not allowed is refused, and the crawler stays", () => {
+  core.chooseGait("quadratic");
+  const usual = { m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 };
+  core.chooseCrawler(usual);
+  const before = core.steady();
+  assert.throws(() => core.chooseCrawler({ ...usual, alpha: 1 }), /alpha: a number between 0 and 1/);
+  assert.throws(() => core.chooseCrawler({ ...usual, F1: -3 }), /F1: a finite number > 0/);
+  assert.throws(() => core.chooseCrawler({ ...usual, T: 1e-300 }), Error);
+  assert.throws(() => core.chooseGait("trapezoidal:0.7,0.7"), /UP/);
+  assert.throws(() => core.chooseGait("square"), /no gait/);
+  assert.throws(() => core.chooseGait("polynomial:1,2"), Error);
+  assert.throws(() => core.chooseGait("measured", { name: "<b>x</b>.tsv", text: "0 0\n1 2\n0.5 1\n2 0\n" }), /<b>x<\/b>\.tsv:3: t = 0\.5 does not come after 1/);
+  assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "0 0\n1\tx\n" }), /x\.tsv:2: /);
+  assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "" }), /rows/);
+  core.chooseCrawler(usual);
+  assert.deepEqual(core.steady(), before);
+});
+
+test("a formula beside the command's claim: the error of (28) falls as T^4, for the sinusoidal gait not at all", () => {
+  const formula = core.formulas.find(({ name }) => name === "text_steady_xC");
+  const slope = (gait) => {
+    core.chooseGait(gait);
+    core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
+    const { exact, value } = core.formulaAlong(formula, 0, 0, [0.1, 0.2]);
+    return Math.log2(Math.abs((exact[1] - value[1]) / (exact[0] - value[0])));
+  };
+  assert.ok(Math.abs(slope("quadratic") - 4) < 0.05);
+  assert.ok(Math.abs(slope("sinusoidal")) < 0.05);
+});
