@@ -301,15 +301,13 @@ static bool choose(struct seen *s)
 static bool read_names(const char *names[PLOT_COLUMNS + 1], char *text)
 {
   int count = 0;
-  for (char *next = text; next; count++) {
-    if (count == PLOT_COLUMNS)
+  for (char *name = text, *comma; name; name = comma ? comma + 1 : NULL) {
+    comma = strchr(name, ',');
+    if (comma)
+      *comma = '\0';
+    if (count == PLOT_COLUMNS || *name == '\0')
       return false;
-    names[count] = next;
-    next = strchr(next, ',');
-    if (next)
-      *next++ = '\0';
-    if (*names[count] == '\0')
-      return false;
+    names[count++] = name;
   }
   names[count] = NULL;
   return true;

@@ -25,64 +25,80 @@ x_low = has_x_range ? low_x : seen_min_x
 x_high = has_x_range ? high_x : seen_max_x
 y_low = has_y_range ? low_y : seen_min_y
 y_high = has_y_range ? high_y : seen_max_y
-if (log_x) { set logscale x; if (wide(x_low, x_high)) { set format x "10^{%T}" } else { set format x "%g" } }
-if (log_y) { set logscale y; if (wide(y_low, y_high)) { set format y "10^{%T}" } else { set format y "%g" } }
-if (x_low < x_high) { set xrange [x_low:x_high] }
-if (y_low < y_high) { set yrange [y_low:y_high] }
 
-# In the middle of each curve: what is on its left and on its right, a little way off, as the picture goes
+# On both sides of each curve a number, nearer to the curve than to any other, so that it is in its region: of some places the freest one.
 ux(x) = log_x ? log10(x) : x
 uy(y) = log_y ? log10(y) : y
-vx(u) = log_x ? 10**u : u
-vy(u) = log_y ? 10**u : u
 across = ux(x_high) - ux(x_low)
 up = uy(y_high) - uy(y_low)
-AWAY = 0.02
-NEAR = 0.12 # of the picture: two numbers that are the same are not as near as this
-MOST_NUMBERS = 400
+MOST_POINTS = 20000
+array px[MOST_POINTS]
+array py[MOST_POINTS]
+array of[MOST_POINTS]
+array left[MOST_POINTS]
+array right[MOST_POINTS]
+points = 0
+take(c, x, y, one, two) = (points = points + 1, of[points] = int(c), px[points] = (ux(x) - ux(x_low)) / across, \
+                           py[points] = (uy(y) - uy(y_low)) / up, left[points] = place(one, 1), right[points] = place(two, 1), 0)
+set table $all
+plot table using (points < MOST_POINTS ? take(column("curve"), column(x_column), column(y_column), strcol("region_1"), strcol("region_2")) : 0) \
+     with table
+unset table
+set print $points
+print "x\ty\tcurve"
+do for [k=1:points] { print sprintf("%.6f\t%.6f\t%d", px[k], py[k], of[k]) }
+print sprintf("9\t9\t%d", curves + 1) # never near
+unset print
+NEAR = 0.14 # of the picture: two numbers that are the same are not as near as this
+MOST_NUMBERS = 200
 array at_x[MOST_NUMBERS]
 array at_y[MOST_NUMBERS]
 array number[MOST_NUMBERS]
 numbers = 0
-is_near(x, y, k, i) = i > numbers ? 0 : number[i] == k && sqrt((at_x[i] - x)**2 + (at_y[i] - y)**2) < NEAR ? 1 : is_near(x, y, k, i + 1)
 set print $numbers
 print "x\ty\tnumber"
-do for [c=1:curves] {
-  points = 0
-  set table $one
-  plot table using (int(column("curve")) == c ? (points = points + 1) : points) with table
-  unset table
-  if (points > 1) {
-    middle = (points + 1) / 2
-    first = middle > 1 ? middle - 1 : 1
-    last = middle < points ? middle + 1 : points
-    k = 0
-    take(x, y, one, two) = (k = k + 1, k == first ? (x1 = x, y1 = y) : 0, k == last ? (x2 = x, y2 = y) : 0, \
-                            k == middle ? (xm = x, ym = y, left = place(one, 1), right = place(two, 1)) : 0, 0)
-    set table $one
-    plot table using (int(column("curve")) == c ? take(column(x_column), column(y_column), strcol("region_1"), strcol("region_2")) : 0) with table
-    unset table
-    dx = (ux(x2) - ux(x1)) / across
-    dy = (uy(y2) - uy(y1)) / up
-    length = sqrt(dx**2 + dy**2)
-    do for [side=-1:1:2] {
-      x = (ux(xm) - ux(x_low)) / across + (length > 0 ? side * dy / length * AWAY : 0)
-      y = (uy(ym) - uy(y_low)) / up - (length > 0 ? side * dx / length * AWAY : 0)
-      region = side < 0 ? left : right
-      if (numbers < MOST_NUMBERS && !is_near(x, y, region, 1)) {
-        numbers = numbers + 1
-        at_x[numbers] = x
-        at_y[numbers] = y
-        number[numbers] = region
-        print sprintf("%.10g\t%.10g\t%d", vx(ux(x_low) + x * across), vy(uy(y_low) + y * up), region)
+first = 1
+do for [k=1:points] { if (k == points || of[k + 1] != of[k]) {
+  do for [side=-1:1:2] {
+    best = -1
+    do for [part=1:9] { do for [away in "0.005 0.01 0.018 0.025"] {
+      at = first + int((k - first) * part / 10.0)
+      from = at > first ? at - 1 : at
+      to = at < k ? at + 1 : at
+      dx = px[to] - px[from]
+      dy = py[to] - py[from]
+      long = sqrt(dx**2 + dy**2)
+      x = px[at] + (long > 0 ? side * dy / long * away : 0)
+      y = py[at] - (long > 0 ? side * dx / long * away : 0)
+      if (long > 0 && x > 0.02 && x < 0.98 && y > 0.02 && y < 0.98) {
+        stats $points using (column(3) == of[k] ? NaN : sqrt((column(1) - x)**2 + (column(2) - y)**2)) name "way" nooutput
+        free = way_min < 1.2 * away ? -1 : away + (way_min < 0.1 ? way_min : 0.1)
+        if (free > best) { best = free; best_x = x; best_y = y }
       }
+    } }
+    region = side < 0 ? left[first] : right[first]
+    is_new = best > 0 && numbers < MOST_NUMBERS
+    do for [n=1:numbers] { if (number[n] == region && sqrt((at_x[n] - best_x)**2 + (at_y[n] - best_y)**2) < NEAR) { is_new = 0 } }
+    if (is_new) {
+      numbers = numbers + 1
+      at_x[numbers] = best_x
+      at_y[numbers] = best_y
+      number[numbers] = region
+      print sprintf("%.6f\t%.6f\t%d", best_x, best_y, region)
     }
   }
-}
+  first = k + 1
+} }
 unset print
+vx(u) = log_x ? 10**(ux(x_low) + u * across) : x_low + u * across
+vy(u) = log_y ? 10**(uy(y_low) + u * up) : y_low + u * up
+if (log_x) { set logscale x; if (wide(x_low, x_high)) { set format x "10^{%T}" } else { set format x "%g" } }
+if (log_y) { set logscale y; if (wide(y_low, y_high)) { set format y "10^{%T}" } else { set format y "%g" } }
+if (x_low < x_high) { set xrange [x_low:x_high] }
+if (y_low < y_high) { set yrange [y_low:y_high] }
 set key at screen 0.5, screen 0.01 center bottom vertical Left reverse noenhanced samplen 0 maxrows rows width 2 font mono
 set bmargin at screen (17.0 * rows + 62) / (height > 0 ? height : 640 + 20 * rows)
 entry(k) = sprintf("%2d  %s", k, name[k])
 plot for [c=1:curves] table using (int(column("curve")) == c ? column(x_column) : NaN):(column(y_column)) with lines lw 2 lc rgb "black" notitle, \
-     $numbers using 1:2:3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 14 : 11) notitle, \
+     $numbers using (vx(column(1))):(vy(column(2))):3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 14 : 11) notitle, \
      for [k=1:regions] keyentry with points pt 7 ps 0 title entry(k)

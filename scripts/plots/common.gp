@@ -28,8 +28,8 @@ array symbols[54] = [ "m1", "m₁", "m2", "m₂", "F1", "F₁", "F2", "F₂", "F
   "dx1", "Δx₁", "dx2", "Δx₂", "dxC", "Δx_C", \
   "mean_velocity", "mean velocity", "friction_work", "friction work", "cost_of_transport", "cost of transport", "froude", "Froude number", \
   "displacement_error", "displacement error", "time_median", "time", "t_over_T", "t / T" ]
-array units[24] = [ "m1", "mass", "m2", "mass", "F1", "force", "F2", "force", "L", "length", "T", "time", "t", "time", "v0", "length/time", \
-  "x1", "length", "x2", "length", "xC", "length", "l", "length" ]
+array units[28] = [ "m1", "mass", "m2", "mass", "F1", "force", "F2", "force", "L", "length", "T", "time", "t", "time", "v0", "length/time", \
+  "x1", "length", "x2", "length", "xC", "length", "l", "length", "v1", "length/time", "v2", "length/time" ]
 symbol_at(name, i) = i > |symbols| ? name : symbols[i] eq name ? symbols[i + 1] : symbol_at(name, i + 2)
 unit_at(name, i) = i > |units| ? "" : units[i] eq name ? units[i + 1] : unit_at(name, i + 2)
 symbol(name) = symbol_at(name, 1)
