@@ -209,6 +209,8 @@ static const char *excluded(const struct series_options *o)
   bool document = strcmp(o->emit.value, "text") != 0;
   if (document && o->request.style.has_format)
     return "--format is for tables: with --emit it is of no use";
+  if (document && o->request.style.plot.file)
+    return "--plot is for tables: with --emit it is of no use";
   if (o->symbolic)
     return excluded_from_formulas(o);
   if (document && !derived)

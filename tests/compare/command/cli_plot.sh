@@ -36,6 +36,10 @@ END
 
 drawn "trajectory" "t (time)^x₁, x₂, x_C (length)^x₁^m1=1 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.75 gait=quadratic" trajectory --periods 2
 drawn "a sweep of steady states" "T (time)^mean velocity (length/time)^F₁ = 2^F₁ = 4" steady --points points.tsv
+printf 'T\n0.01\n0.1\n0.5\n' >wide.tsv
+run 0 steady --points wide.tsv --plot wide.svg
+shown_in wide.svg '0.02^0.05^0.2'
+finish "a wide axis is logarithmic"
 drawn "a sweep of phases" "T (time)^Δx_C (length)^F₁ = 4" phase --points points.tsv --v0 0.5
 drawn "the published formulas" "|error / exact|^text_steady_xC  period  displacement" series --gait sinusoidal
 drawn "formulas of a sweep" "T (time)^text_steady_xC^F₁ = 2" series --points points.tsv
@@ -53,7 +57,12 @@ shown_in columns.svg "T (time)^dxC_over_L^F₁/F₂ = 40"
 finish "a figure's columns"
 drawn "orders" "h^|err|^first^second" order errors.txt
 if [ "${WITH_FLINT:-1}" != 0 ]; then
+  drawn "certified states" "T (time)^mean velocity (length/time)^F₁ = 4" steady --points points.tsv --certified
   drawn "a derived series" "power^period, v_start" series --source derived --order 8
+  drawn "events alone" "T (time)^1  T = 2.789: start velocity changes sign" breakdown --only event
+  run 2 series --symbolic --emit c --plot no.svg
+  grep -q 'with --emit it is of no use' err || note "$(cat err)"
+  finish "no picture of a program"
   drawn "bounds" "bound^displacement" series --bound
   drawn "reaches" "T (time)^relative error, displacement^relative error, v_start" breakdown --tol 0.01
   # shellcheck disable=SC2086
