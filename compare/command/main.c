@@ -184,7 +184,7 @@ int main(int count, char **arguments)
       hand_over_before(&read, read.options.request.book);
     code = options_book(&read);
     if (code == EXIT_DONE)
-      code = command->run(&read, &read.options);
+      code = options_judge(&read, command->run(&read, &read.options));
   }
   options_free(&read);
   return (int)code;

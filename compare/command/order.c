@@ -68,7 +68,11 @@ static int format_of(const struct order_options *o)
 static bool is_sound(const void *options)
 {
   const struct order_options *o = options;
-  return !o->rows || format_of(o) < FORMATS || complain("order", "--rows: '%s' is a format for verdicts", o->format.value);
+  if (format_of(o) < FORMATS)
+    return true;
+  if (o->request.style.choice)
+    return complain("order", "--columns is for tables, and '%s' is none", o->format.value);
+  return !o->rows || complain("order", "--rows: '%s' is a format for verdicts", o->format.value);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
