@@ -286,7 +286,7 @@ static bool choose(struct seen *s)
   else
     choose_varied(s, d);
   if (!p->x && d->vary[0])
-    return refuse(s, "no parameter varies: a curve needs several points, from --points FILE", "");
+    return refuse(s, "no parameter varies: a curve needs several points: --T 0.1:1:20, or --points FILE", "");
   if (!d->has[0] && (!p->x || !p->y[0]))
     return refuse(s, "--plot-x and --plot-y name the columns of such a table", "");
   choose_axes(s, d);
