@@ -74,7 +74,7 @@ $(B)/with-sundials-$(with_sundials):
 
 # Scenes, their plot scripts, the completion and the ledger, in the program
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
-$(B)/shipped_scripts.c: $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
+$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg

@@ -38,6 +38,7 @@ static const struct option options_of_breakdown[] = {
   OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
   OPTION_T("with --map %s"),
   OPTION_FLAG("boundaries", "with --map: the curves between its regions instead", breakdown_options, boundaries),
+  OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
 #define NARROWS "all only quantity source order tol phase v0 format columns"
