@@ -52,8 +52,10 @@ void EXPORTED(steady_states)(int count, int with_work);
 const char *EXPORTED(formula_text)(int i, int which);
 /* 0 setting, 1 quantity, 2 remainder, 3 turns */
 int EXPORTED(formula_number)(int i, int which);
-/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula.
- * Returns 1 if the formula is claimed for the crawler, else 0. */
+/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula,
+ * row(3): a number that differs where the modes do. Returns 1 if the formula is claimed for the crawler, else 0. */
 int EXPORTED(formula_along)(int i, int kind, double v0, int count);
+/* Formula i, of the steady state, for the crawlers of row(0) to row(6) as in steady_states: row(15). */
+void EXPORTED(formula_over)(int i, int count);
 
 #endif

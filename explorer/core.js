@@ -124,6 +124,11 @@ export class Core {
     this.calls.steady_states(count, withWork ? 1 : 0);
     return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
   }
+  /** A formula of the steady state for the crawlers that the rows hold. */
+  formulaOver(formula, count) {
+    this.calls.formula_over(formula.index, count);
+    return this.row(15, count);
+  }
   className(i) {
     return this.string(this.calls.class_name(i));
   }
@@ -135,7 +140,7 @@ export class Core {
   formulaAlong(formula, phase, v0, T) {
     this.row(0, T.length).set(T);
     const claimed = this.calls.formula_along(formula.index, phase, v0, T.length) === 1;
-    const [exact, value] = this.rows(T.length, 1, 2);
-    return { claimed, exact, value };
+    const [exact, value, modes] = this.rows(T.length, 1, 2, 3);
+    return { claimed, exact, value, modes };
   }
 }
