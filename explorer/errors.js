@@ -70,7 +70,7 @@ export class Errors {
       drawClear: [(u) => (drawMarks(u, this.changes), this.exceeds && drawMarks(u, [this.exceeds], "wrong"), drawMarks(u, [this.crawlerT], "point"))],
       setCursor: [(u) => this.tell(u.cursor.idx)],
     };
-    const scales = { x: scale(true, () => [this.T[0], this.T.at(-1)]), y: scale(true, (u, low, high) => [low > 0 ? low : 1e-16, high > low ? high : 1]) };
+    const scales = { x: scale(true, () => [this.T[0], this.T.at(-1)]), y: scale(true, (u, low, high) => decades(low, high)) };
     const key = `${series.map(({ label, width }) => label + width)} ${state.start} ${state.phase}`;
     this.plot.show({ key, x: "T", y: "|error|", series, scales, hooks }, [[...this.T], ...this.curves.map(({ error }) => error)]);
   }
@@ -97,6 +97,9 @@ export class Errors {
     return { names, rows };
   }
 }
+
+/** Whole decades around a range. */
+const decades = (low, high) => (low > 0 ? [10 ** Math.floor(Math.log10(low)), 10 ** (Math.floor(Math.log10(high)) + 1)] : [1e-16, 1]);
 
 const nearest = (T, x) => T.reduce((best, t, i) => (Math.abs(Math.log(t / x)) < Math.abs(Math.log(T[best] / x)) ? i : best), 0);
 

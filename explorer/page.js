@@ -22,9 +22,20 @@ const plane = new Plane(find("plane"));
 const map = new CrawlerMap(core, find("map"), find("legend"), movedTo);
 const curve = new Curve(core, find("curve"), find("curve-note"));
 const errors = new Errors(core, find("errors"), find("error-formula"), find("formula"), find("error-note"));
-let state = stateOf(location.hash);
+const AMONG = {
+  start: ["steady", "rest", "velocity"], x: Object.keys(AXES), y: Object.keys(AXES), show: Object.keys(SHOWN), along: ["x", "y"],
+  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"],
+};
+let state = ofLink();
 const history = new History(state);
-let motion = null, time = 0, playing = false, before = 0, asked = false;
+let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
+
+/** The state of the page's address; two axes of a map never set the same parameter. */
+function ofLink() {
+  const linked = stateOf(location.hash, AMONG);
+  if (AXES[linked.x].sets === AXES[linked.y].sets) Object.assign(linked, { x: USUAL.x, y: USUAL.y });
+  return linked;
+}
 
 /** Sets fields of the state. done: the reader let go, and it can be undone. */
 function change(fields, done = true) {
@@ -76,6 +87,7 @@ function judged() {
 }
 
 function update() {
+  const begun = performance.now();
   asked = false;
   const { wrong, crawler } = judged();
   controls.show(state, wrong);
@@ -97,6 +109,7 @@ function update() {
   find("command").textContent = commandOf(state);
   find("error-phase").parentElement.hidden = motion.endless;
   find("save-table").hidden = state.table === "";
+  took = performance.now() - begun;
 }
 
 /** The crawler was moved in the map. */
@@ -239,7 +252,7 @@ find("time").addEventListener("input", (event) => {
 find("undo").addEventListener("click", () => goTo(history.go(-1)));
 find("redo").addEventListener("click", () => goTo(history.go(1)));
 find("usual").addEventListener("click", () => change({ ...USUAL }));
-addEventListener("hashchange", () => goTo(stateOf(location.hash)));
+addEventListener("hashchange", () => goTo(ofLink()));
 
 function goTo(other) {
   state = other;
@@ -273,4 +286,4 @@ addEventListener("keydown", (event) => {
 
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture };
+globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture, took: () => took };

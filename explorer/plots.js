@@ -10,8 +10,16 @@ const fewer = (u, splits, i) => {
   const { distr, min, max } = u.scales[u.axes[i].scale];
   return distr === 3 && max / min > 1e4 ? splits.map((x) => (Math.abs(Math.log10(x) % 1) < 1e-9 ? x : null)) : splits;
 };
+/** And labels at as many of those as there is room for. */
+const labelled = (u, splits, i) => {
+  const { distr, min, max } = u.scales[u.axes[i].scale], decades = Math.log10(max / min);
+  if (distr !== 3) return splits;
+  const room = (i === 0 ? u.bbox.width / 60 : u.bbox.height / 26) / devicePixelRatio, every = Math.max(1, Math.ceil(decades / room));
+  const kept = (x) => (decades < 1.5 ? true : Math.abs(Math.log10(x) % 1) < 1e-9 && Math.round(Math.log10(x)) % every === 0);
+  return splits.map((x) => (kept(x) ? x : null));
+};
 const axis = (label, grid) => ({
-  label, values: (_, splits) => splits.map(number), stroke: () => colour("ink"), font: "13px system-ui", labelFont: "13px system-ui", labelSize: 22,
+  label, filter: labelled, values: (_, splits) => splits.map(number), stroke: () => colour("ink"), font: "13px system-ui", labelFont: "13px system-ui", labelSize: 22,
   grid: { show: grid ?? true, filter: fewer, stroke: () => colour("line"), width: 1 }, ticks: { stroke: () => colour("line") },
 });
 export const scale = (log, range) => ({ time: false, distr: log ? 3 : 1, range: range ?? ((_, low, high) => [low, high]) });
