@@ -25,7 +25,7 @@ int EXPORTED(text_size)(void);
 const char *EXPORTED(version)(void);
 /* Of family i: 0 its name, 1 what its numbers are called, 2 the usual ones, 3 their domain, 4 the sentence about it. NULL: it has none. */
 const char *EXPORTED(family_text)(int i, int which);
-/* The gait of family i with the first count of numbers(). The gait before stays where there is none. */
+/* The gait of family i with the first count of numbers(). Where there is none the gait of the crawler stays. */
 int EXPORTED(choose_gait)(int i, int count);
 /* The measured gait of the table in text(); name: what to call it in messages, the first line of that text. numbers(): its L, T and alpha. */
 int EXPORTED(choose_table)(void);

@@ -54,6 +54,15 @@ export class Core {
   /** Chooses a gait, "trapezoidal:0.1,0.2", or with a table { name, text } a measured one. Null or, for a table, its own { L, T, alpha };
    * throws an Error that says what is allowed. */
   chooseGait(text, table) {
+    const key = `${text}\n${text === "measured" && table ? `${table.name}\n${table.text}` : ""}`;
+    if (this.chosen?.key === key) return this.chosen.own;
+    this.chosen = null;
+    const own = this.makeGait(text, table);
+    this.chosen = { key, own };
+    return own;
+  }
+
+  makeGait(text, table) {
     const [name, numbers] = text.split(/:(.*)/s);
     if (name === "measured") return this.chooseTable(table);
     const i = this.families.findIndex((family) => family.name === name);

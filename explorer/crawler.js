@@ -15,8 +15,8 @@ const set = (node, attributes) => {
 
 /** An arrow from x along the level y, of so many pixels to the right; none where it is short. */
 function arrow(node, x, y, length) {
-  const head = Math.min(9, Math.abs(length)) * Math.sign(length);
-  node.setAttribute("d", Math.abs(length) < 1.5 ? "" : `M${x} ${y}h${length}m${-head} -5l${head} 5l${-head} 5`);
+  const head = Math.min(9, Math.abs(length)) * Math.sign(length), half = 0.55 * Math.abs(head);
+  node.setAttribute("d", Math.abs(length) < 1.5 ? "" : `M${x} ${y}h${length}m${-head} ${-half}l${head} ${half}l${-head} ${half}`);
 }
 
 export class Drawing {
@@ -98,7 +98,8 @@ export class Drawing {
   }
 
   showGround(now, scale, middle) {
-    const { width } = this, range = width / scale, step = 10 ** Math.floor(Math.log10(range / 4)), each = range / step > 12 ? 2 * step : step;
+    const { width } = this, range = width / scale, step = 10 ** Math.floor(Math.log10(50 / scale));
+    const each = [1, 2, 5, 10].map((k) => k * step).find((one) => one * scale >= 50);
     const first = Math.ceil((now.followed - range / 2) / each);
     let marks = "";
     this.labels.forEach((label, i) => {

@@ -57,7 +57,7 @@ export class CrawlerMap {
     this.states = this.core.steadyStates(count, (rows) => fill(rows, this.crawler, count, this.names, this.places.xs), this.what === "friction_work");
     this.classes = this.states.class.slice();
     if (this.what === "error") {
-      const formula = this.core.formulaOver(this.formula, count), { displacement } = this.states;
+      const displacement = this.states.displacement.slice(), formula = this.core.formulaOver(this.formula, count);
       this.values = formula.map((value, i) => Math.log10(Math.max(Math.abs(value / displacement[i] - 1), 1e-16)));
     } else if (this.what !== "modes") this.values = this.states[this.what].slice();
   }

@@ -63,42 +63,46 @@ function ask() {
   asked = true;
 }
 
-/** What is wrong with each field; the crawler, where nothing is. */
-function judged() {
+/** What is wrong with each field of a state, and the crawler, which is chosen where nothing is. */
+function judged(state) {
   const wrong = {}, crawler = crawlerOf(state);
   for (const name of PARAMETERS)
     if (Number.isNaN(crawler[name])) wrong[name] = `${name}: ${name === "alpha" ? "a number between 0 and 1, both excluded" : "a finite number > 0"}`;
   if (Number.isNaN(numberOf(state.v0))) wrong.v0 = "v0: a finite number";
-  if (!(numberOf(state.periods) >= 1 && numberOf(state.periods) <= 60)) wrong.periods = "periods: a whole number from 1 to 60";
-  try {
-    core.chooseGait(state.gait, state.table ? { name: state.table_name, text: state.table } : null);
-  } catch (error) {
-    wrong.gait = error.message;
-  }
-  if (Object.keys(wrong).length === 0) {
+  if (!/^([1-9]|[1-5][0-9]|60)$/.test(state.periods)) wrong.periods = "periods: a whole number from 1 to 60";
+  const attempt = (name, action) => {
     try {
-      core.chooseCrawler(crawler);
+      action();
     } catch (error) {
-      const name = error.message.split(":")[0];
-      wrong[PARAMETERS.includes(name) ? name : "T"] = error.message;
+      const parameter = error.message.split(":")[0];
+      wrong[PARAMETERS.includes(parameter) ? parameter : name] = error.message;
     }
-  }
+  };
+  attempt("gait", () => core.chooseGait(state.gait, state.table ? { name: state.table_name, text: state.table } : null));
+  if (Object.keys(wrong).length === 0) attempt("T", () => core.chooseCrawler(crawler));
   return { wrong, crawler };
 }
 
+/** The page follows its state; the last picture stays where something is wrong with that. */
 function update() {
   const begun = performance.now();
   asked = false;
-  const { wrong, crawler } = judged();
+  const { wrong, crawler } = judged(state), right = Object.keys(wrong).length === 0;
+  if (right || !motion) {
+    try {
+      picture(right ? state : USUAL, right ? crawler : judged(USUAL).crawler);
+    } catch (error) {
+      wrong.T = error.message;
+    }
+  }
   controls.show(state, wrong);
   document.body.classList.toggle("kept", Object.keys(wrong).length > 0);
-  if (Object.keys(wrong).length > 0) return;
-  try {
-    motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Math.floor(numberOf(state.periods)) });
-  } catch (error) {
-    controls.show(state, { T: error.message });
-    return;
-  }
+  took = performance.now() - begun;
+}
+
+/** Shows everything about a crawler. */
+function picture(state, crawler) {
+  motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Number(state.periods) });
   showAnswers();
   showTime();
   map.show(crawler, state, `${state.gait} ${state.show}`);
@@ -109,7 +113,6 @@ function update() {
   find("command").textContent = commandOf(state);
   find("error-phase").parentElement.hidden = motion.endless;
   find("save-table").hidden = state.table === "";
-  took = performance.now() - begun;
 }
 
 /** The crawler was moved in the map. */
@@ -236,10 +239,10 @@ find("save-scene").addEventListener("click", () => save("explorer.cfg", sceneOf(
 find("save-table").addEventListener("click", () => save(state.table_name, state.table, "text/tab-separated-values"));
 find("curve-tsv").addEventListener("click", () => save("curve.tsv", tsvOf(curve.table, commandOf(state), core.version), "text/tab-separated-values"));
 find("error-tsv").addEventListener("click", () => save("errors.tsv", tsvOf(errors.table(), commandOf(state), core.version), "text/tab-separated-values"));
-const picture = () => pictureOf(find("crawler"), ["plane", "map", "curve", "errors"].map((id) => ({
+const seen = () => pictureOf(find("crawler"), ["plane", "map", "curve", "errors"].map((id) => ({
   title: find(id).closest("section").querySelector("h2").textContent, canvas: find(id).querySelector("canvas") })), commandOf(state));
-find("save-svg").addEventListener("click", () => save("explorer.svg", picture(), "image/svg+xml"));
-find("save-png").addEventListener("click", async () => save("explorer.png", await pngOf(picture())));
+find("save-svg").addEventListener("click", () => save("explorer.svg", seen(), "image/svg+xml"));
+find("save-png").addEventListener("click", async () => save("explorer.png", await pngOf(seen())));
 find("speed").value = "4s";
 find("play").addEventListener("click", () => play(!playing));
 find("back").addEventListener("click", () => step(-0.01));
@@ -286,4 +289,4 @@ addEventListener("keydown", (event) => {
 
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture, took: () => took };
+globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, took: () => took };

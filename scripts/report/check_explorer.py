@@ -55,7 +55,8 @@ class Check:
             method, details = event.get("method"), event.get("params", {})
             if method in REPORTS:
                 entry = details.get("entry") or details.get("exceptionDetails") or details
-                self.complaints.append(f"{where}: {method}: {str(entry)[:300]}")
+                said = entry.get("exception", {}).get("description") or entry.get("text") or entry
+                self.complaints.append(f"{where}: {method}: {str(said)[:300]}")
             elif method == "Network.requestWillBeSent":
                 address = details["request"]["url"].split("#")[0]
                 if address != self.address and not address.startswith(("data:", "blob:", "about:")):
