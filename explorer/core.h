@@ -45,8 +45,9 @@ const char *EXPORTED(class_name)(int i);
 int EXPORTED(class_count)(void);
 void EXPORTED(forget_classes)(void);
 /* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of the crawler that was chosen.
- * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted) */
-void EXPORTED(steady_states)(int count, int with_work);
+ * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted).
+ * for_picture: displacements that are small by cancellation may be off by a few ulp of L. */
+void EXPORTED(steady_states)(int count, int with_work, int for_picture);
 /* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts of its parts in turn.
  * NULL: there is none */
 const char *EXPORTED(formula_text)(int i, int which);

@@ -128,9 +128,9 @@ export class Core {
   }
 
   /** The steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, good until the next call. */
-  steadyStates(count, fill, withWork = false) {
+  steadyStates(count, fill, { withWork = false, forPicture = false } = {}) {
     fill(PARAMETERS.map((_, i) => this.row(i, count)));
-    this.calls.steady_states(count, withWork ? 1 : 0);
+    this.calls.steady_states(count, withWork ? 1 : 0, forPicture ? 1 : 0);
     return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
   }
   /** A formula of the steady state for the crawlers that the rows hold. */

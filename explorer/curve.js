@@ -15,16 +15,28 @@ export class Curve {
     Object.assign(this, { core, note, plot: new Plot(host) });
   }
 
-  show(crawler, name, of) {
-    const { core } = this, ends = range(name, crawler), { title, formula, over } = QUANTITIES[of];
+  /** digits: all of them, not what a picture needs. */
+  solve(crawler, name, of, digits) {
+    const { core } = this, ends = range(name, crawler), { formula, over } = QUANTITIES[of];
     const xs = Float64Array.from({ length: COUNT }, (_, i) => valueAt(name, ends, i / (COUNT - 1)));
-    const states = core.steadyStates(COUNT, (rows) => fill(rows, crawler, COUNT, [name], [xs]), of === "friction_work");
+    const states = core.steadyStates(COUNT, (rows) => fill(rows, crawler, COUNT, [name], [xs]), { withWork: of === "friction_work", forPicture: !digits });
     const exact = [...states[of]].map((y) => (Number.isFinite(y) ? y : null)), classes = states.class.slice(), T = core.row(5, COUNT).slice();
     const series = formula && core.formulas.find((one) => one.name === formula);
     const published = series ? [...core.formulaOver(series, COUNT)].map((y, i) => (Number.isFinite(y) ? y / (over ? over(crawler, T[i]) : 1) : null)) : null;
-    this.changes = [...xs].filter((_, i) => i > 0 && classes[i] !== classes[i - 1]);
+    return { ends, xs: [...xs], exact, published, series, classes, names: [name, of, ...(series ? [series.name] : [])] };
+  }
+
+  /** For a table: x, the exact number, and that of a formula. */
+  table() {
+    const { names, xs, exact, published } = this.solve(...this.shown, true);
+    return { names, rows: [xs, exact, ...(published ? [published] : [])] };
+  }
+
+  show(crawler, name, of) {
+    const { core } = this, { title } = QUANTITIES[of], { ends, xs, exact, published, series, classes } = this.solve(crawler, name, of, false);
+    this.shown = [crawler, name, of];
+    this.changes = xs.filter((_, i) => i > 0 && classes[i] !== classes[i - 1]);
     const [low, high] = extent(exact);
-    this.table = { names: [name === "froude" ? "froude" : name, of, ...(series ? [series.name] : [])], rows: [[...xs], exact, ...(published ? [published] : [])] };
     this.point = [AXES[name].of(crawler), null];
     core.chooseCrawler(crawler);
     this.point[1] = core.steady()[of];
@@ -33,7 +45,7 @@ export class Curve {
     this.margins = [low - 0.08 * (high - low || 1), high + 0.08 * (high - low || 1)];
     const scales = { x: scale(AXES[name].log, () => ends), y: scale(false, () => this.margins) };
     this.ends = ends;
-    this.plot.show({ key: `${name} ${of} ${ends}`, x: LABELS[name], y: title, series: lines, scales, hooks }, this.table.rows);
+    this.plot.show({ key: `${name} ${of} ${ends}`, x: LABELS[name], y: title, series: lines, scales, hooks }, [xs, exact, ...(published ? [published] : [])]);
     this.tell(name, title, xs, exact);
   }
 

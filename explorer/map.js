@@ -5,20 +5,21 @@ import { Plot, colour, drawPoint, scale } from "./plots.js";
 import { shown } from "./words.js";
 
 export const SHOWN = {
-  modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "error of (28)", friction_work: "friction work",
+  modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "relative error of a formula", friction_work: "friction work",
 };
-const FULL = 100, COARSE = [100, 50, 32, 20], BUDGET = 9, PATIENCE = 150; // cells a side; milliseconds of a frame; and until a coarse map is made fine
+const FULL = 100, COARSE = [100, 50, 32, 20], BUDGET = 9, SLICE = 30, PATIENCE = 150; // cells a side; milliseconds of a frame, of a part of a fine map, and until that is begun
 
 export class CrawlerMap {
   constructor(core, host, legend, moved) {
     Object.assign(this, { core, host, legend, moved, perCell: {}, plot: new Plot(host, { height: 420 }), image: document.createElement("canvas") });
-    this.formula = core.formulas.find(({ name }) => name === "text_steady_xC");
     host.addEventListener("keydown", (event) => this.key(event));
   }
 
   /** Shows the map around a crawler. gait: what the time of a cell depends on. */
-  show(crawler, { x, y, show }, gait) {
+  show(crawler, { x, y, show, formula }, gait) {
     Object.assign(this, { crawler, names: [x, y], what: show, gait });
+    const steady = this.core.formulas.filter(({ setting, turns }) => setting === 3 && turns === 0);
+    this.formula = steady.find(({ name }) => name === formula) ?? steady.find(({ name }) => name === "text_steady_xC");
     this.ranges = this.names.map((name) => range(name, crawler));
     this.sized();
     this.solve(this.side());
@@ -30,36 +31,56 @@ export class CrawlerMap {
     return COARSE.find((n) => n * n * each < BUDGET) ?? COARSE.at(-1);
   }
 
+  /** Solves n cells a side, at once where there is time, else in parts between which the page goes on; then shows them. */
   solve(n) {
     clearTimeout(this.later);
-    const begun = performance.now();
-    this.compute(n);
-    const each = (performance.now() - begun) / (n * n);
-    this.perCell[this.gait] = 0.7 * (this.perCell[this.gait] ?? each) + 0.3 * each;
-    this.paint(n);
-    this.draw();
-    this.took = performance.now() - begun;
-    if (n < FULL) this.later = setTimeout(() => this.solve(FULL), PATIENCE);
-    else this.later = setTimeout(() => this.explain(), 60);
+    const count = n * n, made = { n, classes: new Int16Array(count), values: new Float64Array(count) };
+    this.place(n);
+    const part = Math.max(200, n === FULL ? Math.floor(SLICE / (this.perCell[this.gait] ?? 5e-4)) : count);
+    const step = (from) => {
+      const to = Math.min(count, from + part);
+      this.timed(() => this.cells(made, from, to), to - from);
+      if (to < count) this.later = setTimeout(step, 0, to);
+      else this.finish(made);
+    };
+    step(0);
   }
 
-  compute(n) {
-    const count = n * n;
-    if (this.places?.key !== `${n} ${this.names} ${this.ranges}`) {
-      const xs = [new Float64Array(count), new Float64Array(count)];
-      for (let i = 0; i < count; i++) {
-        xs[0][i] = valueAt(this.names[0], this.ranges[0], ((i % n) + 0.5) / n);
-        xs[1][i] = valueAt(this.names[1], this.ranges[1], 1 - (Math.floor(i / n) + 0.5) / n);
-      }
-      this.places = { key: `${n} ${this.names} ${this.ranges}`, xs };
+  timed(action, cells) {
+    const begun = performance.now();
+    action();
+    this.took = performance.now() - begun;
+    const each = this.took / cells, before = this.perCell[this.gait] ?? each;
+    this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
+  }
+
+  finish(made) {
+    Object.assign(this, made);
+    this.paint(made.n);
+    this.draw();
+    this.later = made.n < FULL ? setTimeout(() => this.solve(FULL), PATIENCE) : setTimeout(() => this.explain(), PATIENCE / 2);
+  }
+
+  /** The middles of the cells. */
+  place(n) {
+    const key = `${n} ${this.names} ${this.ranges}`, count = n * n;
+    if (this.places?.key === key) return;
+    const xs = [new Float64Array(count), new Float64Array(count)];
+    for (let i = 0; i < count; i++) {
+      xs[0][i] = valueAt(this.names[0], this.ranges[0], ((i % n) + 0.5) / n);
+      xs[1][i] = valueAt(this.names[1], this.ranges[1], 1 - (Math.floor(i / n) + 0.5) / n);
     }
-    this.n = n;
-    this.states = this.core.steadyStates(count, (rows) => fill(rows, this.crawler, count, this.names, this.places.xs), this.what === "friction_work");
-    this.classes = this.states.class.slice();
-    if (this.what === "error") {
-      const displacement = this.states.displacement.slice(), formula = this.core.formulaOver(this.formula, count);
-      this.values = formula.map((value, i) => Math.log10(Math.max(Math.abs(value / displacement[i] - 1), 1e-16)));
-    } else if (this.what !== "modes") this.values = this.states[this.what].slice();
+    this.places = { key, xs };
+  }
+
+  cells({ classes, values }, from, to) {
+    const { core, what, names, crawler } = this, count = to - from, xs = this.places.xs.map((row) => row.subarray(from, to));
+    const states = core.steadyStates(count, (rows) => fill(rows, crawler, count, names, xs), { withWork: what === "friction_work", forPicture: true });
+    classes.set(states.class, from);
+    if (what === "error") {
+      const exact = states[this.formula.quantity].slice(), value = core.formulaOver(this.formula, count);
+      for (let i = 0; i < count; i++) values[from + i] = Math.log10(Math.max(Math.abs(value[i] / exact[i] - 1), 1e-16));
+    } else if (what !== "modes") values.set(states[what], from);
   }
 
   paint(n) {
@@ -142,6 +163,7 @@ export class CrawlerMap {
     row.className = "ticks";
     row.append(...ticks);
     this.legend.firstChild.append(bar, row);
+    if (this.what === "error") row.append(`error of ${this.formula.equation} for ${this.formula.quantity}, relative`);
     this.legend.firstChild.setAttribute("aria-label", `${SHOWN[this.what]} from ${shown(low)} to ${shown(high)}`);
   }
 

@@ -28,6 +28,7 @@ const AMONG = {
 };
 let state = ofLink();
 const history = new History(state);
+const costs = {};
 let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
 
 /** The state of the page's address; two axes of a map never set the same parameter. */
@@ -107,12 +108,24 @@ function picture(state, crawler) {
   showTime();
   map.show(crawler, state, `${state.gait} ${state.show}`);
   curve.show(crawler, state[state.along], state.of);
-  errors.show(crawler, state, motion.endless ? 0 : motion.v0);
+  inTime(`errors ${state.gait}`, () => errors.show(crawler, state, motion.endless ? 0 : motion.v0));
   core.chooseCrawler(crawler);
   for (const [id, name] of Object.entries(CHOICES)) find(id).value = state[name];
   find("command").textContent = commandOf(state);
   find("error-phase").parentElement.hidden = motion.endless;
   find("save-table").hidden = state.table === "";
+}
+
+/** Does something now, or where it took too long the last time when nothing has changed for a while. */
+function inTime(key, action) {
+  const timed = () => {
+    const begun = performance.now();
+    action();
+    costs[key] = performance.now() - begun;
+  };
+  clearTimeout(inTime.later);
+  if ((costs[key] ?? 0) < 8) timed();
+  else inTime.later = setTimeout(timed, 150);
 }
 
 /** The crawler was moved in the map. */
@@ -237,7 +250,7 @@ find("link").addEventListener("click", () => {
 find("copy-command").addEventListener("click", () => copy(commandOf(state), "Command"));
 find("save-scene").addEventListener("click", () => save("explorer.cfg", sceneOf(state), "text/plain"));
 find("save-table").addEventListener("click", () => save(state.table_name, state.table, "text/tab-separated-values"));
-find("curve-tsv").addEventListener("click", () => save("curve.tsv", tsvOf(curve.table, commandOf(state), core.version), "text/tab-separated-values"));
+find("curve-tsv").addEventListener("click", () => save("curve.tsv", tsvOf(curve.table(), commandOf(state), core.version), "text/tab-separated-values"));
 find("error-tsv").addEventListener("click", () => save("errors.tsv", tsvOf(errors.table(), commandOf(state), core.version), "text/tab-separated-values"));
 const seen = () => pictureOf(find("crawler"), ["plane", "map", "curve", "errors"].map((id) => ({
   title: find(id).closest("section").querySelector("h2").textContent, canvas: find(id).querySelector("canvas") })), commandOf(state));
