@@ -80,8 +80,8 @@ export class Errors {
     const { T, main } = this, i = index ?? nearest(T, this.crawlerT), { formula, error } = main;
     const claim = formula.remainder > 0 ? `claimed: ${formula.remainder}` : "claimed: an equality";
     const slope = slopeAt(T, error, i);
-    const measured = error[i] === null ? "the error is that of rounding" : Number.isNaN(slope) ? "no slope" : `slope ${slope.toFixed(2)}`;
-    const limit = this.exceeds === T[0] ? "It exceeds 1 % at every T shown." : this.exceeds ? `It exceeds 1 % from T = ${shown(Number(this.exceeds.toPrecision(3)))} on.` : "It stays below 1 %.";
+    const measured = Number.isNaN(main.value[i]) ? "the formula has no value, as l″ = 0 where a phase of this gait begins or ends" : Number.isNaN(main.exact[i]) ? "no such event" : error[i] === null ? "the error is that of rounding" : Number.isNaN(slope) ? "no slope" : `slope ${slope.toFixed(2)}`;
+    const limit = this.exceeds === T[0] ? "It exceeds 1 % at every T shown." : this.exceeds ? `It exceeds 1 % from T = ${shown(Number(this.exceeds.toPrecision(3)))} on.` : error.every((off) => off === null) ? "" : "It stays below 1 %.";
     const duration = this.ofPhase ? " T is the period; the phase is a part of it." : "";
     const derived = "Derived series are in the command (scallop series), not in this page.";
     this.note.textContent = `${formula.equation} at T = ${shown(Number(T[i].toPrecision(3)))}: ${measured}; ${claim}. ${limit} Dashed: the modes change.${duration} ${derived}`;
