@@ -61,7 +61,7 @@ export class Drawing {
     const { crawler } = motion, now = motion.at(time), { L } = crawler;
     const scale = (width * 0.3) / L, middle = (x) => (x - now.followed) * scale + width / 2;
     const mass = Math.max(crawler.m1, crawler.m2), force = Math.max(crawler.F1, crawler.F2);
-    const speed = 70 / (2 * L / (Math.min(crawler.alpha, 1 - crawler.alpha) * crawler.T));
+    const speed = (0.13 * width) / motion.fastest;
     // The separation is l plus what keeps the bodies apart when l = 0, which is not part of the model.
     const apart = 34; // pixels
     const sides = [
@@ -85,7 +85,7 @@ export class Drawing {
     set(drawn.state, { x, y: 62 });
     drawn.state.textContent = s === 0 ? "sticks" : s > 0 ? "forward" : "back";
     drawn.group.classList.toggle("stuck", s === 0);
-    arrow(drawn.velocity, x, 80, Math.max(-200, Math.min(200, v * speed)));
+    arrow(drawn.velocity, x, 80, v * speed);
     arrow(drawn.friction, x, GROUND + 8, (70 * f) / force);
   }
 

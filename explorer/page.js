@@ -268,7 +268,10 @@ find("time").addEventListener("input", (event) => {
 find("undo").addEventListener("click", () => goTo(history.go(-1)));
 find("redo").addEventListener("click", () => goTo(history.go(1)));
 find("usual").addEventListener("click", () => change({ ...USUAL }));
-addEventListener("hashchange", () => goTo(ofLink()));
+addEventListener("hashchange", () => {
+  goTo(ofLink());
+  history.push(state);
+});
 
 function goTo(other) {
   state = other;
@@ -302,4 +305,4 @@ addEventListener("keydown", (event) => {
 
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, took: () => took };
+globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };

@@ -219,6 +219,9 @@ class Check:
             row = self.command(*words[1:], cwd=folder)[0]
         shown = self.answers()
         self.expect(all(shown[n] == float(row[n]) for n in NAMES), f"a measured gait: {shown}, of the command {row}")
+        state = self.state()
+        self.load(self.page.run("location.hash"))
+        self.expect(self.state() == state and self.answers() == shown, "a link does not restore a measured gait")
         picture = self.page.run("explorer.picture()")
         xml.etree.ElementTree.fromstring(picture)
         self.expect("<img" not in picture, "the name of a file became markup in the picture")
@@ -251,6 +254,19 @@ class Check:
                 self.expect(all(abs(shown[n] - float(row[n])) <= 1e-11 * abs(shown[n]) for n in NAMES), f"the scene of {state}: {row}")
             self.command(*shlex.split(self.page.run("explorer.commandOf(explorer.state())"))[1:])
         self.reports("what is taken along")
+
+    def tables(self):
+        """The curve as a table, of a crawler whose displacements cancel; and the picture as PNG."""
+        self.load("#gait=sinusoidal&m2=2.385&x=alpha&y=T&of=displacement")
+        table = self.page.run("explorer.curve.table()")
+        self.expect(table["names"][:2] == ["alpha", "displacement"], f"a table of {table['names']}")
+        picked = list(zip(*table["rows"]))[::13]
+        rows = self.command("steady", "--points", "-", "--gait", "sinusoidal", "--m2", "2.385", input="\n".join(["alpha", *(repr(row[0]) for row in picked)]) + "\n")
+        for row, wanted in zip(picked, rows):
+            self.expect(abs(row[1] - float(wanted["displacement"])) <= 1e-12 * abs(row[1]) + 1e-300, f"the curve at {row[0]}: {row[1]}, of the command {wanted}")
+        self.expect(len(rows) == len(picked) > 25, "few rows")
+        self.expect(self.page.run("explorer.png().then((blob) => blob.size)") > 20000, "no picture as PNG")
+        self.reports("tables")
 
     def looks(self, folder):
         for width in SIZES:
@@ -285,6 +301,7 @@ class Check:
         self.measured_gaits()
         self.refused()
         self.taken_along()
+        self.tables()
         self.looks(folder)
 
 
