@@ -25,6 +25,14 @@ SCALLOP_INLINE int scaling_keeps(double scaled, double result)
   return (b < DBL_MAX) & ((a < 0x1p-960) | (b >= DBL_MIN));
 }
 
+/* A result scaled back, which scaling_keeps judges; 0 for one below the normal doubles, whose only digit would be that of the rounding
+ * mode. */
+SCALLOP_INLINE double scaling_back(double scaled, double unit)
+{
+  double result = scaled * unit, size = result < 0 ? -result : result;
+  return size >= DBL_MIN ? result : 0 * scaled;
+}
+
 /* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False: scallop_scale
  * will tell what is the matter, and what it is. */
 SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,

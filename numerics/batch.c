@@ -66,7 +66,7 @@ static double holds(const struct scallop_crawlers *c, long i, double slope_e, do
 SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scaling *s, double c_start,
                           double c_mid, double travel, double multiplier)
 {
-  double displacement = travel * row->L[i], mean = displacement / row->T[i];
+  double displacement = scaling_back(travel, row->L[i]), mean = displacement / row->T[i];
   out->froude[i] = 1 / s->eps;
   out->v_start[i] = c_start * s->velocity;
   out->v_mid[i] = c_mid * s->velocity;

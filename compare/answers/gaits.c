@@ -145,16 +145,19 @@ const char *gait_sample(int i)
   return family ? family->sample : NULL;
 }
 
-/* The family of that name, up to the colon or the end */
-static const struct scallop_gait_family *family_of(const char *text)
+/* The family of that name, up to one of the characters of ends or the end */
+static const struct scallop_gait_family *family_until(const char *text, const char *ends)
 {
-  size_t length = strcspn(text, ":");
+  size_t length = strcspn(text, ends);
   const struct scallop_gait_family *family;
   for (int i = 0; (family = gait_family(i)) != NULL; i++)
     if (strncmp(text, family->name, length) == 0 && family->name[length] == '\0')
       break;
   return family;
 }
+
+static const struct scallop_gait_family *family_of(const char *text) { return family_until(text, ":"); }
+bool gait_family_begins(const char *text) { return family_until(text, ":,") != NULL; }
 
 static struct gait_answer refused(enum gait_fault fault) { return (struct gait_answer){ NULL, fault, message }; }
 

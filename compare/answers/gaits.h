@@ -22,6 +22,9 @@ struct gait_answer {
 };
 struct gait_answer gait_of_text(const char *text);
 
+/* Does text begin with the name of a family, up to a colon, a comma or its end? */
+bool gait_family_begins(const char *text);
+
 /* The text of one gait of each kind but measured, which is a file: i = 0, 1, ...; NULL after the last. */
 const char *gait_sample(int i);
 

@@ -66,17 +66,43 @@ void point_complete(struct point *p)
   }
 }
 
-const char *point_set_number(struct point *p, int place, const char *text)
+static const char *set_v0(struct point *p, double x, const char *text)
+{
+  p->v0 = x;
+  p->written_v0 = text;
+  p->has_v0 = true;
+  return NULL;
+}
+
+/* Takes over the candidate, which differs from the point in one number. */
+static const char *take(struct point *p, const struct scallop_crawler *candidate, int place, const char *text)
 {
   struct scallop_complaint complaint;
-  struct scallop_crawler candidate = p->crawler; /* has no other fault */
-  if (!read_number(text, crawler_field(&candidate, place)))
-    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
-  if (scallop_crawler_check(&candidate, &complaint) != SCALLOP_OK)
+  if (scallop_crawler_check(candidate, &complaint) != SCALLOP_OK)
     return not_allowed(text, complaint.allowed);
-  p->crawler = candidate;
+  p->crawler = *candidate;
   p->written[place] = text;
   return NULL;
+}
+
+const char *point_set_double(struct point *p, int place, double x, const char *text)
+{
+  struct scallop_crawler candidate = p->crawler; /* has no other fault */
+  if (place == CRAWLER_NUMBERS)
+    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
+  *crawler_field(&candidate, place) = x;
+  return take(p, &candidate, place, text);
+}
+
+const char *point_set_number(struct point *p, int place, const char *text)
+{
+  struct scallop_crawler candidate = p->crawler;
+  double v0;
+  if (place == CRAWLER_NUMBERS)
+    return read_number(text, &v0) ? set_v0(p, v0, text) : no_number(text, "a finite number");
+  if (!read_number(text, crawler_field(&candidate, place)))
+    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
+  return take(p, &candidate, place, text);
 }
 
 static const char *set_gait(struct point *p, const char *text)
@@ -99,21 +125,14 @@ static const char *set_phase(struct point *p, const char *text)
   return NULL;
 }
 
-static const char *set_v0(struct point *p, const char *text)
-{
-  if (!read_number(text, &p->v0))
-    return no_number(text, "a finite number");
-  p->written_v0 = text;
-  p->has_v0 = true;
-  return NULL;
-}
+static const char *read_v0(struct point *p, const char *text) { return point_set_number(p, CRAWLER_NUMBERS, text); }
 
 const char *point_set(struct point *p, const char *name, const char *text)
 {
   static const struct {
     const char *name;
     const char *(*set)(struct point *, const char *text);
-  } others[] = { { "gait", set_gait }, { "phase", set_phase }, { "v0", set_v0 } };
+  } others[] = { { "gait", set_gait }, { "phase", set_phase }, { "v0", read_v0 } };
   int place = crawler_place(name);
   if (place < CRAWLER_NUMBERS)
     return point_set_number(p, place, text);

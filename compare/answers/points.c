@@ -12,31 +12,18 @@
 #include "compare/text/values.h"
 
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
+_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
 
 struct reader {
   struct tsv tsv;
   const char *command;
-  const char *parameter[TSV_CELLS]; /* of each column; NULL: a column to ignore */
+  const char *parameter[TSV_CELLS]; /* of each column; NULL: it is none           */
   int place[TSV_CELLS];             /* of it among the crawler's numbers        */
-  int unused;
+  int carried[TSV_CELLS];           /* columns that are no parameters             */
+  int carries, others;              /* those that are carried along, and all */
   bool quiet, v0_may_be_nan;
   long rows, unsolved;
 };
-
-void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused)
-{
-  double numbers[CRAWLER_NUMBERS];
-  crawler_numbers(crawler, numbers);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    table_number(table, refused ? NAN : numbers[i]);
-  table_text(table, refused ? "-" : crawler->gait->name);
-}
-
-void point_blank(struct table *table, int count)
-{
-  while (count-- > 0)
-    table_number(table, NAN);
-}
 
 const char *name_among(const char *const *names, const char *name)
 {
@@ -118,8 +105,17 @@ static const char *read_column(struct reader *r, int i, const char *const *extra
   return NULL;
 }
 
+/* Is the name of a column that is no parameter still free in the table? */
+static bool is_free(const struct reader *r, const char *name, const struct point_table *of)
+{
+  bool taken = *name == '\0' || name_among(of->columns, name);
+  for (int i = 0; i < r->carries && !taken; i++)
+    taken = strcmp(r->tsv.column[r->carried[i]], name) == 0;
+  return !taken;
+}
+
 /* NULL, or what is wrong with the header */
-static const char *read_columns(struct reader *r, const char *const *extra)
+static const char *read_columns(struct reader *r, const struct point_table *of)
 {
   char unused[MESSAGE] = "";
   if (r->tsv.fault)
@@ -127,23 +123,27 @@ static const char *read_columns(struct reader *r, const char *const *extra)
   if (!tsv_take_header(&r->tsv))
     return "out of memory";
   for (int i = 0; i < r->tsv.columns; i++) {
-    const char *wrong = read_column(r, i, extra);
+    const char *wrong = read_column(r, i, of->extra);
     if (wrong)
       return wrong;
-    if (!r->parameter[i])
-      add_name(unused, r->tsv.column[i], r->unused++);
+    r->others += !r->parameter[i];
+    if (!r->parameter[i] && is_free(r, r->tsv.column[i], of))
+      r->carried[r->carries++] = i;
+    else if (!r->parameter[i])
+      add_name(unused, r->tsv.column[i], r->others - r->carries - 1);
   }
-  if (r->unused == r->tsv.columns)
+  if (r->others == r->tsv.columns)
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
   if (*unused && !r->quiet)
-    complain(r->command, "note: %s", tsv_at(&r->tsv, "these columns are no parameters and are not used: %s", unused));
+    complain(r->command, "note: %s",
+             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s", unused));
   return NULL;
 }
 
-static enum exit_code read_header(struct reader *r, const char *const *extra)
+static enum exit_code read_header(struct reader *r, const struct point_table *of)
 {
   bool found = tsv_next(&r->tsv);
-  const char *wrong = found ? read_columns(r, extra) : tsv_error(&r->tsv);
+  const char *wrong = found ? read_columns(r, of) : tsv_error(&r->tsv);
   if (wrong)
     complain(r->command, "%s", wrong);
   else if (!found)
@@ -184,6 +184,57 @@ static const char *read_row(struct reader *r, struct point *point, char *status)
   return status;
 }
 
+static void write_number(struct table *t, const struct point_table *of, const char *written, double value)
+{
+  char text[NUMBER_TEXT];
+  if (!of->as_written) {
+    table_number(t, value);
+    return;
+  }
+  number_text(text, value, 0); /* --digits is of what is proven */
+  table_carried(t, written ? written : text);
+}
+
+static void write_parameters(struct table *t, const struct point_table *of, const struct point *p)
+{
+  double numbers[CRAWLER_NUMBERS];
+  crawler_numbers(&p->crawler, numbers);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    write_number(t, of, p->written[i], numbers[i]);
+  table_text(t, p->crawler.gait->name);
+  for (const char *const *name = of->extra; *name; name++)
+    if (strcmp(*name, "phase") == 0)
+      table_text(t, p->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
+    else
+      write_number(t, of, p->written_v0, of->v0_may_be_nan && !p->has_v0 ? NAN : p->v0);
+}
+
+/* Of a point that was refused: nan, and - for texts */
+static void write_refused(struct table *t, const struct point_table *of)
+{
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    table_number(t, NAN);
+  table_text(t, "-");
+  for (const char *const *name = of->extra; *name; name++)
+    if (strcmp(*name, "phase") == 0)
+      table_text(t, "-");
+    else
+      table_number(t, NAN);
+}
+
+/* r: of a file, or NULL. Returns whether the point was solved. */
+static const char *write_row(struct table *t, const struct point_table *of, const struct reader *r, const struct point *p,
+                             const char *refused)
+{
+  if (refused)
+    write_refused(t, of);
+  else
+    write_parameters(t, of, p);
+  for (int i = 0; r && i < r->carries; i++)
+    table_carried(t, r->carried[i] < r->tsv.count ? r->tsv.cell[r->carried[i]] : "");
+  return of->row(t, p, of->context, refused);
+}
+
 static void solve_rows(struct reader *r, struct table *table, const struct request *request, const struct point_table *of)
 {
   char status[POINT_STATUS];
@@ -191,7 +242,7 @@ static void solve_rows(struct reader *r, struct table *table, const struct reque
     struct point point = request->point;
     const char *wrong = read_row(r, &point, status);
     r->rows++;
-    if (of->row(table, &point, of->context, wrong))
+    if (write_row(table, of, r, &point, wrong))
       r->unsolved++;
   }
 }
@@ -206,28 +257,27 @@ bool close_beside_gaits(struct table *t)
   return false;
 }
 
-static enum exit_code finish(struct reader *r, struct table *table)
+static enum exit_code finish(struct table *table, long rows, long unsolved)
 {
-  if (tsv_error(&r->tsv)) {
-    complain(r->command, "%s", tsv_error(&r->tsv));
-    table_abandon(table);
-    return EXIT_FILE;
-  }
   if (!close_beside_gaits(table))
     return EXIT_FILE;
-  if (r->unsolved > 0)
-    complain(r->command, "%ld of %ld points could not be solved: the column 'status' says why", r->unsolved, r->rows);
-  return r->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+  if (unsolved > 0)
+    complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
+  return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
-static bool begin(struct table *table, const struct style *style, const struct point_table *of)
+static bool begin(struct table *table, const struct style *style, const struct point_table *of, const struct reader *r)
 {
+  const char *carried[TSV_CELLS + 1] = { NULL };
+  for (int i = 0; r && i < r->carries; i++)
+    carried[i] = r->tsv.column[r->carried[i]];
   if (!table_open(table, style))
     return false;
   table_note(table, "scallop " SCALLOP_VERSION);
   table_note(table, "command: %s", style->command);
   table_columns(table, crawler_parameters);
   table_columns(table, of->extra);
+  table_columns(table, carried);
   table_columns(table, of->columns);
   table_begin_rows(table);
   return true;
@@ -236,14 +286,31 @@ static bool begin(struct table *table, const struct style *style, const struct p
 static enum exit_code one_point(const struct request *request, const struct point_table *of)
 {
   struct table table;
-  if (!begin(&table, &request->style, of))
+  if (!begin(&table, &request->style, of, NULL))
     return EXIT_FILE;
-  const char *why = of->row(&table, &request->point, of->context, NULL);
+  const char *why = write_row(&table, of, NULL, &request->point, NULL);
   if (!table_close(&table))
     return EXIT_FILE;
   if (why)
     complain(request->style.command, "this point could not be solved: %s", why);
   return why ? EXIT_UNSOLVED : EXIT_DONE;
+}
+
+static enum exit_code points_of_sweep(const struct request *request, const struct point_table *of)
+{
+  const struct sweep_product *product = request->sweep.product;
+  long index[SWEEP_GROUPS] = { 0 }, rows = 0, unsolved = 0;
+  struct swept swept = { .product = NULL };
+  struct table table;
+  if (!begin(&table, &request->style, of, NULL))
+    return EXIT_FILE;
+  do {
+    struct point point = request->point;
+    sweep_move(&swept, &point, product, index, NULL, NULL);
+    rows++;
+    unsolved += write_row(&table, of, NULL, &point, swept.why[0] != '\0' ? swept.why : NULL) != NULL;
+  } while (sweep_next(product, index) && !table_failed(&table));
+  return finish(&table, rows, unsolved);
 }
 
 /* Is the file that is read the one that standard output is added to? Then it would never end. */
@@ -266,20 +333,26 @@ static enum exit_code points_of_file(const struct request *request, const struct
   if (!tsv_open(&r.tsv, request->points, TSV_TABS))
     complain(r.command, "%s", tsv_error(&r.tsv));
   else
-    code = feeds_itself(&r, style) ? EXIT_USAGE : read_header(&r, of->extra);
-  if (code == EXIT_DONE && !begin(&table, style, of))
+    code = feeds_itself(&r, style) ? EXIT_USAGE : read_header(&r, of);
+  if (code == EXIT_DONE && !begin(&table, style, of, &r))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
     solve_rows(&r, &table, request, of);
-    code = finish(&r, &table);
+    code = tsv_error(&r.tsv) ? EXIT_FILE : finish(&table, r.rows, r.unsolved);
+    if (tsv_error(&r.tsv)) {
+      complain(r.command, "%s", tsv_error(&r.tsv));
+      table_abandon(&table);
+    }
   }
   tsv_close(&r.tsv);
   return code;
 }
 
+bool has_many_points(const struct request *request) { return request->points || request->sweep.products > 0; }
+
 enum exit_code for_each_point(const struct request *request, const struct point_table *of)
 {
-  return (request->points ? points_of_file : one_point)(request, of);
+  return (request->points ? points_of_file : request->sweep.products > 0 ? points_of_sweep : one_point)(request, of);
 }
 
 void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held, bool as_written)

@@ -1,9 +1,11 @@
-/* Points: the one of the command line, or rows of parameters from a TSV file, one at a time; and what of a point stands in tables. */
+/* Points: the one of the command line, those of its lists and ranges, or rows of parameters from a TSV file, one at a time; and what of a
+ * point stands in tables. */
 #ifndef SCALLOP_POINTS_H
 #define SCALLOP_POINTS_H
 
 #include "compare/answers/gaits.h"
 #include "compare/answers/point.h"
+#include "compare/answers/sweep.h"
 #include "compare/text/message.h"
 #include "compare/text/table.h"
 #include "compare/text/values.h"
@@ -13,34 +15,35 @@
 struct request {
   struct style style;
   struct point point;
+  struct sweep sweep; /* lists and ranges of options: no product, or one, at whose first point point is */
   const char *points; /* file name, "-" for standard input, or NULL */
   const char *book;   /* file name of a book of formulas, or NULL     */
 };
 
-/* What a command does with one point: adds one row to the table. refused is NULL, or why the point could
+/* What a command adds to the row of a point behind its parameters: the cells of its columns. refused is NULL, or why the point could
  * not even be read; the row then has no numbers and that status. Returns NULL, or why it was not solved. */
 typedef const char *point_row(struct table *table, const struct point *point, const void *context, const char *refused);
 
+/* A row has the crawler's parameters and extra; then, of a file, the columns that are no parameters, byte for byte, but for those whose
+ * names are taken; then columns. */
 struct point_table {
-  const char *const *extra;   /* parameters beyond the crawler's that the points may name, NULL-terminated */
-  const char *const *columns; /* written after the crawler's parameters and extra */
+  const char *const *extra;   /* parameters beyond the crawler's that the points may name, phase or v0, NULL-terminated */
+  const char *const *columns; /* of the command */
   bool v0_may_be_nan;         /* where none was given */
+  bool as_written;            /* parameters with all the digits that were given */
   point_row *row;
   const void *context;
 };
-/* Runs row over the points of request->points, or over the one point of the request itself. Opens and closes the table. */
+/* Runs row over the points of request->points, over those of request->sweep, or over the one point of the request itself. Opens and
+ * closes the table. */
+/* Are there, or may there be, many points? */
+bool has_many_points(const struct request *request);
 enum exit_code for_each_point(const struct request *request, const struct point_table *of);
 
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 /* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
 const char *name_among(const char *const *names, const char *name);
-
-/* The leading cells: the crawler's parameters; of a point that was refused, nan and -. */
-void point_crawler(struct table *table, const struct scallop_crawler *crawler, const char *refused);
-
-/* Cells for numbers[count] that are all nan, for rows without an answer. */
-void point_blank(struct table *table, int count);
 
 /* " m1=1 ...": the parameters without those in not_held; as below */
 enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };

@@ -58,7 +58,7 @@ enum quantity_id {
 
 struct quantity_row {
   const char *name;
-  const char *unit;     /* of the parameters' units; 1: a number without one  */
+  const char *unit;     /* in words, of the parameters' units; 1: a number without one  */
   const char *sentence; /* what it is                                         */
   enum quantity_of of;
   bool has_series; /* in powers of T */

@@ -12,11 +12,10 @@
 static const struct {
   const char *name, *sets;
   enum sweep_target target;
-} others[] = { { "gait", "gait", TARGET_GAIT },
-               { "v0", "v0", TARGET_V0 },
-               { "F1_over_F2", "F1", TARGET_F1_OVER_F2 },
-               { "m1_over_m2", "m1", TARGET_M1_OVER_M2 },
-               { "froude", "T", TARGET_FROUDE } };
+} others[] = {
+  { "gait", "gait", TARGET_GAIT },           { "phase", "phase", TARGET_PHASE },        { "v0", "v0", TARGET_V0 },
+  { "F1_over_F2", "F1", TARGET_F1_OVER_F2 }, { "m1_over_m2", "m1", TARGET_M1_OVER_M2 }, { "froude", "T", TARGET_FROUDE }
+};
 
 bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
 {
@@ -30,15 +29,6 @@ bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
       return true;
     }
   return false;
-}
-
-const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, const char *text)
-{
-  struct point probe = *point;
-  double x;
-  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT)
-    return point_set(&probe, v->name, text);
-  return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
 }
 
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product)
@@ -84,12 +74,18 @@ long sweep_points(const struct sweep *s)
   return points;
 }
 
+void sweep_variable_free(struct sweep_variable *v)
+{
+  free(v->texts);
+  free(v->kept);
+}
+
 void sweep_free(struct sweep *s)
 {
-  const struct sweep_variable *v;
-  for (int i = 0; (v = sweep_variable(s, i)); i++) {
-    free(v->texts);
-  }
+  for (int p = 0; p < s->products; p++)
+    for (int g = 0; g < s->product[p].groups; g++)
+      for (int i = 0; i < s->product[p].group[g].variables; i++)
+        sweep_variable_free(&s->product[p].group[g].variable[i]);
   free(s->product);
   *s = (struct sweep){ .products = 0 };
 }
@@ -102,16 +98,21 @@ struct move {
   void *context;
 };
 
-/* Sets a parameter, m1 to alpha or v0; text: as it was written, or NULL. */
-static void set(const struct move *m, const char *parameter, double x, const char *text, const char *name)
+static void note(const struct move *m, const char *name, const char *wrong)
 {
-  struct swept *s = m->swept;
-  char *written = s->written[crawler_place(parameter)];
-  if (!text)
+  if (wrong && m->swept->why[0] == '\0')
+    snprintf(m->swept->why, SWEEP_WHY, "%s: %s", name, wrong);
+}
+
+/* Sets a parameter, m1 to alpha or v0, to a double; is_written: what was written of it stays. */
+static void set(const struct move *m, const char *parameter, double x, bool is_written, const char *name)
+{
+  int place = crawler_place(parameter);
+  char *written = m->swept->written[place];
+  if (!is_written)
     number_text(written, x, 0);
-  const char *wrong = point_set(m->point, parameter, text ? text : written);
-  if (wrong && s->why[0] == '\0')
-    snprintf(s->why, sizeof s->why, "%s: %s", name, wrong);
+  bool reads_back = x == 0 || isnormal(x); /* else its text is refused, and it is */
+  note(m, name, reads_back ? point_set_double(m->point, place, x, written) : point_set_number(m->point, place, written));
 }
 
 static double rounded(double x, long digits)
@@ -127,6 +128,8 @@ static double end_value(const struct move *m, const struct sweep_end *end)
   return end->is_formula ? m->value(m->context, &end->formula) : end->number;
 }
 
+static bool has_formula(const struct sweep_variable *v) { return v->from.is_formula || v->to.is_formula; }
+
 static double range_value(const struct move *m, const struct sweep_variable *v, long i)
 {
   double from = end_value(m, &v->from), to = end_value(m, &v->to);
@@ -139,27 +142,48 @@ static double range_value(const struct move *m, const struct sweep_variable *v, 
   if (v->is_log)
     return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
   double x = from + (double)i * ((to - from) / (double)steps);
-  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
+  return has_formula(v) ? x : rounded(x, 15);
 }
 
-static void set_variable(const struct move *m, const struct sweep_variable *v, long i)
+/* Value i of a range in *known; stays: that is there already. */
+static void set_range(const struct move *m, const struct sweep_variable *v, long i, double *known, bool stays)
 {
-  long place = v->count == 1 ? 0 : i;
-  const char *text = v->texts ? v->texts[place] : NULL;
-  double x = 0;
-  if (!text)
-    x = range_value(m, v, place);
-  else if (v->target != TARGET_GAIT && v->target != TARGET_LABEL)
-    read_number(text, &x);
+  stays = stays && !has_formula(v);
+  if (!stays)
+    *known = range_value(m, v, i);
   switch (v->target) {
-  case TARGET_NUMBER:
-  case TARGET_V0: set(m, v->name, x, text, v->name); break;
-  case TARGET_GAIT: point_set(m->point, "gait", text); break; /* it was made when the sweep was read */
-  case TARGET_LABEL: m->swept->label[v->place] = text; break;
-  case TARGET_F1_OVER_F2: m->swept->F1_over_F2 = x; break;
-  case TARGET_M1_OVER_M2: m->swept->m1_over_m2 = x; break;
-  case TARGET_FROUDE: m->swept->froude = x; break;
+  case TARGET_F1_OVER_F2: m->swept->F1_over_F2 = *known; break;
+  case TARGET_M1_OVER_M2: m->swept->m1_over_m2 = *known; break;
+  case TARGET_FROUDE: m->swept->froude = *known; break;
+  default: set(m, v->name, *known, stays, v->name); break;
   }
+}
+
+/* A value of a list, which was found good when the sweep was read, if not at this point */
+static void set_text(const struct move *m, const struct sweep_variable *v, const char *text)
+{
+  switch (v->target) {
+  case TARGET_LABEL: m->swept->label[v->place] = text; break;
+  case TARGET_F1_OVER_F2: read_number(text, &m->swept->F1_over_F2); break;
+  case TARGET_M1_OVER_M2: read_number(text, &m->swept->m1_over_m2); break;
+  case TARGET_FROUDE: read_number(text, &m->swept->froude); break;
+  default: note(m, v->name, point_set(m->point, v->name, text)); break;
+  }
+}
+
+static void set_group(const struct move *m, const struct sweep_product *product, int g, long i)
+{
+  struct swept *s = m->swept;
+  bool stays = s->product == product && s->index[g] == i;
+  for (int k = 0; k < product->group[g].variables; k++) {
+    const struct sweep_variable *v = &product->group[g].variable[k];
+    long place = v->count == 1 ? 0 : i;
+    if (v->texts)
+      set_text(m, v, v->texts[place]);
+    else
+      set_range(m, v, place, &s->value[g][k], stays);
+  }
+  s->index[g] = i;
 }
 
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
@@ -169,11 +193,11 @@ static void settle(const struct move *m)
   const struct scallop_crawler *c = &m->point->crawler;
   point_complete(m->point);
   if (!isnan(s->F1_over_F2))
-    set(m, "F1", s->F1_over_F2 * c->F2, NULL, "F1_over_F2");
+    set(m, "F1", s->F1_over_F2 * c->F2, false, "F1_over_F2");
   if (!isnan(s->m1_over_m2))
-    set(m, "m1", s->m1_over_m2 * c->m2, NULL, "m1_over_m2");
+    set(m, "m1", s->m1_over_m2 * c->m2, false, "m1_over_m2");
   if (!isnan(s->froude))
-    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), NULL, "froude");
+    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), false, "froude");
 }
 
 void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,
@@ -184,13 +208,13 @@ void sweep_move(struct swept *swept, struct point *point, const struct sweep_pro
   swept->F1_over_F2 = swept->m1_over_m2 = swept->froude = NAN;
   swept->why[0] = '\0';
   for (int g = 0; g < product->groups; g++) {
-    for (int v = 0; v < product->group[g].variables; v++)
-      set_variable(&m, &product->group[g].variable[v], index[g]);
+    set_group(&m, product, g, index[g]);
     bool was_outside = swept->why[0] != '\0';
     settle(&m);
     if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
       swept->why[0] = '\0';
   }
+  swept->product = product;
 }
 
 bool sweep_next(const struct sweep_product *product, long index[SWEEP_GROUPS])

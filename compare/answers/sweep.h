@@ -9,18 +9,20 @@
 #include "asymptotics/formula.h"
 
 enum {
-  SWEEP_GROUPS = 8,
+  SWEEP_GROUPS = 10, /* one for each parameter of the command line */
   SWEEP_VARIABLES = 8,
   SWEEP_PRODUCTS = 16,
   SWEEP_LABELS = QUANTITY_LABELS,
-  SWEEP_RANGE = 1000000, /* most values of a range */
+  SWEEP_RANGE = 1000000000, /* most values of a range */
   SWEEP_WHY = 320
 };
+#define SWEEP_POINTS 1e15 /* of a product at most: they fit a long with room to spare */
 
 /* What a variable sets. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T when all else is set. */
 enum sweep_target {
   TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
   TARGET_GAIT,
+  TARGET_PHASE,
   TARGET_V0,
   TARGET_F1_OVER_F2,
   TARGET_M1_OVER_M2,
@@ -40,6 +42,7 @@ struct sweep_variable {
   int place;          /* of a number among the crawler's, of a label among the labels */
   long count;         /* values; 1: the same throughout its group */
   const char **texts; /* a list of values as they were written; NULL: a range */
+  char *kept;         /* what they point into, where it is the variable's own */
   bool is_log;        /* a range */
   bool needs_onset;   /* to know its ends: they are formulas of sticking_onset */
   struct sweep_end from, to;
@@ -63,12 +66,25 @@ struct sweep {
 bool sweep_variable_of_name(struct sweep_variable *variable, const char *name);
 /* NULL, or what is wrong with a value of the variable, at the point. Lives until the next call. */
 const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
+/* The same for an end of a range, whose spacing is known. */
+const char *sweep_end_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
+
+/* Options of the command line: is text several values of that parameter, a list "0.6,0.7" or a range "1:10:10" or "1e-3:1:50:log"? */
+bool sweep_is_many(const char *name, const char *text);
+/* Makes them the last group of the one product of the sweep, which is then varied fastest; earlier values of the parameter are dropped.
+ * A value of a list stays as it is written, with the numbers of a gait behind its name, "constant:0.1,quadratic"; one of a range is
+ * the decimal to which sweep_move rounds. The point is set to the first of
+ * them. NULL, or what is wrong with the text: then the parameter does not vary. */
+const char *sweep_vary(struct sweep *sweep, struct point *point, const char *name, const char *text);
+/* Drops the values of the parameter. */
+void sweep_hold(struct sweep *sweep, const char *name);
 /* The variable of the product that sets the same as another one, or NULL. */
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
 /* The variables of all products, one after another: number i, or NULL after the last. */
 const struct sweep_variable *sweep_variable(const struct sweep *sweep, int i);
 long sweep_points(const struct sweep *sweep);
 long sweep_product_points(const struct sweep_product *product);
+void sweep_variable_free(struct sweep_variable *variable);
 void sweep_free(struct sweep *sweep);
 
 /* Where a sweep is: what is beside the point, and the numbers of the point as they are written. */
@@ -77,6 +93,10 @@ struct swept {
   double F1_over_F2, m1_over_m2, froude;          /* where they are set; else nan */
   char why[SWEEP_WHY];                            /* the first value that is not allowed, or "" */
   char written[CRAWLER_NUMBERS + 1][DIGITS_TEXT]; /* the last: v0 */
+  /* Where it was before: what a group that stays sets is not worked out again. Zero at first. */
+  const struct sweep_product *product;
+  long index[SWEEP_GROUPS];
+  double value[SWEEP_GROUPS][SWEEP_VARIABLES]; /* of ranges */
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);

@@ -8,23 +8,20 @@
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
+#include "compare/breakdown/study.h"
 #include "compare/text/progress.h"
 #include "compare/text/table.h"
 #include "model/version.h"
 
-/* Terms below T^MANY tell the best order, and where the poles of a rational function are. */
-enum { MANY = 96, MANY_BITS = 1024, BOUND_BITS = 128 };
+enum { BOUND_BITS = 128 };
 
 struct report {
   const struct breakdown_options *options;
-  struct motion motion;
-  struct expansions expansions, many;
-  struct events events;
+  struct study study;
   struct sought { /* a singularity: of all crossings; of the first */
     bool done, found;
     struct scallop_singularity singularity;
   } sought[2];
-  struct exact_cache *cache;
   struct table table;
   long rows;
   struct progress progress;
@@ -52,58 +49,27 @@ static void write_row(struct report *r, struct row row)
   table_number(t, row.order);
   table_number(t, row.tolerance > 0 ? row.tolerance : NAN);
   table_number(t, row.T);
-  table_number(t, motion_froude(&r->motion, row.T));
+  table_number(t, motion_froude(&r->study.motion, row.T));
   table_rounded(t, row.error, "%.4g");
-  table_text(t, row.modes ? motion_modes_text(modes, r->motion.of, row.modes) : "-");
+  table_text(t, row.modes ? motion_modes_text(modes, r->study.motion.of, row.modes) : "-");
   table_text(t, row.note);
   table_text(t, row.status ? row.status : "-");
   r->rows++;
-}
-
-/* A switching time leaves its piece; the modes stay. */
-static bool is_piece_change(const struct event *e) { return strncmp(e->what, "switching time", 14) == 0; }
-
-/* The modes at T, and whether the expansion is about the motion there. */
-static const struct scallop_modes *modes_at(const struct report *r, double T)
-{
-  const struct scallop_modes *modes = r->events.first;
-  for (long i = 0; i < r->events.count && r->events.event[i].T < T; i++)
-    modes = r->events.event[i].modes;
-  return modes;
-}
-
-static const char *where(const struct report *r, double T)
-{
-  static char text[200];
-  const struct event *e = r->events.event, *modes = e;
-  if (r->events.count == 0 || T <= e->T)
-    return "below the first event";
-  while (modes < e + r->events.count - 1 && is_piece_change(modes))
-    modes++;
-  if (modes == e)
-    snprintf(text, sizeof text, "above the first event, T = %.6g: from there on the series does not describe the motion",
-             e->T);
-  else
-    snprintf(text, sizeof text,
-             "above T = %.6g, where a body turns in another piece of l' and the series is not exact any more; the modes "
-             "change at T = %.6g",
-             e->T, modes->T);
-  return text;
 }
 
 /* The first row: the limit, and how far up its modes are proven to be those of the motion. */
 static void write_limit(struct report *r)
 {
   char note[120] = "the limit T -> 0";
-  struct row row = { .what = "event", .order = NAN, .error = NAN, .modes = r->events.first, .note = note };
+  struct row row = { .what = "event", .order = NAN, .error = NAN, .modes = r->study.events.first, .note = note };
   const char *ends;
   arb_t T;
   arf_t least;
   arb_init(T);
   arf_init(least);
-  row.status = *expansions_modes(&r->expansions) ? "derived" : "double";
-  if (r->motion.of == OF_STEADY
-      && scallop_steady_modes_hold(&r->expansions.crawler, BOUND_BITS, T, &ends, NULL) == SCALLOP_OK) {
+  row.status = *expansions_modes(&r->study.expansions) ? "derived" : "double";
+  if (r->study.motion.of == OF_STEADY
+      && scallop_steady_modes_hold(&r->study.expansions.crawler, BOUND_BITS, T, &ends, NULL) == SCALLOP_OK) {
     arb_get_lbound_arf(least, T, BOUND_BITS);
     snprintf(note, sizeof note, "the limit T -> 0; these modes are proven up to T = %.4g",
              arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
@@ -117,7 +83,7 @@ static void write_limit(struct report *r)
 static void write_events(struct report *r)
 {
   write_limit(r);
-  for (const struct event *e = r->events.event; e < r->events.event + r->events.count; e++)
+  for (const struct event *e = r->study.events.event; e < r->study.events.event + r->study.events.count; e++)
     write_row(r, (struct row){ "event", .order = NAN, .T = e->T, .error = NAN, .modes = e->modes, .note = e->what,
                                .status = e->status });
 }
@@ -143,14 +109,14 @@ static void write_reach(struct report *r, const struct comparison *c)
   row.tolerance = c->tolerance;
   row.status = "binary128";
   if (T > 0 && isfinite(T)) {
-    row.modes = modes_at(r, T);
+    row.modes = study_modes_at(&r->study, T);
     row.error = comparison_error(c, T);
-    row.note = where(r, T);
+    row.note = study_where(&r->study, T);
     row.status = is_proven(c, T) ? "certified" : row.status;
   } else if (isnan(T)) {
     row.note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
   } else if (T > 0) {
-    row.note = r->events.count > 0 ? "for every T up to permanent rest" : "for every T";
+    row.note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
   } else if (isnan(limit)) {
     row.note = "the error does not fall below the tolerance as T -> 0";
   } else {
@@ -164,35 +130,36 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
   static const double usual[] = { BREAKDOWN_TOLERANCES };
   const struct given_number *given = &r->options->tolerance;
   struct series_item items[MOST_ITEMS];
-  int count = series_items(items, &r->expansions, quantity, r->options->order.value);
+  int count = series_items(items, &r->study.expansions, quantity, r->options->order.value);
   for (int i = 0; i < count; i++)
     for (int k = 0; k < (given->given ? 1 : (int)(sizeof usual / sizeof *usual)); k++)
       if (breakdown_takes(r->options, items[i].source))
-        write_reach(r, &(struct comparison){ &r->expansions, items[i], r->cache, given->given ? given->value : usual[k] });
+        write_reach(r, &(struct comparison){ &r->study.expansions, items[i], r->study.cache,
+                                             given->given ? given->value : usual[k] });
 }
 
 static const char *which_first(const struct report *r, double radius)
 {
   static char text[80];
-  if (r->events.count == 0)
+  if (r->study.events.count == 0)
     return "nothing else ends it";
-  snprintf(text, sizeof text, "the first event, T = %.6g, comes %s", r->events.event[0].T,
-           r->events.event[0].T < radius ? "before" : "after");
+  snprintf(text, sizeof text, "the first event, T = %.6g, comes %s", r->study.events.event[0].T,
+           r->study.events.event[0].T < radius ? "before" : "after");
   return text;
 }
 
 /* False: radius.note says why there is none. */
 static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
 {
-  const struct series *s = expansions_of(&r->many, quantity);
+  const struct series *s = expansions_of(&r->study.many, quantity);
   struct sought *sought = &r->sought[quantity == Q_T1];
-  if (s && radius_from_poles(radius, s, MANY))
+  if (s && radius_from_poles(radius, s, STUDY_MANY))
     return true;
   *radius = (struct radius){ .note = "there is no derived series" };
   if (s && !sought->done) { /* once for all quantities that depend on it */
     scallop_singularity_init(&sought->singularity);
     progress_show(&r->progress, "singularities ...");
-    sought->found = singularity_of(&sought->singularity, &r->many, quantity == Q_T1);
+    sought->found = singularity_of(&sought->singularity, &r->study.many, quantity == Q_T1);
     sought->done = true;
   }
   if (s && sought->found)
@@ -216,34 +183,13 @@ static void write_radius(struct report *r, enum quantity_id quantity)
   write_row(r, row);
 }
 
-/* The order with the least |error| at T, of those below MANY; *error: that. False: the motion has no such value. */
-static bool best_order(const struct report *r, enum quantity_id quantity, double T, const arb_struct *exact, slong *order,
-                       double *error)
-{
-  const struct series *s = expansions_of(&r->many, quantity);
-  *error = INFINITY;
-  *order = 0;
-  for (slong k = s->first; exact && k < MANY; k++) {
-    if (series_coefficient_is_zero(s, k))
-      continue;
-    struct comparison c = { &r->many, { FROM_DERIVED, quantity, .series = s, .before = k + 1 }, .tolerance = 0 };
-    double here = fabs(comparison_error_beside(&c, T, exact, MANY_BITS));
-    if (here < *error) {
-      *error = here;
-      *order = k + 1;
-    }
-  }
-  return isfinite(*error);
-}
-
 /* What more terms would do. */
-static const char *beyond(const struct report *r, const struct series *s, double T, slong order)
+static const char *beyond(const struct report *r, enum quantity_id quantity, double T, slong order)
 {
-  static char text[160];
-  slong last = MANY - 1;
-  while (last > 0 && series_coefficient_is_zero(s, last))
-    last--;
-  snprintf(text, sizeof text, "%s%s", order > last ? "more terms are better still; " : "", where(r, T));
+  static char text[240];
+  snprintf(text, sizeof text, "%s%s",
+           study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
+           study_where(&r->study, T));
   return text;
 }
 
@@ -252,20 +198,20 @@ enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
 
 static double best_time(const struct report *r, int i)
 {
-  double about = r->events.count > 0 ? r->events.event[0].T : motion_natural_time(&r->motion);
+  double about = r->study.events.count > 0 ? r->study.events.event[0].T : motion_natural_time(&r->study.motion);
   return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
 }
 
 /* exact: the certified answers at these times. */
 static void write_best(struct report *r, enum quantity_id quantity, const struct ball_answer exact[BEST])
 {
-  const struct series *s = expansions_of(&r->many, quantity);
+  const struct series *s = expansions_of(&r->study.many, quantity);
   for (int i = 0; s && i < BEST; i++) {
     double T = best_time(r, i), error;
     slong order;
-    if (best_order(r, quantity, T, exact[i].value[quantity], &order, &error))
-      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error, modes_at(r, T),
-                                 beyond(r, s, T, order), "certified" });
+    if (study_best_order(&r->study, quantity, T, exact[i].value[quantity], &order, &error))
+      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error,
+                                 study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified" });
   }
 }
 
@@ -274,7 +220,7 @@ static void write_rows(struct report *r, enum quantity_id only)
   enum { DIGITS = 200 };
   struct ball_answer exact[BEST];
   for (int i = 0; i < BEST; i++) {
-    const struct motion at = motion_at(&r->motion, best_time(r, i));
+    const struct motion at = motion_at(&r->study.motion, best_time(r, i));
     ball_answer_init(&exact[i]);
     if (is_wanted(r, "best"))
       answer_of_doubles(&exact[i], &at, DIGITS);
@@ -283,7 +229,7 @@ static void write_rows(struct report *r, enum quantity_id only)
     write_events(r);
   for (int i = 0; i < QUANTITIES; i++) {
     enum quantity_id q = (enum quantity_id)i;
-    if (!motion_has(&r->motion, q) || (r->options->quantity && q != only))
+    if (!motion_has(&r->study.motion, q) || (r->options->quantity && q != only))
       continue;
     progress_show(&r->progress, "%s ...", quantity_rows[q].name);
     if (is_wanted(r, "reach"))
@@ -297,17 +243,10 @@ static void write_rows(struct report *r, enum quantity_id only)
     ball_answer_clear(&exact[i]);
 }
 
-/* Why there is no derived series */
-static const char *why_none(const struct report *r)
-{
-  const struct series_answer *a = &r->expansions.derived;
-  return a->why ? a->why : scallop_status_text(a->status);
-}
-
 static bool begin(struct report *r)
 {
   struct table *t = &r->table;
-  bool steady = r->motion.of == OF_STEADY;
+  bool steady = r->study.motion.of == OF_STEADY;
   if (!table_open(t, &r->options->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
@@ -316,14 +255,14 @@ static bool begin(struct report *r)
   note_parameters(t, &r->options->request.point, (const char *const[]){ "T", steady ? NULL : "alpha", NULL }, false);
   if (!steady) {
     char v0[NUMBER_TEXT];
-    number_text(v0, r->motion.v0, 0);
-    table_note(t, "%s from v0 = %s; T: its duration", r->motion.phase == SCALLOP_EXTENSION ? "extension" : "contraction",
-               v0);
+    number_text(v0, r->study.motion.v0, 0);
+    table_note(t, "%s from v0 = %s; T: its duration",
+               r->study.motion.phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
   }
-  if (r->expansions.derived.status != SCALLOP_OK)
-    table_note(t, "no derived series: %s", why_none(r));
+  if (r->study.expansions.derived.status != SCALLOP_OK)
+    table_note(t, "no derived series: %s", study_why_none(&r->study));
   table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
-             r->events.from, r->events.until);
+             r->study.events.from, r->study.events.until);
   table_columns(t, (const char *const[]){ "what", "quantity", "series", "order", "tolerance", "T", "froude", "error",
                                           "modes", "note", "status", NULL });
   table_begin_rows(t);
@@ -332,14 +271,14 @@ static bool begin(struct report *r)
 
 static enum exit_code report(struct report *r, enum quantity_id only)
 {
-  bool looks_far = is_wanted(r, "radius") || is_wanted(r, "best"), derived = r->expansions.derived.status == SCALLOP_OK;
+  bool looks_far = is_wanted(r, "radius") || is_wanted(r, "best"),
+       derived = r->study.expansions.derived.status == SCALLOP_OK;
   if (!derived && looks_far && r->options->only.given) {
-    complain("breakdown", "no derived series: %s", why_none(r));
+    complain("breakdown", "no derived series: %s", study_why_none(&r->study));
     return EXIT_UNSOLVED;
   }
-  expansions_init(&r->many, &r->motion, looks_far ? MANY : 1, MANY_BITS);
   progress_show(&r->progress, "events ...");
-  events_find(&r->events, &r->motion, expansions_modes(&r->expansions));
+  study_events(&r->study);
   progress_end(&r->progress);
   enum exit_code code = EXIT_FILE;
   if (begin(r)) {
@@ -348,10 +287,8 @@ static enum exit_code report(struct report *r, enum quantity_id only)
     code = !table_close(&r->table) ? EXIT_FILE : r->rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
     if (code == EXIT_UNSOLVED)
       complain("breakdown", "no row: %s",
-               derived ? "there is no such series of this quantity, or all of it is 0" : why_none(r));
+               derived ? "there is no such series of this quantity, or all of it is 0" : study_why_none(&r->study));
   }
-  events_clear(&r->events);
-  expansions_clear(&r->many);
   return code;
 }
 
@@ -384,24 +321,18 @@ static bool is_sound(const struct breakdown_options *o)
 enum exit_code breakdown_table(const struct breakdown_options *o)
 {
   struct report r = { .options = o, .progress = progress_begin(o->request.style.quiet) };
-  struct scallop_scaled scaled;
   enum quantity_of of = o->request.point.has_phase || o->request.point.has_v0 ? OF_PHASE : OF_STEADY;
   enum quantity_id only;
   if (!breakdown_quantity(&only, o, of) || !is_sound(o))
     return EXIT_USAGE;
-  enum scallop_status status = scallop_scale(&o->request.point.crawler, &scaled);
-  r.motion = motion_of(&o->request.point, of);
-  r.cache = status == SCALLOP_OK ? exact_cache_new(&r.motion) : NULL;
-  if (!r.cache) {
-    complain("breakdown", "%s", status == SCALLOP_OK ? "out of memory" : scallop_status_text(status));
-    return EXIT_UNSOLVED;
-  }
-  expansions_init(&r.expansions, &r.motion, o->order.value, BREAKDOWN_BITS);
-  enum exit_code code = report(&r, only);
+  bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
+  const char *why = study_begin(&r.study, &o->request.point, of, o->order.value, looks_far ? STUDY_MANY : 1);
+  if (why)
+    complain("breakdown", "%s", why);
+  enum exit_code code = why ? EXIT_UNSOLVED : report(&r, only);
   for (int i = 0; i < 2; i++)
     if (r.sought[i].done)
       scallop_singularity_clear(&r.sought[i].singularity);
-  expansions_clear(&r.expansions);
-  free(r.cache);
+  study_clear(&r.study);
   return code;
 }

@@ -76,8 +76,8 @@ static const char *undecided(const struct condition *condition, const struct tri
   return text;
 }
 
-static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                    const struct scallop_formula *f)
+void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
   struct claim_row row = { .equation = f->equation,
@@ -128,7 +128,7 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; (f = book_formula(i)); i++)
       if (f->remainder != 0 && (!only || claim_is_listed(only, f->name)))
-        add_row(ledger, &c, is_given, f);
+        ledger_add_formula(ledger, &c, is_given, f);
   }
   scallop_rational_clear(&c);
 }

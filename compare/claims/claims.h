@@ -70,6 +70,9 @@ void ledger_free(struct ledger *ledger);
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
+/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler. */
+void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *formula);
 /* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where it is not given, changed so that the
  * conditions of each formula hold. */
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,

@@ -24,7 +24,7 @@ static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = {
   OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
       OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
-      OPTIONS_LAST
+      OPTIONS_PLOT, OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
@@ -52,47 +52,6 @@ static const char *solve(struct cells *c, const struct motion_options *o, const 
   return done ? NULL : why;
 }
 
-/* Digits with an exponent at most: what every reader takes for a number */
-static bool is_plain(const char *text)
-{
-  size_t whole = strspn(text, "0123456789");
-  const char *rest = text + whole;
-  if (whole == 0 || (whole > 1 && *text == '0'))
-    return false;
-  if (*rest == '.')
-    rest += 1 + strspn(rest + 1, "0123456789");
-  return rest[-1] != '.' && (*rest == '\0' || *rest == 'e' || *rest == 'E');
-}
-
-/* With --certified as it was written: a double would not hold all digits. */
-static void write_parameter(struct table *t, bool certified, const char *written, double value)
-{
-  char text[NUMBER_TEXT];
-  if (!certified) {
-    table_number(t, value);
-    return;
-  }
-  number_text(text, value, 0);
-  if (written && !is_plain(written) && t->format == FORMAT_JSON)
-    table_text(t, written);
-  else
-    table_digits(t, written ? written : text);
-}
-
-/* refused: as in points.h */
-static void write_point(struct table *t, const struct motion_options *o, const struct point *p, const char *refused)
-{
-  double numbers[CRAWLER_NUMBERS];
-  crawler_numbers(&p->crawler, numbers);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    write_parameter(t, o->certified && !refused, p->written[i], refused ? NAN : numbers[i]);
-  table_text(t, refused ? "-" : p->crawler.gait->name);
-  if (o->of != OF_PHASE)
-    return;
-  table_text(t, refused ? "-" : p->phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  write_parameter(t, o->certified && !refused, p->written_v0, refused ? NAN : p->v0);
-}
-
 static const char *row(struct table *t, const struct point *p, const void *context, const char *refused)
 {
   static const double rounded_up = 1.005; /* of an estimate, with three digits */
@@ -101,7 +60,6 @@ static const char *row(struct table *t, const struct point *p, const void *conte
   char modes[MOTION_MODES_TEXT], status[ANSWER_STATUS];
   const char *why = refused ? refused : solve(&c, o, p);
   int first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
-  write_point(t, o, p, refused);
   for (int q = first; q < end; q++)
     if (c.decimals[q])
       table_digits(t, c.decimals[q]);
@@ -138,7 +96,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   columns[n++] = "status";
   columns[n] = NULL;
   const struct point_table table = {
-    .extra = o->of == OF_PHASE ? start : none, .columns = columns, .row = row, .context = o
+    .extra = o->of == OF_PHASE ? start : none, .columns = columns, .as_written = o->certified, .row = row, .context = o
   };
   return for_each_point(&o->request, &table);
 }
@@ -154,14 +112,20 @@ static bool is_sound(const void *options)
   return digits_hold(&o->request.style, o->certified, DIGITS);
 }
 
-#define ABOUT_ARITHMETICS \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of the " \
+#define ABOUT_ROWS \
+  ABOUT_MANY_POINTS \
+  ".\n" \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of " \
+  "the " \
   "doubles\n" \
   "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
   "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
-  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table too,\n" \
-  "and status is certified. What touches a boundary exactly cannot be decided, which status says. A polynomial\n" \
-  "whose l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
+  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table " \
+  "too;\n" \
+  "of a range they are the decimals that the row prints. status is certified. What touches a boundary exactly\n" \
+  "cannot be decided, which status says. A polynomial whose l' changes its sign within a phase, or is not exactly 0 " \
+  "at\n" \
+  "its ends, is that of the doubles."
 
 const struct command command_steady = {
   .name = "steady",
@@ -175,7 +139,7 @@ const struct command command_steady = {
   .about =
       "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
       "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
-      "answer.\n" ABOUT_ARITHMETICS,
+      "answer.\n" ABOUT_ROWS,
   .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
@@ -191,7 +155,7 @@ const struct command command_phase = {
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
            "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
-           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ARITHMETICS,
+           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

@@ -7,6 +7,7 @@
 
 #include "compare/answers/gaits.h"
 #include "compare/book/book.h"
+#include "compare/columns/columns.h"
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
@@ -15,6 +16,9 @@ static const void *value_of(const void *options, const struct option *o) { retur
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
+  if (sweep_is_many(o->name, text))
+    return sweep_vary(&r->sweep, &r->point, o->name, text);
+  sweep_hold(&r->sweep, o->name);
   return point_set(&r->point, o->name, text);
 }
 
@@ -135,17 +139,32 @@ static const char *read_output(void *options, const struct option *o, const char
     return not_allowed(text, "a file name");
   if (plot_kind(text))
     return not_allowed(
-        text, "the name of a table, not of a picture; `scallop run` draws: `scallop run figure4` writes figure4.svg");
+        text, "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
   r->style.output = strcmp(text, "-") == 0 ? NULL : text;
   r->style.has_output = true;
   return NULL;
+}
+
+static const char *read_plot(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  return plot_set(&r->style.plot, o->name, text);
+}
+
+static const char *read_choice(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  (void)o;
+  columns_free(r->style.choice);
+  return columns_read(&r->style.choice, text);
 }
 
 const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
                          number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
                          word_option = { read_word, show_word }, text_option = { read_text, NULL },
                          format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
-                         output_option = { read_output, NULL }, dropped_option = { NULL, NULL };
+                         output_option = { read_output, NULL }, columns_option = { read_choice, NULL },
+                         plot_option = { read_plot, NULL }, dropped_option = { NULL, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -273,13 +292,37 @@ static bool rules_hold(const struct arguments *a)
   return true;
 }
 
+/* Lists and ranges are for commands that take many points, and stand in place of a file of them. */
+static bool sweep_holds(const struct arguments *a)
+{
+  const struct request *r = &a->options.request;
+  const struct sweep_variable *v = sweep_variable(&r->sweep, 0);
+  if (!v || (option_of(a->command, "points") && !r->points))
+    return true;
+  if (r->points)
+    return complain(a->command->name,
+                    "--%s: a list or a range and --points exclude each other: the file has a row for each point", v->name);
+  return complain(
+      a->command->name,
+      "--%s: this command takes one value: a list or a range is for steady, phase and series, which print a row for "
+      "each point",
+      v->name);
+}
+
 /* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
 static bool is_sound(const struct arguments *a)
 {
-  const char *output = a->options.request.style.output;
-  if (output && gait_is_from(output))
-    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file", output);
-  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
+  const struct style *style = &a->options.request.style;
+  const struct option *of_plot = given_option(a, "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
+  if (style->output && gait_is_from(style->output))
+    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file",
+                    style->output);
+  if (style->plot.file && gait_is_from(style->plot.file))
+    return complain(a->command->name, "--plot: %s is the file of the gait and is not replaced: name another file",
+                    style->plot.file);
+  if (of_plot && !style->plot.file)
+    return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
+  return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -288,8 +331,10 @@ void options_initial(struct arguments *a, const struct command *command)
   a->command = command;
   if (command->initial)
     memcpy(&a->options, command->initial, command->size);
-  a->options.request = (struct request){ .style = { .command = command->name, .meaning = quantity_meaning },
-                                         .point = point_initial(command->defaults) };
+  const enum format format = a->options.request.style.format; /* of the command, where none is given */
+  a->options.request =
+      (struct request){ .style = { .command = command->name, .format = format, .meaning = quantity_meaning },
+                        .point = point_initial(command->defaults) };
 }
 
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
@@ -314,6 +359,12 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
 }
 
+enum exit_code options_judge(const struct arguments *a, enum exit_code code)
+{
+  const struct table_choice *choice = a->options.request.style.choice;
+  return choice && choice->refused ? EXIT_USAGE : code;
+}
+
 enum exit_code options_book(const struct arguments *a)
 {
   const char *book = a->options.request.book;
@@ -322,6 +373,8 @@ enum exit_code options_book(const struct arguments *a)
 
 void options_free(struct arguments *a)
 {
+  sweep_free(&a->options.request.sweep);
+  columns_free(a->options.request.style.choice);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

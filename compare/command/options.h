@@ -37,6 +37,8 @@ extern const struct option_kind
     text_option,                  /* const char *, one for each value, not empty: allowed says what it is   */
     format_option, output_option, /* of the style                                                           */
     digits_option,                /* likewise, from 1 to most                                               */
+    plot_option,                  /* likewise, of its plot, by its name                                     */
+    columns_option,               /* likewise: which columns                                                */
     dropped_option;               /* one that is no longer there: help says what to use instead             */
 
 struct option {
@@ -92,8 +94,10 @@ struct option_rule {
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
 #define OPTION_POINTS \
-  OPTION_TEXT("points", "FILE", "read points from a TSV file ('-': standard input) whose header names parameters", NULL, \
-              request, points, "a file name")
+  OPTION_TEXT( \
+      "points", "FILE", \
+      "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", NULL, \
+      request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
 #define OPTION_FORMAT(otherwise) \
   OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
@@ -106,11 +110,33 @@ struct option_rule {
 #define OPTION_OUTPUT(otherwise) \
   OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
          .kind = &output_option)
+#define OPTION_PLOT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &plot_option)
+#define OPTIONS_PLOT \
+  OPTION_PLOT("plot", "FILE", "draw the table: FILE ends in .svg, .png or .pdf (needs gnuplot)", NULL), \
+      OPTION_PLOT("plot-x", "NAME", "the column along x", "what varies"), \
+      OPTION_PLOT("plot-y", "NAME,...", "the columns that are drawn; of a map: what its colours show", \
+                  "those of the table's kind"), \
+      OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", "what else varies"), \
+      OPTION_PLOT("plot-x-range", "FROM:TO", "the ends of the x axis, with :log or :linear", "those of the table"), \
+      OPTION_PLOT("plot-y-range", "FROM:TO", "the ends of the y axis, with :log or :linear", "those of the table"), \
+      OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
+      OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
+                  "800x500, more where there is more to show")
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
+#define OPTION_PAGER OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
+/* What --help says of lists and ranges, where a command takes many points */
+#define ABOUT_MANY_POINTS \
+  "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which with :log has\n" \
+  "equal ratios (--T 1e-3:1:50:log). Every combination is a row; the option that stands last varies fastest. Values\n" \
+  "between the ends of a range are rounded to 15 digits, with :log to 12, as in scenes: docs/scenes.md"
+
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
-#define OPTIONS_LAST OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTION_COLUMNS \
+  OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
+         .kind = &columns_option)
+#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
@@ -173,6 +199,8 @@ enum reading options_read(struct arguments *arguments, const struct command *com
                           int count, char **all, enum exit_code *code);
 /* Reads the book that the options name, if they do: the exit code, the message being on stderr. */
 enum exit_code options_book(const struct arguments *arguments);
+/* The exit code of a command that ended with code: EXIT_USAGE where --columns named what its table has not. */
+enum exit_code options_judge(const struct arguments *arguments, enum exit_code code);
 void options_free(struct arguments *arguments);
 
 #endif

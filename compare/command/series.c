@@ -31,6 +31,7 @@ static const struct option options_of_series[] = {
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct series_options initial = { .source = { "published", false },
@@ -41,7 +42,7 @@ static const char *const columns[] = { "formula",   "equation", "phase", "quanti
 static const char *const extra[] = { "v0", NULL };
 
 /* A formula and the motion that it is about: a kind of phase, or the period. */
-enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = TABLE_COLUMNS };
+enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = 96 };
 struct use {
   const struct scallop_formula *formula;
   int of;
@@ -119,8 +120,6 @@ static const char *row(struct table *table, const struct point *point, const voi
   enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, published, exact);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
   (void)context;
-  point_crawler(table, &point->crawler, refused);
-  table_number(table, point->has_v0 && !refused ? point->v0 : NAN);
   for (int i = 0, n = table->count - table->at - 1; i < n; i++)
     table_number(table, why ? NAN : published[i]);
   table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
@@ -208,6 +207,12 @@ static const char *excluded(const struct series_options *o)
   bool document = strcmp(o->emit.value, "text") != 0;
   if (document && o->request.style.has_format)
     return "--format is for tables: with --emit it is of no use";
+  if (document && o->request.style.plot.file)
+    return "--plot is for tables: with --emit it is of no use";
+  if (document && o->request.style.choice)
+    return "--columns is for tables: with --emit it is of no use";
+  if (o->symbolic && o->request.sweep.products > 0)
+    return "a list or a range of a parameter and --symbolic exclude each other: formulas are of one motion";
   if (o->symbolic)
     return excluded_from_formulas(o);
   if (document && !derived)
@@ -223,6 +228,8 @@ static const char *excluded(const struct series_options *o)
                      : "--order and --source limit exclude each other: the limit is one term";
   if (o->request.point.has_v0 && (o->bound || (!derived && !published)))
     return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
+  if (o->request.sweep.products > 0 && (o->bound || !published))
+    return "a list or a range of a parameter is for --source published: one point at a time here";
   return NULL;
 }
 
@@ -242,7 +249,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   if (o->symbolic)
     return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
   if (!o->bound && strcmp(o->source.value, "published") == 0)
-    return (o->request.points ? run_points : run_point)(&o->request);
+    return (has_many_points(&o->request) ? run_points : run_point)(&o->request);
   return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
 }
 
@@ -263,7 +270,8 @@ const struct command command_series = {
       "v(t1) and v(T-dT) are the velocity of the body that turns then, and 0; equations (A.4) and (12) print the "
       "remainders\n"
       "O(t1^2) and O(dT^2).\n"
-      "With --points: one row for each point, the published value of every formula in a column of its own.\n\n"
+      "With --points, a list or a range: one row for each point, the published value of every formula in a column of its\n"
+      "own.\n" ABOUT_MANY_POINTS ".\n\n"
       "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it is given, and of\n"
       "the steady state. Columns: phase, start, quantity as in `phase` and `steady`; power of T, the duration of the phase\n"
       "or the period; coefficient, an exact fraction where gait and parameters are rational and --digits is not given,\n"

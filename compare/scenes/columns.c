@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/book/book.h"
+#include "compare/columns/columns.h"
 #include "compare/scenes/parts.h"
 #include "compare/text/values.h"
 
@@ -105,16 +106,13 @@ static bool add_column(const struct reading *r, const config_setting_t *at, stru
 {
   struct quantities *all = &r->scene->quantities;
   struct scene_column *column = &w->column[w->columns];
-  const char *equals = strchr(text, '='), *formula = equals ? equals + 1 : text;
-  int places[FORMULA_STEPS], count = 1, length = (int)(equals ? equals - text : (ptrdiff_t)strlen(text));
-  formula += strspn(formula, " ");
-  while (length > 0 && text[length - 1] == ' ')
-    length--;
+  int places[FORMULA_STEPS], count = 1, length;
+  const char *formula = column_formula(text, &length);
   if (w->columns == SCENE_COLUMNS)
     return refuse_at(r->config, at, "more than %d columns", SCENE_COLUMNS);
   if (!(column->name = keep(r->config, "%.*s", length, text)))
     return false;
-  if (!is_ascii(column->name) || strpbrk(column->name, "\"\\"))
+  if (length > 0 && !column_may_be_called(column->name))
     return refuse_at(r->config, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes",
                      text);
   if (length == 0 || *formula == '\0')

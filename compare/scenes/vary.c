@@ -64,9 +64,7 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   for (int i = 0; i < 2; i++) {
     if (!read_end(r, ends[i], range[i], &v->needs_onset))
       return false;
-    const char *wrong = range[i]->is_formula ? NULL : sweep_wrong(v, &r->scene->base, text_of(r->config, ends[i]));
-    if (!wrong && v->is_log && !range[i]->is_formula && !(range[i]->number > 0))
-      wrong = "an end of a range with log spacing is > 0";
+    const char *wrong = range[i]->is_formula ? NULL : sweep_end_wrong(v, &r->scene->base, text_of(r->config, ends[i]));
     if (wrong)
       return refuse_at(r->config, ends[i], "%s: %s", v->name, wrong);
   }
@@ -160,8 +158,7 @@ static bool read_product(const struct reading *r, const config_setting_t *at)
   const struct sweep_variable *twice = sweep_set_twice(product);
   if (twice)
     return refuse_at(r->config, at, "%s is set twice here", twice->name);
-  return points <= 1e15
-         || refuse_at(r->config, at, "%g points: more than 1e15", points); /* they fit a long with room to spare */
+  return points <= SWEEP_POINTS || refuse_at(r->config, at, "%g points: more than %g", points, SWEEP_POINTS);
 }
 
 bool read_vary(const struct reading *r, const config_setting_t *vary)

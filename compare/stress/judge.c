@@ -187,16 +187,15 @@ static void round_otherwise(const struct stress_case *s, const struct answer *go
     j->number[q].rounding = high[q] - low[q];
 }
 
-/* tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1: at 2^-960 of these, about 1e-289, digits may be
- * lost. */
-static double floor_of(const struct stress_case *s, int q)
+/* What a number is counted in: tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1 */
+static double natural_unit(const struct stress_case *s, int q)
 {
   const struct scallop_crawler *c = &s->crawler;
   double shorter = fmin(scallop_phase_duration(c, SCALLOP_EXTENSION), scallop_phase_duration(c, SCALLOP_CONTRACTION));
   double tau = is_phase(s) ? scallop_phase_duration(c, s->phase) : shorter, velocity = c->L / tau;
   const double of_phase[] = { tau, tau, velocity, c->L, c->L, c->L };
   const double of_steady[] = { 0, velocity, velocity, c->L, c->L / c->T, 1 };
-  return is_trajectory(s) ? 0 : 0x1p-960 * (is_phase(s) ? of_phase : of_steady)[q];
+  return is_trajectory(s) ? 0 : (is_phase(s) ? of_phase : of_steady)[q];
 }
 
 static void measure(const struct stress_case *s, const struct solutions *all, const double unit[STRESS_QUANTITIES],
@@ -205,14 +204,14 @@ static void measure(const struct stress_case *s, const struct solutions *all, co
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     struct stress_number *n = &j->number[q];
     const struct scallop_wide *exact = &numbers(s, &all->exact)[q], *got = &numbers(s, &all->got)[q];
-    double y = exact->high, floor = floor_of(s, q);
+    double y = exact->high, natural = natural_unit(s, q), floor = 0x1p-960 * natural; /* below 1e-289 digits may be lost */
     n->exact = y;
     n->got = got->high;
     n->exists = !isnan(y) || !isnan(got->high);
     n->ulp = fabs(y) > 0x1p53 * floor && isfinite(y) ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : 0;
     n->unit = fmax(fmax(unit[q], n->ulp), fmax(floor, DBL_MIN));
     n->error = distance(got, exact);
-    n->resolved = floor * 0x1p849; /* 2^-111 of what the floor is 2^-960 of */
+    n->resolved = 0x1p-111 * natural;
     for (int w = 0; w < 2; w++)
       n->wide_error[w] = distance(&numbers(s, &all->wide[w])[q], exact);
     if (fabs(y) > floor && !isnormal(y) && n->exists)

@@ -83,6 +83,29 @@ static bool is_mirrored(const struct scallop_scaled *s)
   return true;
 }
 
+static bool is_level(const struct scallop_shape *shape)
+{
+  for (int i = 0; i < shape->count; i++)
+    if (!shape->pieces[i].linear || shape->pieces[i].acceleration != 0)
+      return false;
+  return true;
+}
+
+/* l' jumps from one level to another and back, and each jump throws the same body, one way and the other, which friction then brings to
+ * rest, in opposite modes: it goes back as far as it came. */
+static bool is_thrown_back(const struct scallop_scaled *s, const struct period *p)
+{
+  struct scallop_modes modes[2];
+  for (int kind = 0; kind < 2; kind++) {
+    motion_modes(&p->phase[kind], (enum scallop_phase_kind)kind, &modes[kind]);
+    if (!is_level(&s->gait->phase[kind]) || modes[kind].count != 2)
+      return false;
+  }
+  const struct scallop_mode *e = modes[SCALLOP_EXTENSION].kept, *c = modes[SCALLOP_CONTRACTION].kept;
+  bool opposite = e[0].s1 * c[0].s1 < 0 && e[0].s2 * c[0].s2 < 0;
+  return opposite && ((e[1].s1 == 0 && c[1].s1 == 0) || (e[1].s2 == 0 && c[1].s2 == 0));
+}
+
 static void add_work(struct scallop_work *work, const struct period *p)
 {
   work->periods++;
@@ -306,7 +329,7 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
     period_solve(s, fmin(fmax(0, at->all.lo), at->all.hi), &period);
     period_sum_up(s, &period);
     status = SCALLOP_INTERVAL;
-  } else if (is_mirrored(s))
+  } else if (is_mirrored(s) || is_thrown_back(s, &period))
     period.travel = period.size = 0;
   set_searched(s, at, &period);
   return status;
@@ -339,7 +362,7 @@ enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct s
     return status; /* GCOVR_EXCL_LINE: as above */
   struct scallop_period_result *p = &at.period;
   double froude = 1 / s.eps, v_start = p->v_start * s.velocity, v_mid = p->v_mid * s.velocity, travel = p->displacement;
-  double displacement = travel * crawler->L, mean_velocity = displacement / crawler->T;
+  double displacement = scaling_back(travel, crawler->L), mean_velocity = displacement / crawler->T;
   if (!scaling_keeps(1, froude) || !scaling_keeps(p->v_start, v_start) || !scaling_keeps(p->v_mid, v_mid)
       || !scaling_keeps(travel, displacement) || !scaling_keeps(travel, mean_velocity))
     return SCALLOP_ERANGE;

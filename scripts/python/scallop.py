@@ -304,10 +304,10 @@ def steady(m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", thre
     Its quantities, with their units:
 
         froude         M L / (T^2 (F1 + F2)) [1]
-        v_start        velocity of both bodies at the start of the extension [L/T]
-        v_mid          velocity of both bodies at the start of the contraction [L/T]
-        displacement   displacement of the geometric centre over a period [L]
-        mean_velocity  displacement / T [L/T]
+        v_start        velocity of both bodies at the start of the extension [length/time]
+        v_mid          velocity of both bodies at the start of the contraction [length/time]
+        displacement   displacement of the geometric centre over a period [length]
+        mean_velocity  displacement / T [length/time]
         multiplier     derivative of the period map: the factor by which a deviation decays in a period [1]
 
     and v_low and v_high, between which all v_start are steady: the same number but for gaits whose l' jumps.
@@ -329,12 +329,12 @@ def phase(kind, v0=0, m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadr
 
     Its quantities, with their units:
 
-        t1             first change of mode after the start of the phase; nan: the mode does not change [T]
-        dT             from the last change of mode to the end of the phase; nan: the mode does not change [T]
-        v_end          velocity of both bodies at the end of the phase [L/T]
-        dx1            displacement of body 1 [L]
-        dx2            displacement of body 2 [L]
-        dxC            displacement of the geometric centre (x1 + x2)/2 [L]
+        t1             first change of mode after the start of the phase; nan: the mode does not change [time]
+        dT             from the last change of mode to the end of the phase; nan: the mode does not change [time]
+        v_end          velocity of both bodies at the end of the phase [length/time]
+        dx1            displacement of body 1 [length]
+        dx2            displacement of body 2 [length]
+        dxC            displacement of the geometric centre (x1 + x2)/2 [length]
 
     T is the period: the phase lasts alpha T or (1 - alpha) T. v0 is finite; the other parameters are as for steady().
     """

@@ -19,6 +19,25 @@ static int split(char *text, size_t size, char **arguments)
   return count;
 }
 
+/* Lists and ranges: their first and their last point */
+static void judge_sweep(const struct request *r, const char *text)
+{
+  const struct sweep_product *product = r->sweep.product;
+  long first[SWEEP_GROUPS] = { 0 }, last[SWEEP_GROUPS] = { 0 };
+  struct scallop_complaint wrong;
+  struct swept at = { .why = "" };
+  if (r->sweep.products == 0)
+    return;
+  for (int g = 0; g < product->groups; g++)
+    last[g] = product->group[g].count - 1;
+  for (int i = 0; i < 2; i++) {
+    struct point point = r->point;
+    sweep_move(&at, &point, product, i == 0 ? first : last, NULL, NULL);
+    if (at.why[0] != '\0' || scallop_crawler_check(&point.crawler, &wrong) != SCALLOP_OK || !isfinite(point.v0))
+      fuzz_fail("an end is no point (%s) in\n%s", at.why, text);
+  }
+}
+
 /* What an accepted command line may hold: each option what its row allows */
 static void judge(const struct arguments *a, const char *text)
 {
@@ -38,6 +57,7 @@ static void judge(const struct arguments *a, const char *text)
         && !(isfinite(number->value) && (!number->given || (number->value >= o->least && number->value <= o->most))))
       fuzz_fail("--%s %g from\n%s", o->name, number->value, text);
   }
+  judge_sweep(r, text);
   if (!isfinite(r->point.v0))
     fuzz_fail("v0 %g from\n%s", r->point.v0, text);
   if ((a->command->operand != NULL) != (a->operand_count > 0))

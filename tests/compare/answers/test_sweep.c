@@ -2,6 +2,7 @@
 #include "compare/answers/sweep.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "tests/support/check.h"
 
@@ -99,4 +100,107 @@ TEST(what_is_not_allowed_is_said)
   v = listed("froude", alpha, 2);
   assert_non_null(sweep_wrong(&v, &point, "0"));
   assert_non_null(sweep_wrong(&v, &point, "inf"));
+}
+
+/* Texts of options: what stays of them, in which order they vary, and which are one value. */
+TEST(lists_and_ranges_of_options)
+{
+  struct sweep sweep = { .products = 0 };
+  struct point point = point_initial(NULL);
+  static const struct {
+    const char *name, *text;
+    bool many;
+  } texts[] = { { "T", "0.5", false },
+                { "T", "0.5,0.6", true },
+                { "v0", "-1:1:3", true },
+                { "gait", "quadratic", false },
+                { "gait", "skewed:0.2", false },
+                { "gait", "trapezoidal:0.1,0.2", false },
+                { "phase", "extension", false },
+                { "gait", "trapezoidal:0.1,0.2,sinusoidal", true },
+                { "gait", "constant:0.1,skewed:0.2", true },
+                { "phase", "extension,contraction", true } };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    assert_int_equal(sweep_is_many(texts[i].name, texts[i].text), texts[i].many);
+  assert_null(sweep_vary(&sweep, &point, "T", "0.5,0.60"));
+  assert_true(point.crawler.T == 0.5 && point.written[5]);
+  assert_null(sweep_vary(&sweep, &point, "gait", "trapezoidal:0.1,0.2,sinusoidal"));
+  assert_null(sweep_vary(&sweep, &point, "v0", "-1:1:3"));
+  assert_true(point.has_gait && point.has_v0 && point.v0 == -1);
+  assert_int_equal(sweep_points(&sweep), 12);
+  assert_string_equal(sweep_variable(&sweep, 1)->texts[0], "trapezoidal:0.1,0.2");
+  assert_null(sweep_vary(&sweep, &point, "T", "1e-3:10:5:log")); /* in place of the list, and last */
+  assert_string_equal(sweep_variable(&sweep, 2)->name, "T");
+  assert_int_equal(sweep_points(&sweep), 30);
+  assert_null(sweep_vary(&sweep, &point, "gait", "constant:0.1,quadratic,skewed:0.2"));
+  assert_int_equal(sweep_points(&sweep), 45);
+  sweep_hold(&sweep, "gait");
+  sweep_hold(&sweep, "gait");
+  assert_int_equal(sweep_points(&sweep), 15);
+  struct swept at = { .why = "" };
+  sweep_move(&at, &point, sweep.product, (const long[]){ 1, 2 }, no_formula, NULL);
+  assert_true(point.v0 == 0 && point.crawler.T == 0.1);
+  sweep_free(&sweep);
+  assert_int_equal(sweep_points(&sweep), 0);
+}
+
+TEST(no_lists_and_ranges)
+{
+  struct sweep sweep = { .products = 0 };
+  struct point point = point_initial(NULL);
+  static const struct {
+    const char *name, *text, *message;
+  } texts[] = { { "F1", "1:10:0", "'1:10:0' is no range: FROM:TO:COUNT" },
+                { "F1", "1:10:1", "COUNT is from 2 to 1000000000" },
+                { "F1", "1:10:-3", "COUNT is" },
+                { "F1", "1:10:2.5", "COUNT is" },
+                { "F1", "1:10:1000000001", "COUNT is" },
+                { "F1", "1:10", "is no range" },
+                { "F1", "1:10:5:log:", "is no range" },
+                { "F1", "1:10:5:Log", "is no range" },
+                { "F1", "1:2:3,4", "is no range" },
+                { "F1", "0:1:5:log", "'0' is not allowed here: it takes a finite number > 0" },
+                { "v0", "0:1:5:log", "log spacing is > 0" },
+                { "v0", "-1:1:5:log", "log spacing is > 0" },
+                { "F1", "nan:1:5", "'nan' is not allowed" },
+                { "F1", "1:inf:5", "'inf' is not allowed" },
+                { "alpha", "0.5:1:5", "between 0 and 1" },
+                { "alpha", "0.5,", "'' is not allowed" },
+                { "alpha", ",", "'' is not allowed" },
+                { "T", "1, 2", "without blanks" },
+                { "gait", "foo,quadratic", "'foo' is not allowed" },
+                { "phase", "extension,phase", "extension or contraction" } };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    const char *wrong = sweep_vary(&sweep, &point, texts[i].name, texts[i].text);
+    assert_non_null(wrong);
+    if (!strstr(wrong, texts[i].message))
+      fail_msg("%s %s: %s", texts[i].name, texts[i].text, wrong);
+    assert_int_equal(sweep.product->groups, 0);
+  }
+  assert_null(sweep_vary(&sweep, &point, "m1", "1:2:100000000"));
+  assert_non_null(strstr(sweep_vary(&sweep, &point, "m2", "1:2:10000001"), "more than 1e+15"));
+  assert_null(sweep_vary(&sweep, &point, "m2", "1:2:10000000"));
+  sweep_free(&sweep);
+}
+
+/* What a group that stays has set is kept: as if each point were the first. */
+TEST(steps_are_those_of_single_moves)
+{
+  struct sweep sweep = { .products = 0 };
+  struct point base = point_initial(NULL);
+  long index[SWEEP_GROUPS] = { 0 };
+  struct swept at = { .why = "" };
+  assert_null(sweep_vary(&sweep, &base, "F2", "0.3:7:4"));
+  assert_null(sweep_vary(&sweep, &base, "alpha", "0.2,0.7"));
+  assert_null(sweep_vary(&sweep, &base, "T", "0.01:3:5:log"));
+  do {
+    struct point point = base, alone = base;
+    struct swept first = { .why = "" };
+    sweep_move(&at, &point, sweep.product, index, no_formula, NULL);
+    sweep_move(&first, &alone, sweep.product, index, no_formula, NULL);
+    assert_true(same_crawler(&point.crawler, &alone.crawler));
+    for (int i = 0; i < CRAWLER_NUMBERS; i++)
+      assert_true(point.written[i] == alone.written[i] || strcmp(point.written[i], alone.written[i]) == 0);
+  } while (sweep_next(sweep.product, index));
+  sweep_free(&sweep);
 }

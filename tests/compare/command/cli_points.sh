@@ -131,7 +131,8 @@ misspelt GAIT gait
 finish "names that nearly are a parameter's are refused"
 printf 'T\tcase\tt\tt1\tmean_velocity\n0.5\t1\t2\t3\t4\n' >named.tsv
 run 0 steady --points named.tsv
-grep -q -x 'scallop steady: note: named.tsv:1: these columns are no parameters and are not used: case, t, t1, mean_velocity' err || note "$(cat err)"
+grep -q -x 'scallop steady: note: named.tsv:1: these columns are not carried along, as their names are taken or empty: mean_velocity' err || note "$(cat err)"
+[ "$(header out | cut -d ' ' -f 8-12)" = 'gait case t t1 froude' ] || note "$(header out)"
 run 0 steady --points named.tsv --quiet
 [ ! -s err ] || note "--quiet: $(cat err)"
 for table in steady phase trajectory series claims breakdown; do
@@ -139,7 +140,7 @@ for table in steady phase trajectory series claims breakdown; do
   "$tool" steady --points named.tsv >out 2>err
   ! grep 'did you mean' err >found || note "$table: $(cat found)"
 done
-finish "other columns are named on standard error"
+finish "columns whose names are taken are named on standard error"
 
 # ---- files without an end, and files that would be lost ----
 ends() { # CODE MESSAGE ARGUMENT...: within the time, and with the message

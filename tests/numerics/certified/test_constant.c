@@ -121,8 +121,8 @@ TEST(steady_states_by_hand)
     CHECK_NEAR(s.period.multiplier, (double)hand.multiplier, 8 * DBL_EPSILON);
     bool both = hand.multiplier == 0 && steady_by_hand(&m).v_mid == m.U && steady_by_hand(&m).v_start == m.lower[1];
     if (both && m.U <= m.W && m.lower[1] >= m.lower[0]) /* body 1 is held in both phases: it goes back as far as it came */
-      CHECK_NEAR(s.period.displacement, 0, 0x1p-105 * c.L); /* in binary128 */
-    if (hand.multiplier == 0 && m.U <= m.W && !both) {      /* L (m2/(M a) - eps delta b^2) */
+      assert_true(s.period.displacement == 0);
+    if (hand.multiplier == 0 && m.U <= m.W && !both) { /* L (m2/(M a) - eps delta b^2) */
       long double way = m.U * (m.a + m.b) - m.eps * m.delta * m.b * m.b;
       if (steady_by_hand(&m).v_mid == m.U && steady_by_hand(&m).v_start >= m.lower[0])
         CHECK_NEAR(fabs(s.period.displacement) / c.L, (double)fabsl(way), allowed);
