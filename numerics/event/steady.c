@@ -293,7 +293,7 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct stea
 {
   struct held h;
   const struct scallop_shape *phase = s->gait->phase;
-  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  const struct scaling scaling = scaling_again(s);
   if (!has_ramps(s->gait))
     return false;
   struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);

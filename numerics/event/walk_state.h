@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/law.h"
 #include "numerics/event/leg.h"
 #include "numerics/numerics.h"
 
