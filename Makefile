@@ -26,7 +26,7 @@ with_sundials := $(if $(call chosen,$(WITH_SUNDIALS),$(sundials)),1,0)
 SUNDIALS  ?= $(if $(filter 1,$(with_sundials)),-lsundials_cvode -lsundials_arkode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
-in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec)
+in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec summary)
 flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
@@ -74,7 +74,7 @@ $(B)/with-sundials-$(with_sundials):
 
 # Scenes, their plot scripts, the completion and the ledger, in the program
 $(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
-$(B)/shipped_scripts.c: $(addprefix scripts/plots/,common.gp curves.gp) $(wildcard scripts/plots/figure*.gp)
+$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(wildcard scripts/plots/figure*.gp)
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg

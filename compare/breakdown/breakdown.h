@@ -16,6 +16,7 @@ struct breakdown_options {
   const char *quantity;          /* the only one, or NULL */
   const char *map[2], *range[2]; /* what varies along x and y; FROM:TO:COUNT, or NULL */
   struct given_number tolerance;
+  bool all; /* the table, without more                                 */
   bool boundaries;
 };
 

@@ -84,3 +84,12 @@ bool study_best_order(const struct study *study, enum quantity_id quantity, doub
   }
   return isfinite(*error);
 }
+
+bool study_gains_from_more(const struct study *study, enum quantity_id quantity, slong order)
+{
+  const struct series *s = expansions_of(&study->many, quantity);
+  slong last = STUDY_MANY - 1;
+  while (last > 0 && series_coefficient_is_zero(s, last))
+    last--;
+  return order > last;
+}

@@ -34,5 +34,7 @@ const char *study_where(const struct study *study, double T);
  * none. */
 bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact, slong *order,
                       double *error);
+/* Is that order all the terms that there are, so that more might be better still? */
+bool study_gains_from_more(const struct study *study, enum quantity_id quantity, slong order);
 
 #endif

@@ -184,13 +184,12 @@ static void write_radius(struct report *r, enum quantity_id quantity)
 }
 
 /* What more terms would do. */
-static const char *beyond(const struct report *r, const struct series *s, double T, slong order)
+static const char *beyond(const struct report *r, enum quantity_id quantity, double T, slong order)
 {
-  static char text[160];
-  slong last = STUDY_MANY - 1;
-  while (last > 0 && series_coefficient_is_zero(s, last))
-    last--;
-  snprintf(text, sizeof text, "%s%s", order > last ? "more terms are better still; " : "", study_where(&r->study, T));
+  static char text[240];
+  snprintf(text, sizeof text, "%s%s",
+           study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
+           study_where(&r->study, T));
   return text;
 }
 
@@ -212,7 +211,7 @@ static void write_best(struct report *r, enum quantity_id quantity, const struct
     slong order;
     if (study_best_order(&r->study, quantity, T, exact[i].value[quantity], &order, &error))
       write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error,
-                                 study_modes_at(&r->study, T), beyond(r, s, T, order), "certified" });
+                                 study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified" });
   }
 }
 

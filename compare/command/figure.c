@@ -15,8 +15,14 @@ static const struct option options_of_figure[] = {
               stats),
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
+
+static const struct option_rule rules[] = { { "plot", RULE_WITH, "explain", NULL }, { NULL, RULE_WITH, NULL, NULL } };
+
+/* Are columns named? Then they are drawn, else the figure as it is in the paper. */
+static bool names_columns(const struct plot *p) { return p->x || p->y[0] || p->by[0]; }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
@@ -28,6 +34,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   if (scene) {
     struct scene_options to_output = *(const struct scene_options *)options; /* whatever file the scene names */
     to_output.request.style.has_output = to_output.no_plots = true;
+    if (!names_columns(&to_output.request.style.plot))
+      to_output.request.style.plot.program = shipped_text(shipped_scripts, name);
     return run_scenes(arguments, &to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
   }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
@@ -40,6 +48,7 @@ const struct command command_figure = {
   .example = "scallop figure 4 -o figure4.tsv",
   .operand = "2|3|4|5",
   .options = options_of_figure,
+  .rules = rules,
   .size = sizeof(struct scene_options),
   .about = "2: positions in time from rest, with symmetric and asymmetric kinematics. 3: one extension from rest.\n"
            "4: change of position and velocity over an extension from rest, against its duration up to the onset of\n"

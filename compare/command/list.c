@@ -5,9 +5,19 @@
 #include "compare/answers/gaits.h"
 #include "compare/command/commands.h"
 
-const struct command *const commands[] = { &command_phase,  &command_steady,    &command_trajectory, &command_series,
-                                           &command_claims, &command_order,     &command_figure,     &command_workprec,
-                                           &command_stress, &command_breakdown, &command_run,        NULL };
+const struct command *const commands[] = { &command_phase,
+                                           &command_steady,
+                                           &command_trajectory,
+                                           &command_series,
+                                           &command_claims,
+                                           &command_order,
+                                           &command_figure,
+                                           &command_workprec,
+                                           &command_stress,
+                                           &command_breakdown,
+                                           &command_summary,
+                                           &command_run,
+                                           NULL };
 
 const struct command *command_named(const char *name)
 {

@@ -139,10 +139,16 @@ static const char *read_output(void *options, const struct option *o, const char
     return not_allowed(text, "a file name");
   if (plot_kind(text))
     return not_allowed(
-        text, "the name of a table, not of a picture; `scallop run` draws: `scallop run figure4` writes figure4.svg");
+        text, "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
   r->style.output = strcmp(text, "-") == 0 ? NULL : text;
   r->style.has_output = true;
   return NULL;
+}
+
+static const char *read_plot(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  return plot_set(&r->style.plot, o->name, text);
 }
 
 static const char *read_choice(void *options, const struct option *o, const char *text)
@@ -158,7 +164,7 @@ const struct option_kind parameter_option = { read_parameter, show_parameter }, 
                          word_option = { read_word, show_word }, text_option = { read_text, NULL },
                          format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
                          output_option = { read_output, NULL }, columns_option = { read_choice, NULL },
-                         dropped_option = { NULL, NULL };
+                         plot_option = { read_plot, NULL }, dropped_option = { NULL, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -306,9 +312,16 @@ static bool sweep_holds(const struct arguments *a)
 /* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
 static bool is_sound(const struct arguments *a)
 {
-  const char *output = a->options.request.style.output;
-  if (output && gait_is_from(output))
-    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file", output);
+  const struct style *style = &a->options.request.style;
+  const struct option *of_plot = given_option(a, "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
+  if (style->output && gait_is_from(style->output))
+    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file",
+                    style->output);
+  if (style->plot.file && gait_is_from(style->plot.file))
+    return complain(a->command->name, "--plot: %s is the file of the gait and is not replaced: name another file",
+                    style->plot.file);
+  if (of_plot && !style->plot.file)
+    return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
   return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
@@ -318,8 +331,10 @@ void options_initial(struct arguments *a, const struct command *command)
   a->command = command;
   if (command->initial)
     memcpy(&a->options, command->initial, command->size);
-  a->options.request = (struct request){ .style = { .command = command->name, .meaning = quantity_meaning },
-                                         .point = point_initial(command->defaults) };
+  const enum format format = a->options.request.style.format; /* of the command, where none is given */
+  a->options.request =
+      (struct request){ .style = { .command = command->name, .format = format, .meaning = quantity_meaning },
+                        .point = point_initial(command->defaults) };
 }
 
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,

@@ -37,6 +37,7 @@ extern const struct option_kind
     text_option,                  /* const char *, one for each value, not empty: allowed says what it is   */
     format_option, output_option, /* of the style                                                           */
     digits_option,                /* likewise, from 1 to most                                               */
+    plot_option,                  /* likewise, of its plot, by its name                                     */
     columns_option,               /* likewise: which columns                                                */
     dropped_option;               /* one that is no longer there: help says what to use instead             */
 
@@ -109,6 +110,18 @@ struct option_rule {
 #define OPTION_OUTPUT(otherwise) \
   OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
          .kind = &output_option)
+#define OPTION_PLOT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &plot_option)
+#define OPTIONS_PLOT \
+  OPTION_PLOT("plot", "FILE", "draw the table: FILE ends in .svg, .png or .pdf (needs gnuplot)", NULL), \
+      OPTION_PLOT("plot-x", "NAME", "the column along x", "what varies"), \
+      OPTION_PLOT("plot-y", "NAME,...", "the columns that are drawn; of a map: what its colours show", \
+                  "those of the table's kind"), \
+      OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", "what else varies"), \
+      OPTION_PLOT("plot-x-range", "FROM:TO", "the ends of the x axis, with :log or :linear", "those of the table"), \
+      OPTION_PLOT("plot-y-range", "FROM:TO", "the ends of the y axis, with :log or :linear", "those of the table"), \
+      OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
+      OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
+                  "800x500, more where there is more to show")
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
 #define OPTION_PAGER OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)

@@ -48,6 +48,7 @@ static const struct option options_of_order[] = {
   OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
               order_options, format, report_formats),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct option_rule rules[] = {
@@ -95,8 +96,11 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   const struct report report = { &list, &wanted, format_of(o), &style };
   style.format = report.format < FORMATS ? (enum format)report.format : FORMAT_TSV;
   style.has_format = o->format.given;
+  style.plot.file = o->rows ? style.plot.file : NULL; /* the rows are drawn, not the verdicts */
   if (code == EXIT_DONE)
     code = (o->rows ? report_write_rows : report_write)(&report);
+  if (code == EXIT_DONE && !o->rows && o->request.style.plot.file)
+    code = report_draw(&(struct report){ &list, &wanted, FORMAT_TSV, &o->request.style });
   if (code == EXIT_DONE && report_failed(&report) > 0)
     code = expects ? EXIT_CHECK_FAILED : EXIT_UNSOLVED;
   if (code == EXIT_UNSOLVED)

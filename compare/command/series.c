@@ -31,6 +31,7 @@ static const struct option options_of_series[] = {
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct series_options initial = { .source = { "published", false },
@@ -206,6 +207,8 @@ static const char *excluded(const struct series_options *o)
   bool document = strcmp(o->emit.value, "text") != 0;
   if (document && o->request.style.has_format)
     return "--format is for tables: with --emit it is of no use";
+  if (document && o->request.style.plot.file)
+    return "--plot is for tables: with --emit it is of no use";
   if (document && o->request.style.choice)
     return "--columns is for tables: with --emit it is of no use";
   if (o->symbolic && o->request.sweep.products > 0)

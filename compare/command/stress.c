@@ -26,6 +26,7 @@ static const struct option options_of_stress[] = {
   OPTION_FLAG("quick", "with --stiff: delta down to 1e-5 only", stress_options, quick),
   OPTION_FLAG("summary", "with --stiff: the order in delta, and where each stepper gives up", stress_options, summary),
   OPTION_FORMAT("tsv"),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct stress_options initial = { .seed = { 1, false } };

@@ -29,6 +29,7 @@ static const struct option options_of_trajectory[] = {
   OPTION("start", "WHAT", "rest, steady, or a velocity", "rest", .kind = &start_option),
   OPTION_COUNT("periods", "N", "number of periods", NULL, trajectory_options, periods, 1, MOST_PERIODS),
   OPTION_COUNT("samples", "N", "samples in a period", NULL, trajectory_options, samples, 1, MOST_PERIODS),
+  OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
 static const struct trajectory_options initial = { .start = "rest", .periods = { 10, false }, .samples = { 40, false } };

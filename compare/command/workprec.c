@@ -22,6 +22,7 @@ static const struct option options_of_workprec[] = {
   OPTION_DROPPED("from",
                  "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
                  "share/scallop/"),
+  OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 

@@ -90,11 +90,11 @@ static enum exit_code write_table(const struct report *r)
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
-enum exit_code report_write_rows(const struct report *r)
+static enum exit_code write_rows(const struct report *r, const char *output)
 {
   static const char *const columns[] = { "file", "series", "y", "row", "h", "err", "pairwise", "use", NULL };
   struct table t;
-  if (!table_open(&t, r->style))
+  if (!table_open_at(&t, r->style, output))
     return EXIT_FILE;
   table_note(&t, "scallop " SCALLOP_VERSION);
   table_note(&t, "command: order");
@@ -114,6 +114,10 @@ enum exit_code report_write_rows(const struct report *r)
     }
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
+
+enum exit_code report_write_rows(const struct report *r) { return write_rows(r, r->style->output); }
+
+enum exit_code report_draw(const struct report *r) { return write_rows(r, "/dev/null"); }
 
 /* Text in which what means something to the format is written otherwise; what is no printable ASCII becomes '?' */
 static void put(FILE *out, const char *text, const char *special, const char *const *instead)

@@ -24,5 +24,7 @@ int report_failed(const struct report *report);
 enum exit_code report_write(const struct report *report);
 /* Writes each row with its pairwise order and its use, in a format of tables. */
 enum exit_code report_write_rows(const struct report *report);
+/* Draws these rows, by the plot of the style. */
+enum exit_code report_draw(const struct report *report);
 
 #endif

@@ -63,11 +63,28 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
   return true;
 }
 
+/* What is written as on the command line: size, both ranges and the title; NULL: not given. */
+static bool set_texts(const struct reading *r, const config_setting_t *at, struct plot *p, const char *const texts[4])
+{
+  static const char *const options[] = { "plot-size", "plot-x-range", "plot-y-range", "plot-title" }, *const names[] = {
+    "size", "x_range", "y_range", "title"
+  };
+  for (int i = 0; i < 4; i++) {
+    const char *wrong = texts[i] ? plot_set(p, options[i], texts[i]) : NULL;
+    if (wrong)
+      return refuse_at(r->config, at, "%s: %s", names[i], wrong);
+  }
+  p->log_x = p->log_x || p->x_range.is_log;
+  p->log_y = p->log_y || p->y_range.is_log;
+  return true;
+}
+
 static bool read_plot(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
   struct picture {
     struct plot plot;
     int ys, bys;
+    const char *size, *x_range, *y_range;
   } picture = { .ys = 0 };
   static const struct member members[] = {
     MEMBER(TEXT, "file", plot, file, ),
@@ -77,6 +94,10 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     MEMBER(TEXTS, "by", plot, by, .high = PLOT_COLUMNS, .count = offsetof(struct picture, bys)),
     MEMBER(FLAG, "log_x", plot, log_x, ),
     MEMBER(FLAG, "log_y", plot, log_y, ),
+    MEMBER(TEXT, "title", plot, title, ),
+    MEMBER(TEXT, "size", picture, size, ),
+    MEMBER(TEXT, "x_range", picture, x_range, ),
+    MEMBER(TEXT, "y_range", picture, y_range, ),
     { .name = NULL }
   };
   const struct style *given = &r->options->request.style;
@@ -86,6 +107,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   if (!read_members(r->config, at, members, &picture, "a plot", NULL))
     return false;
   *p = picture.plot;
+  if (!set_texts(r, at, p, (const char *const[]){ picture.size, picture.x_range, picture.y_range, p->title }))
+    return false;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
   w->has_plot = !given->has_format || given->format == FORMAT_TSV; /* of what the command line asks for there is none */
@@ -239,7 +262,8 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
     return false;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
   w->plot.table = w->file;
-  w->plot.title = r->scene->title;
+  w->plot.meaning = quantity_meaning;
+  w->plot.title = w->plot.title ? w->plot.title : r->scene->title;
   return true;
 }
 

@@ -33,13 +33,14 @@ static void put_quoted(FILE *to, const char *begin, const char *text)
       fputc(*c, to);
     else
       fprintf(to, "\\%03o", *c);
-  fputs("\"\n", to);
+  fputc('"', to);
 }
 
 static void put_text(FILE *to, const char *name, const char *text)
 {
   fprintf(to, "%s = ", name);
   put_quoted(to, "", text ? text : "");
+  fputc('\n', to);
 }
 
 /* "./" keeps '<', '|', '-' and whatever else means no file to gnuplot off the first place. */
@@ -47,6 +48,7 @@ static void put_path(FILE *to, const char *before, const char *path)
 {
   fputs(before, to);
   put_quoted(to, *path == '/' ? "" : "./", path);
+  fputc('\n', to);
 }
 
 static void put_columns(FILE *to, const char *name, const char *const *columns)
@@ -56,8 +58,34 @@ static void put_columns(FILE *to, const char *name, const char *const *columns)
   for (; columns[count]; count++) {
     fprintf(to, "%s_columns[%d] = ", name, count + 1);
     put_quoted(to, "", columns[count]);
+    fputc('\n', to);
   }
   fprintf(to, "%ss = %d\n", name, count);
+}
+
+/* A function of gnuplot that knows the units of the columns that are drawn */
+static void put_units(FILE *to, const struct plot *p)
+{
+  fputs("unit(name) = ", to);
+  for (int i = -1; p->meaning && i < PLOT_COLUMNS && (i < 0 || p->y[i]); i++) {
+    const char *name = i < 0 ? p->x : p->y[i];
+    const struct column_meaning *m = name ? p->meaning(name) : NULL;
+    if (!m)
+      continue;
+    fputs("name eq ", to);
+    put_quoted(to, "", name);
+    fputs(" ? ", to);
+    put_quoted(to, "", m->unit);
+    fputs(" : ", to);
+  }
+  fputs("\"\"\n", to);
+}
+
+static void put_range(FILE *to, const char *name, const struct plot_range *range)
+{
+  fprintf(to, "has_%s_range = %d\n", name, range->is_given);
+  if (range->is_given)
+    fprintf(to, "low_%s = %.17g\nhigh_%s = %.17g\n", name, range->low, name, range->high);
 }
 
 static void put_script(FILE *to, const struct plot *p, const char *picture)
@@ -69,7 +97,15 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
   put_text(to, "x_column", p->x);
   put_columns(to, "y", p->y);
   put_columns(to, "by", p->by);
-  fprintf(to, "log_x = %d\nlog_y = %d\n%s", p->log_x, p->log_y, shipped_text(shipped_scripts, "common"));
+  fprintf(to, "log_x = %d\nlog_y = %d\nwidth = %ld\nheight = %ld\n", p->log_x, p->log_y, p->width, p->height);
+  fprintf(to, "abs_y = %d\n", p->magnitudes);
+  if (p->limit - p->limit == 0 && p->limit > 0)
+    fprintf(to, "limit = %.17g\n", p->limit);
+  put_text(to, "over_column", p->over);
+  put_range(to, "x", &p->x_range);
+  put_range(to, "y", &p->y_range);
+  put_units(to, p);
+  fputs(shipped_text(shipped_scripts, "common"), to);
   if (p->script)
     put_path(to, "load ", p->script);
   else
@@ -159,12 +195,18 @@ static bool draw(const struct plot *p, const char *command, FILE *script, FILE *
   return drawn && (error == 0 || fail(p, command, "cannot write it", error));
 }
 
+bool plot_may_replace(const struct plot *p, const char *command)
+{
+  struct stat there;
+  return stat(p->file, &there) != 0 || S_ISREG(there.st_mode)
+         || fail(p, command, "there is something of this name that is no file", 0);
+}
+
 /* Through files that have no name: a pipe could wait for a reader that waits itself. */
 bool plot_draw(const struct plot *p, const char *command)
 {
-  struct stat there;
-  if (stat(p->file, &there) == 0 && !S_ISREG(there.st_mode))
-    return fail(p, command, "there is something of this name that is no file", 0);
+  if (!plot_may_replace(p, command))
+    return false;
   FILE *script = tmpfile(), *said = script ? tmpfile() : NULL;
   bool drawn = said ? draw(p, command, script, said) : fail(p, command, "no temporary file", errno);
   if (script)

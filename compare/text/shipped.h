@@ -7,7 +7,7 @@ struct shipped {
 };
 /* The last of each list has name NULL. */
 extern const struct shipped shipped_scenes[];     /* data/scenes/                                                      */
-extern const struct shipped shipped_scripts[];    /* gnuplot scripts: common, curves, figure2 to figure5                  */
+extern const struct shipped shipped_scripts[];    /* gnuplot scripts of scripts/plots/                                  */
 extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone                                    */
 extern const struct shipped shipped_ledger[];     /* data/claims.tsv; only in the program that has FLINT               */
 

@@ -33,6 +33,40 @@ static enum format format_of(const struct style *style, const char *output)
   return to_people ? FORMAT_TABLE : style->format;
 }
 
+/* The rows of a table that is drawn: a table that never takes its place, for gnuplot to read until the picture is there. */
+struct pictured {
+  struct style style;
+  struct table copy;
+};
+
+static bool open_pictured(struct table *t)
+{
+  const struct style *of = t->style;
+  struct pictured *p = t->pictured = calloc(1, sizeof *p);
+  if (!p)
+    return complain(of->command, "out of memory");
+  p->style = (struct style){ .command = of->command, .has_format = true };
+  return plot_may_replace(&of->plot, of->command) && table_open_at(&p->copy, &p->style, of->plot.file);
+}
+
+static bool draw_pictured(const struct table *t, struct pictured *p)
+{
+  struct plot plot = t->style->plot;
+  plot.table = p->copy.out.temporary;
+  plot.meaning = t->style->meaning;
+  if (p->copy.error != 0 || fflush(p->copy.file) != 0)
+    return complain(t->style->command, "cannot write the rows of the picture beside %s", plot.file);
+  return plot_choose(&plot, t->style->command) && plot_draw(&plot, t->style->command);
+}
+
+static void end_pictured(struct table *t)
+{
+  if (t->pictured && t->pictured->copy.file)
+    table_abandon(&t->pictured->copy);
+  free(t->pictured);
+  t->pictured = NULL;
+}
+
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
   *t = (struct table){ .style = style, .output = output, .format = format_of(style, output) };
@@ -46,7 +80,13 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
     complain(style->command, "out of memory");
     file_close(&t->out, false);
   }
-  return error == 0 && t->file;
+  if (error != 0 || !t->file)
+    return false;
+  if (style->plot.file && !open_pictured(t)) {
+    table_abandon(t);
+    return false;
+  }
+  return true;
 }
 
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
@@ -109,19 +149,28 @@ static void print_aligned(struct table *t)
     t->error = ENOMEM;
 }
 
-void table_note(struct table *t, const char *format, ...)
+static void put_note(struct table *t, const char *format, va_list arguments)
 {
-  va_list arguments;
   if ((t->format != FORMAT_TSV && t->format != FORMAT_TABLE) || table_failed(t))
     return;
   if (t->format == FORMAT_TABLE)
     print_aligned(t);
   hand_on(t);
   note_error(t, fputs("# ", t->file) < 0);
-  va_start(arguments, format);
   note_error(t, vfprintf(t->file, format, arguments) < 0);
-  va_end(arguments);
   note_error(t, fputc('\n', t->file) < 0);
+}
+
+void table_note(struct table *t, const char *format, ...)
+{
+  va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  put_note(t, format, arguments);
+  if (t->pictured)
+    put_note(&t->pictured->copy, format, again);
+  va_end(again);
+  va_end(arguments);
 }
 
 size_t number_text(char text[NUMBER_TEXT], double x, long digits)
@@ -209,13 +258,32 @@ static void end_cell(struct table *t)
   hand_on(t);
 }
 
+static void put_digits(struct table *t, const char *number)
+{
+  begin_cell(t);
+  put_text(t, number);
+  end_cell(t);
+}
+
+static void put_cell(struct table *t, const char *text, bool carried)
+{
+  begin_cell(t);
+  put_quoted(t, text, carried);
+  end_cell(t);
+}
+
 static void write_heads(struct table *t)
 {
+  if (t->pictured) {
+    t->pictured->copy.names = t->names;
+    t->pictured->copy.count = t->count;
+    write_heads(&t->pictured->copy);
+  }
   t->aligned.columns = t->count;
   for (int i = 0; i < t->count && !is_json(t); i++)
-    table_carried(t, t->names[i]);
+    put_cell(t, t->names[i], true);
   for (int i = 0; i < t->count && t->format == FORMAT_MARKDOWN; i++)
-    table_digits(t, "---");
+    put_digits(t, "---");
 }
 
 static void write_chosen(struct table *t) { t->style->choice->write(t->style->choice, t); }
@@ -275,9 +343,9 @@ void table_digits(struct table *t, const char *number)
 {
   if (is_taken(t, CELL_DIGITS, 0, number))
     return;
-  begin_cell(t);
-  put_text(t, number);
-  end_cell(t);
+  if (t->pictured)
+    put_digits(&t->pictured->copy, number);
+  put_digits(t, number);
 }
 
 void table_number(struct table *t, double value)
@@ -285,9 +353,11 @@ void table_number(struct table *t, double value)
   char text[NUMBER_TEXT];
   if (is_taken(t, CELL_NUMBER, value, NULL))
     return;
+  if (t->pictured)
+    table_number(&t->pictured->copy, value);
   long digits = t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits;
   number_text(text, value, digits == 0 && t->format == FORMAT_TABLE ? PEOPLE_DIGITS : digits);
-  table_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
+  put_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
 }
 
 void table_rounded(struct table *t, double value, const char *format)
@@ -295,44 +365,33 @@ void table_rounded(struct table *t, double value, const char *format)
   char text[40];
   if (is_taken(t, CELL_ROUNDED, value, format))
     return;
+  if (t->pictured)
+    table_rounded(&t->pictured->copy, value, format);
   snprintf(text, sizeof text, format, value);
   if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
     memmove(text, text + 1, strlen(text));
-  table_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
-}
-
-static void put_cell(struct table *t, const char *text, bool carried)
-{
-  begin_cell(t);
-  put_quoted(t, text, carried);
-  end_cell(t);
+  put_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
 }
 
 void table_text(struct table *t, const char *text)
 {
-  if (!is_taken(t, CELL_TEXT, 0, text))
-    put_cell(t, text, false);
-}
-
-/* A number as JSON has it */
-static bool is_plain_number(const char *text)
-{
-  double x;
-  const char *digits = text + (*text == '-');
-  size_t whole = strspn(digits, "0123456789");
-  bool leads = whole > 0 && (whole == 1 || *digits != '0'), fraction = digits[whole] == '.';
-  bool is_hexadecimal = text[strspn(text, "0123456789.eE+-")] != '\0';
-  return leads && (!fraction || strspn(digits + whole + 1, "0123456789") > 0) && !is_hexadecimal && read_number(text, &x);
+  if (is_taken(t, CELL_TEXT, 0, text))
+    return;
+  if (t->pictured)
+    put_cell(&t->pictured->copy, text, false);
+  put_cell(t, text, false);
 }
 
 void table_carried(struct table *t, const char *text)
 {
   if (is_taken(t, CELL_CARRIED, 0, text))
     return;
-  if (is_json(t) && is_plain_number(text))
-    table_digits(t, text);
+  if (t->pictured)
+    put_cell(&t->pictured->copy, text, true);
+  if (is_json(t) && json_takes_number(text))
+    put_digits(t, text);
   else if (is_json(t) && strcmp(text, "nan") == 0)
-    table_digits(t, "null");
+    put_digits(t, "null");
   else
     put_cell(t, text, true);
 }
@@ -346,6 +405,16 @@ void table_cell(struct table *t, const struct table_cell *cell)
   case CELL_TEXT: table_text(t, cell->text); break;
   case CELL_CARRIED: table_carried(t, cell->text); break;
   }
+}
+
+FILE *table_page(struct table *t)
+{
+  if (t->format != FORMAT_TABLE || t->style->choice)
+    return NULL;
+  aligned_free(&t->aligned);
+  t->at = 0;
+  hand_on(t);
+  return t->file;
 }
 
 bool table_failed(const struct table *t) { return t->error != 0; }
@@ -366,11 +435,14 @@ bool table_close(struct table *t)
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0 && !(t->style->choice && t->style->choice->refused))
     complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", strerror(t->error));
-  return t->error == 0;
+  bool drawn = t->error == 0 && (!t->pictured || draw_pictured(t, t->pictured));
+  end_pictured(t);
+  return drawn;
 }
 
 void table_abandon(struct table *t)
 {
+  end_pictured(t);
   aligned_free(&t->aligned);
   end_head(t, false);
   file_close(&t->out, false);

@@ -9,6 +9,7 @@
 #include "compare/text/aligned.h"
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
+#include "compare/text/plot.h"
 
 enum { TABLE_COLUMNS = 384, TABLE_PART = 4096, NUMBER_TEXT = DIGITS_TEXT };
 
@@ -52,6 +53,7 @@ struct style {
   bool has_output, has_format; /* are given */
   column_meaning *meaning;     /* of columns, for people, or NULL */
   struct table_choice *choice; /* NULL: all columns */
+  struct plot plot;            /* a picture of what is written; of file NULL: none */
 };
 
 struct table {
@@ -68,13 +70,14 @@ struct table {
   FILE *head;                  /* '#' lines, until the choice is found good */
   char *head_text;
   size_t head_size;
-  int error;   /* of the first write that failed */
-  size_t used; /* of part: what is not yet handed to file, part of a row */
+  struct pictured *pictured; /* a copy in TSV, of which a picture is drawn; NULL: none is wanted */
+  int error;                 /* of the first write that failed */
+  size_t used;               /* of part: what is not yet handed to file, part of a row */
   char part[TABLE_PART];
 };
 
-/* Opens output, or standard output where it is NULL. The style must outlive the table. False: the message is on stderr, exit with
- * EXIT_FILE. */
+/* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are kept in TSV too,
+ * beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
 /* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
@@ -93,11 +96,15 @@ void table_text(struct table *table, const char *text);
 void table_carried(struct table *table, const char *text);
 /* Any of these */
 void table_cell(struct table *table, const struct table_cell *cell);
+/* Where the table is aligned, for people: a row that is written as a page, to this stream, instead of its cells; what was kept of the row is
+ * forgotten. NULL: the table has another format, or columns are chosen. */
+FILE *table_page(struct table *table);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
 /* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
 bool table_flush(struct table *table);
-/* Closes, and puts the file in its place. False: the message is on stderr, exit with EXIT_FILE; an earlier file stays. */
+/* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with EXIT_FILE; an earlier
+ * file stays, but where only the picture has failed the table is written. */
 bool table_close(struct table *table);
 /* Gives the output up: nothing is left behind. */
 void table_abandon(struct table *table);

@@ -44,5 +44,6 @@ sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
 chmod 644 "$data/python/scallop_library.py"
 put "$datadir/doc/scallop" docs/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
-put "$datadir/scallop/plots" scripts/plots/common.gp scripts/plots/curves.gp scripts/plots/figure*.gp
+put "$datadir/scallop/plots" scripts/plots/common.gp scripts/plots/curves.gp scripts/plots/dots.gp scripts/plots/map.gp scripts/plots/boundaries.gp \
+  scripts/plots/reach.gp scripts/plots/workprec.gp scripts/plots/figure*.gp
 put "$datadir/scallop" scripts/plots/cheapest.awk

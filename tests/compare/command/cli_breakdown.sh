@@ -2,7 +2,7 @@
 # scallop breakdown, for one crawler: rows, selections, what can be pasted, refusals.
 . tests/support/common.sh
 
-run 0 breakdown
+run 0 breakdown --all
 python out <<'END2'
 rows = read(sys.argv[1])
 kinds = [r["what"] for r in rows]

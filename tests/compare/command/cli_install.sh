@@ -125,6 +125,11 @@ if command -v gnuplot >/dev/null 2>&1; then
   sed 's|"figure2"|"elsewhere/usr/share/scallop/plots/figure2.gp"|' elsewhere/usr/share/scallop/scenes/figure2.cfg >mine.cfg
   run 0 run mine.cfg
   grep -q '</svg>' figure2.svg || note "no picture by an installed script: $(cat err)"
+  run 0 trajectory --plot trajectory.svg
+  grep -q '</svg>' trajectory.svg || note "no picture by --plot: $(cat err)"
+  for script in common curves dots map boundaries reach workprec figure2 figure5; do
+    cmp -s "$root/scripts/plots/$script.gp" "elsewhere/usr/share/scallop/plots/$script.gp" || note "no script $script"
+  done
   finish "figures are drawn there"
 fi
 if [ "${WITH_FLINT:-1}" != 0 ]; then

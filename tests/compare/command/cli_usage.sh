@@ -131,7 +131,7 @@ refused "figure x" 2 "figure 'x'.*2, 3, 4 or 5" figure x
 refused "figure ''" 2 "figure ''.*2, 3, 4 or 5" figure ''
 
 for file in figure4.svg f.png ./f.pdf; do
-  refuse 2 "--output: '$file' is not allowed here: .*the name of a table, not of a picture; .scallop run" figure 4 -o "$file"
+  refuse 2 "--output: '$file' is not allowed here: .*the name of a table, not of a picture, which --plot draws" figure 4 -o "$file"
   refuse 2 "the name of a table, not of a picture" steady --output="$file"
   refuse 2 "the name of a table, not of a picture" run figure4 -o "$file"
   [ ! -e "$file" ] || note "$file is there"

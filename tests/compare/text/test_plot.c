@@ -200,8 +200,8 @@ TEST(curves_are_of_their_rows)
   write_text("table", "# note\nx\tF\tg\ty\tz\n1\t2\ta\t1\tnan\n1\t40\ta\t1\tnan\n2\t2\ta\t2\t-\n2\t40\ta\tnan\t-\n"
                       "3\t2\ta\t3\tinf\n3\t40\ta\t3\t0\n4\t2\ta\t4\t5\n4\t40\ta\tinf\t0\n5\t2\ta\t5\t5\n# end\n");
   const char *picture = draws((struct plot){ .by = { "F", "g" } });
-  assert_in(picture, ">F, g = 2, a</");
-  assert_in(picture, ">F, g = 40, a</");
+  assert_in(picture, ">F = 2, a</");
+  assert_in(picture, ">F = 40, a</");
   static const char blue[] = "stroke='rgb( 11,  60, 140)'", red[] = "stroke='rgb(200,  16,  46)'";
   assert_int_equal(strokes(picture, blue, 'M'), 1);
   assert_int_equal(strokes(picture, blue, 'L'), 4);

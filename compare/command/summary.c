@@ -1,0 +1,53 @@
+#include <stddef.h>
+
+#include "compare/command/commands.h"
+#include "compare/command/with_flint.h"
+#include "compare/summary/summary.h"
+
+#pragma weak summary_table
+
+struct summary_options {
+  struct request request;
+};
+static const struct summary_options initial = { .request.style.format = FORMAT_TABLE };
+
+static const struct option options_of_summary[] = {
+  OPTIONS_CRAWLER(NULL, NULL),
+  OPTION_BOOK("the formulas of this book too"),
+  OPTION_POINTS,
+  OPTION_FORMAT("table"),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, "6, in the other formats " READ_BACK, DOUBLE_DIGITS),
+  OPTIONS_LAST,
+};
+
+static enum exit_code run(const struct arguments *arguments, const void *options)
+{
+  const struct summary_options *o = options;
+  return has_flint(arguments, "this command") ? summary_table(&o->request) : EXIT_UNSOLVED;
+}
+
+const struct command command_summary = {
+  .name = "summary",
+  .summary = "one page about a crawler: what it does, which formulas hold for it, and up to which T",
+  .example = "scallop summary --F1 3 --T 0.5",
+  .options = options_of_summary,
+  .size = sizeof(struct summary_options),
+  .initial = &initial,
+  .about =
+      "A page for each crawler, in words: how it moves, and when its bodies turn; the paper's formulas for the steady "
+      "state,\n"
+      "each with its value, its error now, the verdict for this gait and these parameters, and the T from which it is off "
+      "by\n"
+      "more than 1 % and 5 %; the best order of the derived series; and the events that end the expansion.\n"
+      "Nothing is computed otherwise than by `steady`, `claims` and `breakdown`, which show more.\n"
+      "\n"
+      "--format json, tsv, csv or markdown gives a row for each crawler instead: its steady state (`steady --help` has the\n"
+      "names), motion (the modes in words, with times since the start of the extension), and for each formula NAME its "
+      "value\n"
+      "NAME, NAME_error (NAME/exact - 1), NAME_reach_1 and NAME_reach_5 (the largest T up to which |error| stays below 1 %\n"
+      "and 5 %; 0: it does not as T -> 0; inf: at every T), NAME_verdict and NAME_order (of its error, proven; inf: "
+      "exact).\n"
+      "first_event, with its T and Froude number, is where the modes change first as T grows; best_order: of the derived\n"
+      "displacement, that the terms below T^best_order have the least error at this T, best_error.",
+  .run = run,
+};

@@ -1,0 +1,141 @@
+/* Summaries as pages or as the rows of a table. */
+#include <math.h>
+#include <stdio.h>
+
+#include "compare/summary/summary.h"
+
+enum { COLUMN = 96, PER_FORMULA = 6, MOST_COLUMNS = 32 + PER_FORMULA * SUMMARY_FORMULAS, DIGITS = 6 };
+
+static const char *const of_motion[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
+                                         "multiplier", "regime",  "modes", "motion",       NULL };
+static const char *const of_formula[PER_FORMULA] = { "", "_error", "_reach_1", "_reach_5", "_verdict", "_order" };
+static const char *const of_expansion[] = { "first_event", "first_event_T", "first_event_froude",
+                                            "best_order",  "best_error",    "status",
+                                            NULL };
+
+static void write_motion(struct table *t, const struct summary *s)
+{
+  char modes[MOTION_MODES_TEXT], words[MOTION_WORDS];
+  for (int q = Q_FROUDE; q <= Q_MULTIPLIER; q++)
+    table_number(t, s->answer.value[q].high);
+  table_text(t, scallop_regime_text(s->answer.regime));
+  table_text(t, motion_modes_text(modes, OF_STEADY, s->answer.modes));
+  table_text(t, motion_in_words(words, &s->motion, &s->answer, DIGITS));
+}
+
+static void write_formula(struct table *t, const struct summary_series *f)
+{
+  table_number(t, f->value);
+  table_number(t, f->error);
+  for (int i = 0; i < SUMMARY_LEVELS; i++)
+    table_number(t, f->reach[i]);
+  table_text(t, claim_verdict_text(f->claim.verdict));
+  table_number(t, !f->claim.proven ? NAN : f->claim.exact ? INFINITY : (double)f->claim.derived_order);
+}
+
+static void write_expansion(struct table *t, const struct summary *s)
+{
+  const struct event *first = s->study.events.count > 0 ? s->study.events.event : NULL;
+  char status[ANSWER_STATUS];
+  table_text(t, first ? first->what : "-");
+  table_number(t, first ? first->T : NAN);
+  table_number(t, first ? motion_froude(&s->motion, first->T) : NAN);
+  int last = s->series - 1; /* the displacement */
+  table_number(t, last >= 0 && s->best_order[last] > 0 ? (double)s->best_order[last] : NAN);
+  table_number(t, last >= 0 && s->best_order[last] > 0 ? s->best_error[last] : NAN);
+  table_text(t, answer_status_text(status, &s->answer));
+}
+
+static void write_blank(struct table *t, int formulas, const char *why)
+{
+  for (int i = 0; of_motion[i]; i++)
+    (i < Q_MULTIPLIER + 1 ? table_number(t, NAN) : table_text(t, "-"));
+  for (int i = 0; i < formulas; i++)
+    for (int k = 0; k < PER_FORMULA; k++)
+      (k == 4 ? table_text(t, "-") : table_number(t, NAN));
+  table_text(t, "-");
+  for (int i = 0; i < 4; i++)
+    table_number(t, NAN);
+  table_text(t, why);
+}
+
+static void write_cells(struct table *t, const struct summary *s)
+{
+  write_motion(t, s);
+  for (int i = 0; i < s->formulas; i++)
+    write_formula(t, &s->formula[i]);
+  write_expansion(t, s);
+}
+
+static void write_page(FILE *page, const struct point *point, const struct summary *s, int digits)
+{
+  char parameters[PARAMETERS_TEXT];
+  parameters_text(parameters, point, NULL, true);
+  fprintf(page, "\nCrawler:%s\n\n", parameters);
+  page_of_motion(page, s, digits);
+  page_of_formulas(page, s, digits);
+  page_of_events(page, s, digits);
+  fputs("\nMore: `scallop steady --certified` (proven digits), `claims` (every claim of the paper),\n"
+        "`series --source derived` (the expansion), `breakdown --all` (every event and reach).\n",
+        page);
+}
+
+static const char *row(struct table *t, const struct point *point, const void *context, const char *refused)
+{
+  const struct request *request = context;
+  const struct scallop_formula *formulas[SUMMARY_FORMULAS];
+  struct summary s;
+  const char *why = refused ? refused : summary_make(&s, point, true);
+  FILE *page = table_page(t);
+  if (why && page)
+    fprintf(page, "\nThis crawler has no page: %s.\n", why);
+  else if (why)
+    write_blank(t, summary_formulas(formulas), why);
+  else if (page)
+    write_page(page, point, &s, request->style.digits > 0 ? (int)request->style.digits : DIGITS);
+  else
+    write_cells(t, &s);
+  if (!refused)
+    summary_clear(&s);
+  return why;
+}
+
+enum exit_code summary_table(const struct request *request)
+{
+  const struct scallop_formula *formulas[SUMMARY_FORMULAS];
+  static char names[SUMMARY_FORMULAS * PER_FORMULA][COLUMN];
+  const char *columns[MOST_COLUMNS], *const none[] = { NULL };
+  int n = 0, count = summary_formulas(formulas);
+  for (int i = 0; of_motion[i]; i++)
+    columns[n++] = of_motion[i];
+  for (int i = 0; i < count * PER_FORMULA; i++) {
+    snprintf(names[i], COLUMN, "%s%s", formulas[i / PER_FORMULA]->name, of_formula[i % PER_FORMULA]);
+    columns[n++] = names[i];
+  }
+  for (int i = 0; of_expansion[i]; i++)
+    columns[n++] = of_expansion[i];
+  columns[n] = NULL;
+  const struct point_table table = { .extra = none, .columns = columns, .row = row, .context = request };
+  return for_each_point(request, &table);
+}
+
+enum exit_code summary_of_breakdown(const struct request *request)
+{
+  static const char *const of_T[] = { "T", NULL };
+  struct summary s;
+  struct table t;
+  const char *why = summary_make(&s, &request->point, false);
+  if (why)
+    complain(request->style.command, "%s", why);
+  else if (table_open(&t, &request->style)) {
+    int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
+    char parameters[PARAMETERS_TEXT];
+    parameters_text(parameters, &request->point, of_T, true);
+    fprintf(t.file, "Crawler:%s\n", parameters);
+    page_of_events(t.file, &s, digits);
+    page_of_reaches(t.file, &s, digits);
+    fputs("\nMore: --all, or --only event, reach, radius or best, gives the table with every row.\n", t.file);
+  }
+  summary_clear(&s);
+  return why ? EXIT_UNSOLVED : table_close(&t) ? EXIT_DONE : EXIT_FILE;
+}

@@ -1,0 +1,190 @@
+#!/bin/sh
+# --plot: every command's picture, what is refused, gnuplot that is missing, and texts that could be taken for commands.
+. tests/support/common.sh
+if ! command -v gnuplot >/dev/null 2>&1; then
+  echo "ok skipped: gnuplot is not installed"
+  exit 0
+fi
+
+printf 'T\tF1\n0.1\t2\n0.5\t2\n1\t2\n0.1\t4\n0.5\t4\n1\t4\n' >points.tsv
+printf 'h first second\n0.1 1e-2 1e-1\n0.05 2.5e-3 5e-2\n0.025 6.25e-4 2.5e-2\n' >errors.txt
+
+drawn() { # NAME TITLES ARGUMENT...: the table is the same without the picture, and the picture is a whole SVG with these axis titles, between ^
+  name=$1 titles=$2
+  shift 2
+  rm -f picture.svg
+  run 0 "$@" --quiet
+  mv out plain
+  run 0 "$@" --quiet --plot picture.svg
+  case $1 in
+    workprec) [ -s out ] || note "no table" ;; # its times differ
+    *) cmp -s out plain || note "--plot changes the table" ;;
+  esac
+  [ ! -s err ] || note "on standard error: $(head -n 1 err)"
+  shown_in picture.svg "$titles"
+  [ -z "$(find . -name '*.scallop-*')" ] || note "files are left: $(find . -name '*.scallop-*')"
+  finish "$name"
+}
+shown_in() { # FILE TITLES
+  /usr/bin/python3 - "$1" "$2" >said 2>&1 <<'END' || note "$(tail -n 1 said)"
+import sys, xml.etree.ElementTree as tree
+texts = ["".join(t.itertext()).strip() for t in tree.parse(sys.argv[1]).iter("{http://www.w3.org/2000/svg}text")]
+missing = [t for t in sys.argv[2].split("^") if t not in texts]
+sys.exit(f"not in the picture: {missing} among {texts[:60]}" if missing else 0)
+END
+}
+
+drawn "trajectory" "t (time)^x₁, x₂, x_C (length)^x₁^m1=1 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.75 gait=quadratic" trajectory --periods 2
+drawn "a sweep of steady states" "T (time)^mean velocity (length/time)^F₁ = 2^F₁ = 4" steady --points points.tsv
+printf 'T\n0.01\n0.1\n0.5\n' >wide.tsv
+run 0 steady --points wide.tsv --plot wide.svg
+shown_in wide.svg '0.02^0.05^0.2'
+finish "a wide axis is logarithmic"
+drawn "a sweep of phases" "T (time)^Δx_C (length)^F₁ = 4" phase --points points.tsv --v0 0.5
+drawn "the published formulas" "|error / exact|^text_steady_xC  period  displacement" series --gait sinusoidal
+drawn "formulas of a sweep" "T (time)^text_steady_xC^F₁ = 2" series --points points.tsv
+for n in 2 3 4 5; do
+  case $n in
+    2) titles='t / T^x / L' ;;
+    3) titles='t / T^v T / L' ;;
+    4) titles='duration T of the extension^change of position' ;;
+    5) titles='mean velocity^alpha' ;;
+  esac
+  drawn "figure $n" "$titles" figure "$n"
+done
+run 0 figure 4 --plot columns.svg --plot-x T --plot-y dxC_over_L --plot-by F1_over_F2
+shown_in columns.svg "T (time)^dxC_over_L^F₁/F₂ = 40"
+finish "a figure's columns"
+drawn "orders" "h^|err|^first^second" order errors.txt
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  drawn "certified states" "T (time)^mean velocity (length/time)^F₁ = 4" steady --points points.tsv --certified
+  drawn "a derived series" "power^period, v_start" series --source derived --order 8
+  drawn "events alone" "T (time)^1  T = 2.789: start velocity changes sign" breakdown --only event
+  run 2 series --symbolic --emit c --plot no.svg
+  grep -q 'with --emit it is of no use' err || note "$(cat err)"
+  finish "no picture of a program"
+  drawn "bounds" "bound^displacement" series --bound
+  drawn "reaches" "T (time)^relative error, displacement^relative error, v_start" breakdown --tol 0.01
+  # shellcheck disable=SC2086
+  of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
+  grid='--x 0.1:10:7 --y 0.1:0.9:5'
+  of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
+  grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal'
+  of_map "a map over other axes" 'α^T (time)^1' alpha,T
+  grid='--x 0.1:0.9:5 --y 0.3:10:4 --boundaries'
+  of_map "boundaries" 'α^T (time)^1' alpha,T
+  grid='--x 0.1:10:7 --y 0.1:0.9:5 --plot-y displacement'
+  # shellcheck disable=SC2086
+  run 0 breakdown --map F1/F2 alpha $grid --plot heat.svg
+  shown_in heat.svg 'F₁/F₂^α^displacement (length)'
+  finish "a heat map of a quantity"
+  drawn "families of stress" 'units, rounding, perturbed^masses  quadratic^promised for units: 8' stress --family masses --cases 2
+  drawn "stress of a point" 'units, rounding, perturbed^v_start' stress --F1 3
+  drawn "work-precision" 'seconds for one steady state, on one machine^relative error of the displacement^quadratic gait, T = 0.5^exact' \
+    workprec --quick --gait quadratic --T 0.5
+fi
+
+# ---- options of the picture ----
+run 0 steady --points points.tsv --plot options.svg --plot-x T --plot-y v_start,v_mid --plot-by F1 --plot-title 'A title' --plot-size 640x420 \
+  --plot-x-range 0.1:2:log --plot-y-range -10:120
+shown_in options.svg 'A title^v_start, v_mid (length/time)^v_mid, F₁ = 4^120^0.2'
+grep -q 'width="640" height="420"' options.svg || note "$(grep -m 1 -o '<svg.*' options.svg)"
+finish "title, size, ranges and columns"
+for kind in png pdf; do
+  run 0 steady --points points.tsv --plot "picture.$kind" --format json -o table.json
+  [ -s "picture.$kind" ] || note "no picture.$kind"
+  "$tool" steady --points points.tsv --format json | cmp -s - table.json || note "another table"
+done
+head -c 4 picture.png | grep -q PNG || note "no PNG"
+head -c 4 picture.pdf | grep -q '%PDF' || note "no PDF"
+finish "PNG and PDF, beside a table in another format"
+
+scene() { printf 'vary = ( { T = [ 0.1, 0.5, 1.0 ]; } );\nwant = ( { what = "steady"; file = "scene.tsv"; plot = { file = "scene.svg"; x = "T"; y = "v_start"; %s }; } );\n' "$1" >scene.cfg; }
+scene 'title = "Of a scene"; size = "640x420"; x_range = "0.01:10:log"; y_range = "-5:45";'
+run 0 run scene.cfg --quiet
+shown_in scene.svg 'Of a scene^T (time)^v_start (length/time)^40'
+grep -q 'width="640" height="420"' scene.svg || note "another size"
+scene 'size = "640";'
+run 2 run scene.cfg
+grep -q "size: '640' is not allowed here" err || note "$(cat err)"
+scene 'x_range = "1";'
+run 2 run scene.cfg
+grep -q "x_range: '1' is not allowed here" err || note "$(cat err)"
+finish "the plot of a scene takes the same"
+
+# ---- refusals: nothing is computed, no picture, no table ----
+refused() { # CODE WORDS ARGUMENT...
+  wanted=$1 words=$2
+  shift 2
+  rm -f no.svg
+  run "$wanted" "$@"
+  grep -q -e "$words" err || note "$*: '$words' is not said: $(cat err)"
+  [ ! -e no.svg ] || note "$*: a picture"
+}
+refused 2 '--plot draws' steady -o no.svg
+refused 2 '--plot draws' trajectory -o no.pdf
+refused 2 "'no.jpg' is not allowed here: it takes a file name that ends in .svg, .png or .pdf" steady --plot no.jpg
+refused 2 '--plot-title has nothing to do without --plot' steady --plot-title x
+refused 2 'WIDTHxHEIGHT' steady --plot no.svg --plot-size 10x10
+refused 2 'WIDTHxHEIGHT' steady --plot no.svg --plot-size 800
+refused 2 'FROM:TO' steady --plot no.svg --plot-x-range 2:1
+refused 2 'FROM:TO' steady --plot no.svg --plot-y-range 0:1:log
+refused 2 'FROM:TO' steady --plot no.svg --plot-y-range 1:2:lin
+refused 2 'one to eight columns' steady --plot no.svg --plot-y v_start,,v_mid
+refused 2 'one to eight columns' steady --plot no.svg --plot-y 1,2,3,4,5,6,7,8,9
+refused 2 'control characters' steady --plot no.svg --plot-title "$(printf 'a\nb')"
+refused 2 'does not take the option' claims --plot no.svg
+refused 2 'nothing to do with --explain' figure 4 --explain --plot no.svg
+refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
+[ ! -s out ] || note "a table, though its picture has no place"
+refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
+refused 4 'no parameter varies' steady --plot no.svg
+[ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
+printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >measured.svg
+cp measured.svg before
+run 2 trajectory --gait measured:measured.svg --plot measured.svg
+grep -q 'is the file of the gait' err || note "$(cat err)"
+cmp -s measured.svg before || note "the file of the gait is replaced"
+finish "refusals"
+
+# ---- the table comes without gnuplot ----
+mkdir bin
+"$tool" trajectory >want
+PATH=$scratch/bin "$tool" trajectory --plot no.svg >out 2>err
+[ $? = 4 ] || note "no exit code 4"
+cmp -s out want || note "another table"
+grep -q 'gnuplot is not installed (Debian: gnuplot-nox); the tables are written' err || note "$(cat err)"
+[ ! -e no.svg ] || note "a picture"
+[ -z "$(find . -name '*.scallop-*')" ] || note "files are left"
+finish "without gnuplot"
+
+# ---- texts that could be taken for commands ----
+nasty() { # TEXT
+  rm -f hacked
+  run 0 steady --points points.tsv --plot nasty.svg --plot-title "$1"
+  grep -q '</svg>' nasty.svg || note "no picture with the title $1"
+  printf 'h %s\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' "$(printf '%s' "$1" | tr ' ' '_')" >"$1"
+  run 0 order "$1" --plot nasty.svg
+  grep -q '</svg>' nasty.svg || note "no picture of the file $1"
+  rm -f "./$1"
+  run 0 trajectory --plot "./$1.svg"
+  grep -q '</svg>' "./$1.svg" || note "no picture $1.svg"
+  rm -f "./$1.svg"
+  [ ! -e hacked ] || note "$1 is executed"
+}
+# shellcheck disable=SC2016
+nasty '`touch hacked`'
+nasty '"; system("touch hacked"); "'
+nasty "'; !touch hacked #"
+nasty '@hacked'
+# shellcheck disable=SC2016
+nasty '$(touch hacked)'
+nasty '\"; !touch hacked'
+finish "no text runs anything"
+mkdir -p planted/scripts/plots && cd planted || exit 1
+for script in common curves map reach dots; do echo 'system("touch hacked")' | tee "$script.gp" >"scripts/plots/$script.gp"; done
+cp common.gp .gnuplot
+HOME=$(pwd) run 0 trajectory --plot t.svg
+[ ! -e hacked ] || note "a script of the current folder is executed"
+finish "nothing in the current folder is executed"
+exit $failed

@@ -1,0 +1,113 @@
+#!/bin/sh
+# scallop summary and the page of scallop breakdown: what they say is what steady, claims and breakdown say.
+# Usage: sh tests/compare/command/cli_summary.sh build/scallop. One line for each check; non-zero if any failed.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+. "$(dirname "$0")/../../support/common.sh"
+
+printf '0 0\n1 2\n3 3\n4 1\n6 0\n' | sed '1i t l' >gait.txt
+agrees() { # ARGUMENTS...
+  run 0 summary "$@" --format json
+  mv out summary.json
+  python "$tool" "$@" <<'END'
+import json, subprocess
+tool, arguments = sys.argv[1], sys.argv[2:]
+without_T = [a for i, a in enumerate(arguments) if "--T" not in (a, arguments[i - 1] if i else "")]
+def rows(*command):
+    of = without_T if command[0] == "breakdown" else arguments
+    text = subprocess.run([tool, *command, *of], capture_output=True, text=True).stdout
+    lines = [l.split("\t") for l in text.splitlines() if not l.startswith("#")]
+    return [dict(zip(lines[0], l)) for l in lines[1:]] if lines else []
+def same(name, mine, other):
+    other = float(other)
+    if mine != other and not (mine is None and other != other) and not (other != other and mine != mine):
+        bad(name, mine, other)
+s = json.load(open("summary.json"))
+steady = rows("steady")[0]
+for name in ("froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier"):
+    same(name, s[name], steady[name])
+if (s["regime"], s["modes"], s["status"]) != (steady["regime"], steady["modes"], steady["status"]):
+    bad("regime, modes or status")
+if len(s["motion"].split(" | ")[0].split("; ")) < len(steady["modes"].split(" | ")[0].split()):
+    bad("fewer stretches than modes:", s["motion"])
+events = [r for r in rows("breakdown", "--only", "event") if r["T"] != "0"]
+same("first_event_T", s["first_event_T"], events[0]["T"] if events else "nan")
+if s["first_event"] != (events[0]["note"] if events else "-"):
+    bad("first event", s["first_event"])
+formulas = [k[:-6] for k in s if k.endswith("_error") and k != "best_error"]
+if "text_steady_xC" not in formulas:
+    bad("no (28)", formulas)
+for percent, tolerance in ((1, "0.01"), (5, "0.05")):
+    reaches = {(r["series"], r["quantity"]): r["T"] for r in rows("breakdown", "--only", "reach", "--tol", tolerance)}
+    for f in formulas:
+        quantity = "displacement" if "xC" in f else "v_start"
+        if (f, quantity) in reaches:
+            same(f"{f}_reach_{percent}", s[f"{f}_reach_{percent}"], reaches[f, quantity])
+for f in formulas:  # the published table, and the same formula as one of one's own
+    published = [r for r in rows("series") if r["formula"] == f]
+    if published and s[f] is not None:
+        value, exact = float(published[0]["published"]), float(published[0]["exact"])
+        if abs(s[f] - value) > 4e-16 * abs(value):
+            bad(f, s[f], value)
+        if s[f"{f}_error"] is not None and exact != 0 and abs(s[f"{f}_error"] - (value / exact - 1)) > 1e-14 * abs(value / exact):
+            bad(f, s[f"{f}_error"], value / exact - 1)
+END
+  finish "summary $*: the numbers of steady, series and breakdown"
+}
+agrees
+agrees --gait sinusoidal --F1 1.5 --T 4
+agrees --alpha 0.3
+agrees --T 8
+agrees --T 20
+agrees --gait constant:0
+agrees --gait measured:gait.txt
+
+verdicts() { # ARGUMENTS...: those of claims --book for the same crawler
+  for name in text_steady_velocity_l0_lT text_steady_velocity text_steady_xC; do
+    "$tool" summary "$@" --format tsv --columns "${name}_verdict,${name}_order" >mine 2>err
+    "$tool" claims --book "$root/asymptotics/published/paper.cfg" --m1 1 "$@" --quiet --columns claim,verdict,derived_order >all 2>>err
+    theirs=$(sed -n "s/^$name	//p" all | sed 's/none$/inf/')
+    [ "$(tail -n 1 mine)" = "$theirs" ] || note "$name: $(tail -n 1 mine) is not $theirs"
+  done
+  finish "the verdicts of claims $*"
+}
+verdicts --gait quadratic
+verdicts --gait sinusoidal
+verdicts --gait quadratic --alpha 0.3
+verdicts --gait trapezoidal:0.2,0.3
+
+# ---- the page ----
+says() { # TEXT...: the page holds each
+  for text in "$@"; do
+    grep -qF -- "$text" out || note "it does not say: $text"
+  done
+}
+run 0 summary
+says 'It crawls forward (towards body 2), by 3.24121' 'body 1 backward, body 2 forward from 0.0792689 to 0.646789' \
+  '(28) displacement = 3.24324, 0.0627 % off' 'proven: the error is O(T^4), as claimed' \
+  'by 1 % at T = 1.98596 (Froude 1.01)' 'T = 2.78894 (Froude 0.514): start velocity changes sign' 'T = 1 is below the first event'
+[ "$(awk 'length > 130' out | wc -l)" -eq 0 ] || note "long lines"
+finish "the page of the default crawler"
+run 0 summary --gait sinusoidal
+says 'refuted: O(T^4) is claimed, but the error does not vanish as T -> 0'
+run 0 summary --T 20
+says 'one body never moves' 'where the exact value is 0' 'from there on the series does not describe the motion'
+run 0 summary --gait constant:0
+says 'it divides by l'"''"', which is 0 at an end of a phase' 'There is no derived series'
+run 0 summary --F1 1
+says 'is where it was after each period' 'proven: it is exact'
+finish "pages of other crawlers"
+printf 'T\n0.5\n-1\n2\n' >points.tsv
+run 3 summary --points points.tsv
+[ "$(grep -c '^What it does' out)" -eq 2 ] || note "not two pages"
+says "This crawler has no page: line 3: T: '-1'"
+run 3 summary --points points.tsv --format tsv
+[ "$(grep -vc '^#' out)" -eq 4 ] || note "not three rows"
+finish "a page or a row for each point"
+run 0 breakdown
+[ "$(wc -l <out)" -le 25 ] || note "more than 25 lines"
+says 'T = 2.78894' 'text_steady_xC displacement' 'off by 1 % at T = 1.98596'
+run 0 breakdown --gait sinusoidal --m1 3 --alpha 0.6
+[ "$(wc -l <out)" -le 25 ] || note "more than 25 lines"
+run 2 breakdown --all --map F1/F2 alpha
+finish "breakdown without more is a page"
+exit $failed
