@@ -143,10 +143,11 @@ $(B)/wasm/%.o: %.c Makefile
 	@mkdir -p $(@D); $(wasm) $(WASM_LEVEL) -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) -Dwide_long=wide_quad -MMD -MP -c -o $@ $<
 $(B)/wasm/%.o: WASM_LEVEL = -Oz
 $(patsubst %,$(B)/wasm/%.o,$(filter model/gait numerics/batch numerics/event/%,$(wasm_parts))): WASM_LEVEL = -O3
+$(B)/wasm/model/law.o: wasm += $(foreach name,law_curve_bernstein law_rise law_same scallop_fourth_derivative,-D$(name)=$(name)_in_long_double)
 $(B)/wasm/asymptotics/published/paper.o: $(B)/asymptotics/published/paper.c
 	@mkdir -p $(@D); $(wasm) -Oz -I. -c -o $@ $<
 $(B)/core.wasm: $(patsubst %,$(B)/wasm/%.o,$(wasm_parts))
-	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144 -o $@ $^ && wasm-opt -O3 $@ -o $@
+	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144,--wrap=wide_enough_steady -o $@ $^ && wasm-opt -O3 $@ -o $@
 $(B)/explorer/index.html: $(B)/core.wasm $(wildcard explorer/*.js explorer/*.css explorer/*.html explorer/*.json) scripts/dev/explorer.sh
 	@sh scripts/dev/explorer.sh $(B)
 ## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server

@@ -12,5 +12,7 @@ const [script, style] = await Promise.all([
   build({ ...common, entryPoints: ["page.css"] }),
 ]);
 const parts = { SCRIPT: script.outputFiles[0].text.replaceAll("</script", "<\\/script"), STYLE: style.outputFiles[0].text };
-const page = (await readFile(`${here}/index.html`, "utf8")).replace(/\/\*(SCRIPT|STYLE)\*\//g, (_, name) => parts[name]);
+const licence = await readFile(`${here}/node_modules/uplot/LICENSE`, "utf8");
+parts.LICENCES = `uPlot. ${licence.trim()}\n\nThe core has parts of wasi-libc (Apache-2.0 with LLVM exception; MIT), of musl in it (MIT, Copyright 2005-2020 Rich Felker, et al.) and of LLVM's\ncompiler-rt (Apache-2.0 with LLVM exception).`.replaceAll("--", "- -");
+const page = (await readFile(`${here}/index.html`, "utf8")).replace(/\/\*(SCRIPT|STYLE|LICENCES)\*\//g, (_, name) => parts[name]);
 await writeFile(out, page);

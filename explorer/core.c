@@ -6,7 +6,7 @@
 
 #include "compare/answers/gait_file.h"
 
-struct scallop_crawler explorer_crawler;
+struct scallop_crawler explorer_crawler = { 1, 1, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
 double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];
 char explorer_text[EXPLORER_TEXT];
 
@@ -37,19 +37,18 @@ const char *family_text(int i, int which)
 int choose_gait(int i, int count)
 {
   static union scallop_made_gait made[2];
-  static int used;
   const struct scallop_gait_family *family = scallop_gait_family(i);
   const char *why = NULL;
   if (family->fixed) {
     gait = family->fixed;
     return SCALLOP_OK;
   }
-  union scallop_made_gait *next = &made[!used];
+  union scallop_made_gait *next = &made[explorer_crawler.gait == &made[0].gait];
+  gait = explorer_crawler.gait;
   if (scallop_make_gait(next, family, family->name, explorer_numbers, count, &why) != SCALLOP_OK) {
     snprintf(explorer_text, EXPLORER_TEXT, "%s%sit takes %s", why ? why : "", why ? "; " : "", family->allowed);
     return SCALLOP_EDOMAIN;
   }
-  used = !used;
   gait = &next->gait;
   return SCALLOP_OK;
 }
@@ -57,19 +56,18 @@ int choose_gait(int i, int count)
 int choose_table(void)
 {
   static struct gait_file files[2];
-  static int used;
-  struct gait_file *next = &files[!used];
+  struct gait_file *next = &files[explorer_crawler.gait == &files[0].spline.gait];
   char *table = strchr(explorer_text, '\n');
   if (!table)
     return SCALLOP_EDOMAIN;
   *table++ = '\0';
+  gait = explorer_crawler.gait;
   gait_file_free(next);
   const char *wrong = gait_file_of_table(next, explorer_text, table, "measured");
   if (wrong) {
     snprintf(explorer_text, EXPLORER_TEXT, "%s", wrong);
     return SCALLOP_EDOMAIN;
   }
-  used = !used;
   gait = &next->spline.gait;
   const double own[] = { next->L, next->T, next->alpha };
   memcpy(explorer_numbers, own, sizeof own);

@@ -25,7 +25,7 @@ int EXPORTED(text_size)(void);
 const char *EXPORTED(version)(void);
 /* Of family i: 0 its name, 1 what its numbers are called, 2 the usual ones, 3 their domain, 4 the sentence about it. NULL: it has none. */
 const char *EXPORTED(family_text)(int i, int which);
-/* The gait of family i with the first count of numbers(). The gait before stays where there is none. */
+/* The gait of family i with the first count of numbers(). Where there is none the gait of the crawler stays. */
 int EXPORTED(choose_gait)(int i, int count);
 /* The measured gait of the table in text(); name: what to call it in messages, the first line of that text. numbers(): its L, T and alpha. */
 int EXPORTED(choose_table)(void);
@@ -45,15 +45,18 @@ const char *EXPORTED(class_name)(int i);
 int EXPORTED(class_count)(void);
 void EXPORTED(forget_classes)(void);
 /* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of the crawler that was chosen.
- * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted) */
-void EXPORTED(steady_states)(int count, int with_work);
+ * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted).
+ * for_picture: displacements that are small by cancellation may be off by a few ulp of L. */
+void EXPORTED(steady_states)(int count, int with_work, int for_picture);
 /* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts of its parts in turn.
  * NULL: there is none */
 const char *EXPORTED(formula_text)(int i, int which);
 /* 0 setting, 1 quantity, 2 remainder, 3 turns */
 int EXPORTED(formula_number)(int i, int which);
-/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula.
- * Returns 1 if the formula is claimed for the crawler, else 0. */
+/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula,
+ * row(3): a number that differs where the modes do. Returns 1 if the formula is claimed for the crawler, else 0. */
 int EXPORTED(formula_along)(int i, int kind, double v0, int count);
+/* Formula i, of the steady state, for the crawlers of row(0) to row(6) as in steady_states: row(15). */
+void EXPORTED(formula_over)(int i, int count);
 
 #endif

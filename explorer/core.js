@@ -54,6 +54,15 @@ export class Core {
   /** Chooses a gait, "trapezoidal:0.1,0.2", or with a table { name, text } a measured one. Null or, for a table, its own { L, T, alpha };
    * throws an Error that says what is allowed. */
   chooseGait(text, table) {
+    const key = `${text}\n${text === "measured" && table ? `${table.name}\n${table.text}` : ""}`;
+    if (this.chosen?.key === key) return this.chosen.own;
+    this.chosen = null;
+    const own = this.makeGait(text, table);
+    this.chosen = { key, own };
+    return own;
+  }
+
+  makeGait(text, table) {
     const [name, numbers] = text.split(/:(.*)/s);
     if (name === "measured") return this.chooseTable(table);
     const i = this.families.findIndex((family) => family.name === name);
@@ -119,10 +128,15 @@ export class Core {
   }
 
   /** The steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, good until the next call. */
-  steadyStates(count, fill, withWork = false) {
+  steadyStates(count, fill, { withWork = false, forPicture = false } = {}) {
     fill(PARAMETERS.map((_, i) => this.row(i, count)));
-    this.calls.steady_states(count, withWork ? 1 : 0);
+    this.calls.steady_states(count, withWork ? 1 : 0, forPicture ? 1 : 0);
     return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
+  }
+  /** A formula of the steady state for the crawlers that the rows hold. */
+  formulaOver(formula, count) {
+    this.calls.formula_over(formula.index, count);
+    return this.row(15, count);
   }
   className(i) {
     return this.string(this.calls.class_name(i));
@@ -135,7 +149,7 @@ export class Core {
   formulaAlong(formula, phase, v0, T) {
     this.row(0, T.length).set(T);
     const claimed = this.calls.formula_along(formula.index, phase, v0, T.length) === 1;
-    const [exact, value] = this.rows(T.length, 1, 2);
-    return { claimed, exact, value };
+    const [exact, value, modes] = this.rows(T.length, 1, 2, 3);
+    return { claimed, exact, value, modes };
   }
 }

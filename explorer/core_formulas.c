@@ -56,18 +56,16 @@ static void note_turning(void *context, const struct scallop_interval *i)
   t->started = true;
 }
 
-static double steady_number(const struct scallop_crawler *c, enum scallop_quantity quantity)
+static double steady_number(const struct scallop_crawler *c, const struct scallop_steady_result *s,
+                            enum scallop_quantity quantity)
 {
-  struct scallop_steady_result s;
   double work = NAN;
-  if (scallop_steady(c, &s) < 0)
-    return NAN;
   switch (quantity) {
-  case SCALLOP_STEADY_VELOCITY: return s.period.v_start;
-  case SCALLOP_STEADY_V_MID: return s.period.v_mid;
-  case SCALLOP_STEADY_DISPLACEMENT: return s.period.displacement;
-  case SCALLOP_STEADY_MEAN_VELOCITY: return s.mean_velocity;
-  default: scallop_friction_work(c, s.period.v_start, s.period.v_mid, &work); return work;
+  case SCALLOP_STEADY_VELOCITY: return s->period.v_start;
+  case SCALLOP_STEADY_V_MID: return s->period.v_mid;
+  case SCALLOP_STEADY_DISPLACEMENT: return s->period.displacement;
+  case SCALLOP_STEADY_MEAN_VELOCITY: return s->mean_velocity;
+  default: scallop_friction_work(c, s->period.v_start, s->period.v_mid, &work); return work;
   }
 }
 
@@ -92,8 +90,28 @@ static double phase_number(const struct scallop_phase_result *p, const struct tu
 }
 
 struct pair {
-  double exact, formula;
+  double exact, formula, modes; /* modes: equal where the modes are */
 };
+
+static double modes_number(const struct scallop_modes *modes, double number)
+{
+  int kept = modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT;
+  number = fmod(31 * number + modes->count, 1e12);
+  for (int i = 0; i < kept; i++)
+    number = fmod(31 * number + 3 * modes->kept[i].s1 + modes->kept[i].s2 + 5, 1e12);
+  return number;
+}
+
+static struct pair of_steady(const struct scallop_read_formula *read, const struct scallop_formula *f,
+                             const struct scallop_crawler *c)
+{
+  struct scallop_steady_result s;
+  if (scallop_steady(c, &s) < 0)
+    return (struct pair){ NAN, NAN, NAN };
+  return (struct pair){ steady_number(c, &s, f->quantity),
+                        scallop_formula_double(read, c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN),
+                        modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0)) };
+}
 
 static struct pair of_phase(const struct scallop_read_formula *read, const struct scallop_formula *f,
                             const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
@@ -104,10 +122,10 @@ static struct pair of_phase(const struct scallop_read_formula *read, const struc
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
   if (scallop_phase(c, kind, v0, &p) < 0)
-    return (struct pair){ NAN, NAN };
+    return (struct pair){ NAN, NAN, NAN };
   scallop_phase_intervals(c, kind, v0, note_turning, &t);
   return (struct pair){ phase_number(&p, &t, kind, v0, c->L, f->quantity),
-                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L) };
+                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L), modes_number(&p.modes, 0) };
 }
 
 int formula_along(int i, int kind, double v0, int count)
@@ -119,13 +137,26 @@ int formula_along(int i, int kind, double v0, int count)
   struct scallop_values values = scallop_steady_values(&c);
   for (int k = 0; k < count; k++) {
     c.T = explorer_rows[0][k];
-    struct pair both = f->setting == SCALLOP_STEADY
-                           ? (struct pair){ steady_number(&c, f->quantity),
-                                            scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN) }
-                           : of_phase(read, f, &c, (enum scallop_phase_kind)kind, v0);
+    struct pair both = f->setting == SCALLOP_STEADY ? of_steady(read, f, &c)
+                                                    : of_phase(read, f, &c, (enum scallop_phase_kind)kind, v0);
     explorer_rows[1][k] = both.exact;
     explorer_rows[2][k] = both.formula;
+    explorer_rows[3][k] = both.modes;
   }
   scallop_formula_free(read);
   return scallop_formula_is_claimed(f, &values);
+}
+
+void formula_over(int i, int count)
+{
+  char message[SCALLOP_FORMULA_MESSAGE];
+  struct scallop_read_formula *read = scallop_formula_read(formula_at(i), message);
+  for (int k = 0; k < count; k++) {
+    const struct scallop_crawler c = {
+      explorer_rows[0][k], explorer_rows[1][k], explorer_rows[2][k], explorer_rows[3][k],
+      explorer_rows[4][k], explorer_rows[5][k], explorer_rows[6][k], explorer_crawler.gait
+    };
+    explorer_rows[15][k] = scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN);
+  }
+  scallop_formula_free(read);
 }

@@ -1,6 +1,6 @@
 // The crawler as a drawing: the bodies on the ground, the mechanism, velocities, friction, and where the centre has been.
 const SPACE = "http://www.w3.org/2000/svg";
-const WIDTH = 900, GROUND = 175, TRACE = 340;
+const GROUND = 175, TRACE = 340;
 
 function make(parent, tag, attributes = {}, text) {
   const made = document.createElementNS(SPACE, tag);
@@ -15,14 +15,16 @@ const set = (node, attributes) => {
 
 /** An arrow from x along the level y, of so many pixels to the right; none where it is short. */
 function arrow(node, x, y, length) {
-  const head = Math.min(9, Math.abs(length)) * Math.sign(length);
-  node.setAttribute("d", Math.abs(length) < 1.5 ? "" : `M${x} ${y}h${length}m${-head} -5l${head} 5l${-head} 5`);
+  const head = Math.min(9, Math.abs(length)) * Math.sign(length), half = 0.55 * Math.abs(head);
+  node.setAttribute("d", Math.abs(length) < 1.5 ? "" : `M${x} ${y}h${length}m${-head} ${-half}l${head} ${half}l${-head} ${half}`);
 }
 
 export class Drawing {
   constructor(svg) {
     this.svg = svg;
     make(svg, "title", {}, "The crawler");
+    this.edges = [];
+    new ResizeObserver(() => this.fit()).observe(svg);
     this.ground = make(svg, "path", { class: "ground" });
     this.marks = make(svg, "path", { class: "marks" });
     this.labels = Array.from({ length: 16 }, () => make(svg, "text", { class: "place", y: GROUND + 22, "text-anchor": "middle" }));
@@ -31,8 +33,16 @@ export class Drawing {
     this.bodies = [1, 2].map((number) => this.body(number));
     this.centre = make(svg, "path", { class: "centre" });
     this.phase = make(svg, "text", { class: "phase", x: 12, y: 24 });
-    make(svg, "text", { class: "axis", x: WIDTH - 8, y: TRACE - 2, "text-anchor": "end" }, "one period ago");
-    make(svg, "text", { class: "axis", x: WIDTH - 8, y: GROUND + 40, "text-anchor": "end" }, "now");
+    this.edges = [["one period ago", TRACE - 2], ["now", GROUND + 40]].map(([text, y]) => make(svg, "text", { class: "axis", y, "text-anchor": "end" }, text));
+    this.fit();
+  }
+
+  /** As wide as there is room for, so that texts keep their size. */
+  fit() {
+    this.width = Math.min(Math.max(this.svg.clientWidth, 330), 900);
+    set(this.svg, { viewBox: `0 0 ${this.width} 360` });
+    this.edges.forEach((edge) => set(edge, { x: this.width - 8 }));
+    if (this.shown) this.show(...this.shown);
   }
 
   body(number) {
@@ -46,12 +56,14 @@ export class Drawing {
 
   /** Shows a motion at a time. */
   show(motion, time) {
+    this.shown = [motion, time];
+    const { width } = this;
     const { crawler } = motion, now = motion.at(time), { L } = crawler;
-    const scale = (WIDTH * 0.3) / L, middle = (x) => (x - now.followed) * scale + WIDTH / 2;
+    const scale = (width * 0.3) / L, middle = (x) => (x - now.followed) * scale + width / 2;
     const mass = Math.max(crawler.m1, crawler.m2), force = Math.max(crawler.F1, crawler.F2);
-    const speed = 70 / (2 * L / (Math.min(crawler.alpha, 1 - crawler.alpha) * crawler.T));
+    const speed = (0.13 * width) / motion.fastest;
     // The separation is l plus what keeps the bodies apart when l = 0, which is not part of the model.
-    const apart = 34;
+    const apart = 34; // pixels
     const sides = [
       { x: middle(now.x1) - apart, m: crawler.m1, s: now.s1, v: now.v1, f: now.friction[0] },
       { x: middle(now.x2) + apart, m: crawler.m2, s: now.s2, v: now.v2, f: now.friction[1] },
@@ -73,7 +85,7 @@ export class Drawing {
     set(drawn.state, { x, y: 62 });
     drawn.state.textContent = s === 0 ? "sticks" : s > 0 ? "forward" : "back";
     drawn.group.classList.toggle("stuck", s === 0);
-    arrow(drawn.velocity, x, 80, Math.max(-200, Math.min(200, v * speed)));
+    arrow(drawn.velocity, x, 80, v * speed);
     arrow(drawn.friction, x, GROUND + 8, (70 * f) / force);
   }
 
@@ -86,16 +98,17 @@ export class Drawing {
   }
 
   showGround(now, scale, middle) {
-    const range = WIDTH / scale, step = 10 ** Math.floor(Math.log10(range / 4)), each = range / step > 12 ? 2 * step : step;
+    const { width } = this, range = width / scale, step = 10 ** Math.floor(Math.log10(50 / scale));
+    const each = [1, 2, 5, 10].map((k) => k * step).find((one) => one * scale >= 50);
     const first = Math.ceil((now.followed - range / 2) / each);
     let marks = "";
     this.labels.forEach((label, i) => {
-      const value = (first + i) * each, x = middle(value), inside = x > 20 && x < WIDTH - 20;
-      if (x <= WIDTH) marks += `M${x} ${GROUND}v8`;
+      const value = (first + i) * each, x = middle(value), inside = x > 20 && x < width - 20;
+      if (x <= width) marks += `M${x} ${GROUND}v8`;
       set(label, { x });
       label.textContent = inside ? String(Number(value.toPrecision(6))) : "";
     });
-    set(this.ground, { d: `M0 ${GROUND}H${WIDTH}` });
+    set(this.ground, { d: `M0 ${GROUND}H${width}` });
     set(this.marks, { d: marks });
   }
 

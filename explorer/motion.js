@@ -14,6 +14,7 @@ export class Motion {
     this.walk = core.walk(this.v0, this.periods);
     this.samples = core.trajectory(this.v0, this.periods, SAMPLES);
     this.duration = this.periods * crawler.T;
+    this.fastest = [this.samples.v1, this.samples.v2].reduce((most, row) => row.reduce((a, v) => Math.max(a, Math.abs(v)), most), 0) || 1;
   }
 
   /** Everything at a time: of the steady state at any, else within the duration. */

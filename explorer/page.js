@@ -1,19 +1,42 @@
 // The page: one state, and everything that follows it.
 import bytes from "core.wasm";
 import { Core, PARAMETERS, numberOf } from "./core.js";
-import { Controls } from "./controls.js";
+import { AXES, LABELS, placed } from "./axes.js";
+import { Controls, rounded } from "./controls.js";
 import { Drawing } from "./crawler.js";
+import { Curve, QUANTITIES } from "./curve.js";
+import { Errors } from "./errors.js";
+import { CrawlerMap, SHOWN } from "./map.js";
 import { Motion } from "./motion.js";
-import { History, USUAL, crawlerOf, fragmentOf, stateOf } from "./state.js";
+import { Plane } from "./plane.js";
+import { PRESETS } from "./presets.js";
+import { commandOf, pictureOf, pngOf, save, sceneOf, tsvOf } from "./share.js";
+import { History, LONGEST_TABLE, USUAL, crawlerOf, fragmentOf, stateOf } from "./state.js";
 import { REGIME_WORDS, modesInWords, shown } from "./words.js";
 
 const find = (id) => document.getElementById(id);
 const core = new Core(bytes);
 const drawing = new Drawing(find("crawler"));
 const controls = new Controls(find("controls"), core.families, change);
-let state = stateOf(location.hash);
+const plane = new Plane(find("plane"));
+const map = new CrawlerMap(core, find("map"), find("legend"), movedTo);
+const curve = new Curve(core, find("curve"), find("curve-note"));
+const errors = new Errors(core, find("errors"), find("error-formula"), find("formula"), find("error-note"));
+const AMONG = {
+  start: ["steady", "rest", "velocity"], x: Object.keys(AXES), y: Object.keys(AXES), show: Object.keys(SHOWN), along: ["x", "y"],
+  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"],
+};
+let state = ofLink();
 const history = new History(state);
-let motion = null, time = 0, playing = false, before = 0, asked = false;
+const costs = {};
+let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
+
+/** The state of the page's address; two axes of a map never set the same parameter. */
+function ofLink() {
+  const linked = stateOf(location.hash, AMONG);
+  if (AXES[linked.x].sets === AXES[linked.y].sets) Object.assign(linked, { x: USUAL.x, y: USUAL.y });
+  return linked;
+}
 
 /** Sets fields of the state. done: the reader let go, and it can be undone. */
 function change(fields, done = true) {
@@ -41,50 +64,82 @@ function ask() {
   asked = true;
 }
 
-/** What is wrong with each field; the crawler, where nothing is. */
-function judged() {
+/** What is wrong with each field of a state, and the crawler, which is chosen where nothing is. */
+function judged(state) {
   const wrong = {}, crawler = crawlerOf(state);
   for (const name of PARAMETERS)
     if (Number.isNaN(crawler[name])) wrong[name] = `${name}: ${name === "alpha" ? "a number between 0 and 1, both excluded" : "a finite number > 0"}`;
   if (Number.isNaN(numberOf(state.v0))) wrong.v0 = "v0: a finite number";
-  if (!(numberOf(state.periods) >= 1 && numberOf(state.periods) <= 60)) wrong.periods = "periods: a whole number from 1 to 60";
-  try {
-    core.chooseGait(state.gait, state.table ? { name: state.table_name, text: state.table } : null);
-  } catch (error) {
-    wrong.gait = error.message;
-  }
-  if (Object.keys(wrong).length === 0) {
+  if (!/^([1-9]|[1-5][0-9]|60)$/.test(state.periods)) wrong.periods = "periods: a whole number from 1 to 60";
+  const attempt = (name, action) => {
     try {
-      core.chooseCrawler(crawler);
+      action();
     } catch (error) {
-      const name = error.message.split(":")[0];
-      wrong[PARAMETERS.includes(name) ? name : "T"] = error.message;
+      const parameter = error.message.split(":")[0];
+      wrong[PARAMETERS.includes(parameter) ? parameter : name] = error.message;
     }
-  }
+  };
+  attempt("gait", () => core.chooseGait(state.gait, state.table ? { name: state.table_name, text: state.table } : null));
+  if (Object.keys(wrong).length === 0) attempt("T", () => core.chooseCrawler(crawler));
   return { wrong, crawler };
 }
 
+/** The page follows its state; the last picture stays where something is wrong with that. */
 function update() {
+  const begun = performance.now();
   asked = false;
-  const { wrong, crawler } = judged();
+  const { wrong, crawler } = judged(state), right = Object.keys(wrong).length === 0;
+  if (right || !motion) {
+    try {
+      picture(right ? state : USUAL, right ? crawler : judged(USUAL).crawler);
+    } catch (error) {
+      wrong.T = error.message;
+    }
+  }
   controls.show(state, wrong);
   document.body.classList.toggle("kept", Object.keys(wrong).length > 0);
-  if (Object.keys(wrong).length > 0) return;
-  try {
-    motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Math.floor(numberOf(state.periods)) });
-  } catch (error) {
-    controls.show(state, { T: error.message });
-    return;
-  }
+  took = performance.now() - begun;
+}
+
+/** Shows everything about a crawler. */
+function picture(state, crawler) {
+  motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Number(state.periods) });
   showAnswers();
   showTime();
+  map.show(crawler, state, `${state.gait} ${state.show}`);
+  curve.show(crawler, state[state.along], state.of);
+  inTime(`errors ${state.gait}`, () => errors.show(crawler, state, motion.endless ? 0 : motion.v0));
+  core.chooseCrawler(crawler);
+  for (const [id, name] of Object.entries(CHOICES)) find(id).value = state[name];
+  find("command").textContent = commandOf(state);
+  find("error-phase").parentElement.hidden = motion.endless;
+  find("save-table").hidden = state.table === "";
+}
+
+/** Does something now, or where it took too long the last time when nothing has changed for a while. */
+function inTime(key, action) {
+  const timed = () => {
+    const begun = performance.now();
+    action();
+    costs[key] = performance.now() - begun;
+  };
+  clearTimeout(inTime.later);
+  if ((costs[key] ?? 0) < 8) timed();
+  else inTime.later = setTimeout(timed, 150);
+}
+
+/** The crawler was moved in the map. */
+function movedTo(places, done) {
+  const names = [state.x, state.y], moved = placed(motion.crawler, places.map((x, k) => [names[k], x]));
+  change(Object.fromEntries(names.map((name) => [AXES[name].sets, rounded(moved[AXES[name].sets])])), done);
 }
 
 function showAnswers() {
   const { steady } = motion;
-  const answers = [["Froude number", steady.froude, ""], ["v_start", steady.v_start, "L/T"], ["v_mid", steady.v_mid, "L/T"],
-    ["displacement", steady.displacement, "L"], ["mean velocity", steady.mean_velocity, "L/T"], ["multiplier", steady.multiplier, ""],
-    ["friction work", steady.friction_work, ""]];
+  const answers = [["Froude number", steady.froude], ["v_start", steady.v_start], ["v_mid", steady.v_mid], ["displacement", steady.displacement],
+    ["mean velocity", steady.mean_velocity], ["multiplier", steady.multiplier], ["friction work", steady.friction_work]];
+  if (!motion.endless)
+    answers.unshift(["first v_mid", motion.first.v_mid], ["first v_end", motion.first.v_end], ["first displacement", motion.first.displacement]);
   find("numbers").replaceChildren(...answers.map(([name, value]) => {
     const group = document.createElement("div"), term = document.createElement("dt"), number = document.createElement("dd");
     term.textContent = name;
@@ -93,11 +148,12 @@ function showAnswers() {
     group.append(term, number);
     return group;
   }));
-  const lines = [`${steady.regime}: ${REGIME_WORDS[steady.regime]}`, ...modesInWords(steady.modes)];
+  const lines = [`${motion.endless ? "" : "Steady state, "}${steady.regime}: ${REGIME_WORDS[steady.regime]}`, ...modesInWords(steady.modes)];
   if (steady.status === 1) lines.push(`The steady start velocities fill an interval, from ${shown(steady.v_low)} to ${shown(steady.v_high)}.`);
   find("words").replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })));
 }
 
+const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase" };
 const SPEEDS = { "1": "real time", "0.5": "1/2", "0.2": "1/5", "0.05": "1/20", "4s": "a period in 4 s", "12s": "a period in 12 s" };
 
 /** Seconds of the motion that pass in a second. */
@@ -111,6 +167,7 @@ function showTime() {
   const { T } = motion.crawler;
   time = motion.endless ? Math.max(0, time) : Math.min(Math.max(time, 0), motion.duration);
   const now = drawing.show(motion, time);
+  plane.show(motion, now);
   find("time").max = motion.periods;
   find("time").value = now.t / T;
   find("clock").textContent = `t = ${(time / T).toFixed(2)} T`;
@@ -140,7 +197,65 @@ function step(part) {
   showTime();
 }
 
-for (const [value, textContent] of Object.entries(SPEEDS)) find("speed").append(Object.assign(document.createElement("option"), { value, textContent }));
+const option = (value, textContent) => Object.assign(document.createElement("option"), { value, textContent });
+const options = (id, texts) => find(id).append(...Object.entries(texts).map(([value, text]) => option(value, text)));
+options("speed", SPEEDS);
+options("map-x", LABELS);
+options("map-y", LABELS);
+options("map-show", SHOWN);
+options("curve-of", Object.fromEntries(Object.entries(QUANTITIES).map(([name, { title }]) => [name, title])));
+for (const [id, name] of Object.entries(CHOICES)) find(id).addEventListener("change", () => choose(name, find(id).value));
+find("error-formula").addEventListener("change", (event) => choose("formula", event.target.value));
+
+/** A choice; the other axis gives way where both would set the same parameter. */
+function choose(name, value) {
+  const fields = { [name]: value }, other = { x: "y", y: "x" }[name];
+  if (other && AXES[value].sets === AXES[state[other]].sets) fields[other] = AXES[state[name]].sets === AXES[value].sets ? "F1/F2" : state[name];
+  change(fields);
+}
+
+for (const group of new Set(PRESETS.map((preset) => preset.group))) {
+  const made = Object.assign(document.createElement("optgroup"), { label: group });
+  PRESETS.forEach((preset, i) => preset.group === group && made.append(option(String(i), preset.name)));
+  find("presets").append(made);
+}
+find("presets").addEventListener("change", (event) => {
+  const preset = PRESETS[event.target.value];
+  if (!preset) return;
+  change({ ...USUAL, ...preset.state });
+  find("preset-note").textContent = preset.note;
+  find("preset-note").hidden = false;
+  time = 0;
+  event.target.value = "";
+});
+
+/** Says something, for a while. */
+function say(text) {
+  find("said").textContent = text;
+  clearTimeout(say.later);
+  say.later = setTimeout(() => (find("said").textContent = ""), 4000);
+}
+async function copy(text, what) {
+  try {
+    await navigator.clipboard.writeText(text);
+    say(`${what} copied`);
+  } catch {
+    say(`${what} could not be copied: this page may not write to the clipboard`);
+  }
+}
+find("link").addEventListener("click", () => {
+  const whole = location.href.split("#")[0] + "#" + fragmentOf(state);
+  copy(whole, state.table.length > LONGEST_TABLE ? "Link without the measured gait, which is too long for one," : "Link");
+});
+find("copy-command").addEventListener("click", () => copy(commandOf(state), "Command"));
+find("save-scene").addEventListener("click", () => save("explorer.cfg", sceneOf(state), "text/plain"));
+find("save-table").addEventListener("click", () => save(state.table_name, state.table, "text/tab-separated-values"));
+find("curve-tsv").addEventListener("click", () => save("curve.tsv", tsvOf(curve.table(), commandOf(state), core.version), "text/tab-separated-values"));
+find("error-tsv").addEventListener("click", () => save("errors.tsv", tsvOf(errors.table(), commandOf(state), core.version), "text/tab-separated-values"));
+const seen = () => pictureOf(find("crawler"), ["plane", "map", "curve", "errors"].map((id) => ({
+  title: find(id).closest("section").querySelector("h2").textContent, canvas: find(id).querySelector("canvas") })), commandOf(state));
+find("save-svg").addEventListener("click", () => save("explorer.svg", seen(), "image/svg+xml"));
+find("save-png").addEventListener("click", async () => save("explorer.png", await pngOf(seen())));
 find("speed").value = "4s";
 find("play").addEventListener("click", () => play(!playing));
 find("back").addEventListener("click", () => step(-0.01));
@@ -153,7 +268,10 @@ find("time").addEventListener("input", (event) => {
 find("undo").addEventListener("click", () => goTo(history.go(-1)));
 find("redo").addEventListener("click", () => goTo(history.go(1)));
 find("usual").addEventListener("click", () => change({ ...USUAL }));
-addEventListener("hashchange", () => goTo(stateOf(location.hash)));
+addEventListener("hashchange", () => {
+  goTo(ofLink());
+  history.push(state);
+});
 
 function goTo(other) {
   state = other;
@@ -171,6 +289,20 @@ addEventListener("dragleave", (event) => {
   if (!event.relatedTarget) find("drop").hidden = true;
 });
 
+addEventListener("keydown", (event) => {
+  const typing = event.target.matches?.("input:not([type=range]), select, textarea");
+  if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
+    event.preventDefault();
+    goTo(history.go(event.shiftKey ? 1 : -1));
+  } else if (!typing && !event.ctrlKey && !event.metaKey && !event.altKey && event.target === document.body) {
+    const keys = { " ": () => play(!playing), ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01) };
+    if (keys[event.key]) {
+      event.preventDefault();
+      keys[event.key]();
+    }
+  }
+});
+
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, state: () => state, change };
+globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };

@@ -20,10 +20,11 @@ export function fragmentOf(state) {
   return fields.toString();
 }
 
-/** The state of a fragment; fields that there are not are passed over. */
-export function stateOf(fragment) {
+/** The state of a fragment. Fields that there are not are passed over, and so is what is none of the choices of a field. */
+export function stateOf(fragment, choices) {
   const state = { ...USUAL };
-  for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ""))) if (Object.hasOwn(USUAL, name)) state[name] = value;
+  for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, "")))
+    if (Object.hasOwn(USUAL, name) && (choices[name]?.includes(value) ?? true)) state[name] = value;
   return state;
 }
 

@@ -5,8 +5,8 @@ folders="model asymptotics numerics compare tests bench"
 # shellcheck disable=SC2086
 sources=$(find $folders -name '*.c')
 # shellcheck disable=SC2086
-clang-format --dry-run -Werror $sources scallop.h $(find $folders -name '*.h')
+clang-format --dry-run -Werror $sources explorer/*.[ch] scallop.h $(find $folders -name '*.h')
 # shellcheck disable=SC2086
-cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $sources
+cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. $sources explorer/*.c
 # shellcheck disable=SC2016
 echo "$sources" | xargs -n 8 -P "$(getconf _NPROCESSORS_ONLN)" sh -c 'clang-tidy --quiet "$@" -- -std=c11 -D_XOPEN_SOURCE=700 -I.' clang-tidy

@@ -1,6 +1,6 @@
 """Which room uses which, from the code, against the list of what is allowed: rooms.py BUILD [--size]
 
-A room is model, asymptotics, numerics, a folder in one of them, or a folder of compare/. A room uses another one if a file includes one of its headers, or if an
+A room is model, asymptotics, numerics, a folder in one of them, a folder of compare/, or explorer. A room uses another one if a file includes one of its headers, or if an
 object file takes a function or data from one of its objects, so that a table of function pointers counts too. A header named like its
 folder, numerics/numerics.h, is what the rooms within that folder all speak of: they may include it. The list is rooms.txt
 beside this script. Refused are: an arrow that is not in the list, a circle among rooms, a circle among the units of one room of
@@ -16,7 +16,7 @@ import sys
 MOST_FILES, MOST_LINES, MOST_FUNCTION = 25, 450, 60  # files of a folder of compare/, lines of a file there, of any function
 LIST = os.path.join(os.path.dirname(os.path.abspath(__file__)), "rooms.txt")
 COMPARE = sorted(f.rstrip("/") for f in glob.glob("compare/*/"))
-FOLDERS = [f for top in ("model", "asymptotics", "numerics") for f in (top, *(n.rstrip("/") for n in sorted(glob.glob(top + "/*/"))))] + COMPARE
+FOLDERS = [f for top in ("model", "asymptotics", "numerics") for f in (top, *(n.rstrip("/") for n in sorted(glob.glob(top + "/*/"))))] + COMPARE + ["explorer"]
 
 
 def sources(folder):
