@@ -45,7 +45,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 programs  := $(addprefix $(B)/,$(call built,scallop scallop-flint))
 
-.PHONY: all help check check-report reproduce bench instructions explorer check-explorer rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -127,6 +127,9 @@ rooms size:
 ## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
 gates:
 	@sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
+## docs:       docs/commands.md anew, from --help
+docs: $(programs)
+	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
 ## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
 check-report:
 	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots

@@ -1,5 +1,5 @@
 /* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls them together; their
- * exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core` says how to compile.
+ * exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core` prints the compiler's options.
  *
  *     struct scallop_crawler crawler = scallop_crawler_default();
  *     struct scallop_steady_result steady;
@@ -8,20 +8,21 @@
  *       printf("%.17g\n", steady.mean_velocity);
  *
  * Each header begins with what it is for. In libscallop-core, which needs C's library only, and in libscallop:
- *     model/model.h               crawlers, gaits, phases; scallop_status, which every call that can fail returns
- *     model/gaits.h               gaits made to measure, and splines through data
- *     model/families.h            the families of gaits, by name
- *     numerics/numerics.h         exact phases, periods, steady states, one or many, and trajectories
+ *     model/model.h                    crawlers, gaits, phases; scallop_status, which every call that can fail returns
+ *     model/gaits.h                    gaits made to measure, and splines through data
+ *     model/families.h                 the families of gaits, by name
+ *     numerics/numerics.h              exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
- *     asymptotics/asymptotics.h   the formulas of the paper as published, and formulas of one's own
+ *     asymptotics/asymptotics.h        the formulas of the paper as published, and formulas of one's own
  *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; knows no crawler
  * In libscallop alone, and not included here:
- *     numerics/certified/certified.h        any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
- *     asymptotics/derived/expansion.h       the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h            general-purpose methods to compare with: odeiv.h, smoothed.h (GSL), cvode.h, arkode.h (SUNDIALS), moreau.h
+ *     numerics/certified/certified.h   any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
+ *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
+ *     numerics/rivals/rival.h          general-purpose methods to compare with: odeiv.h and smoothed.h (GSL), cvode.h and
+ *                                      arkode.h (SUNDIALS), moreau.h
  *
- * Nothing here prints, exits or holds state; what is not a rival, and does not need FLINT, allocates nothing either, but for
- * scallop_formula_read. All of it can be called from several threads at once. */
+ * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, and scallop_formula_read allocate memory.
+ * All functions can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 

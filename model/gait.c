@@ -9,7 +9,7 @@
 
 #define PI 3.14159265358979323846
 
-static double time_offset(const struct scallop_piece *p, double u) { return p->anchor == SCALLOP_FROM_START ? u : -u; }
+static double time_offset(const struct scallop_piece *p, double u) { return law_sense(p) * u; }
 
 static double linear_length(const struct scallop_piece *p, double u)
 {
@@ -46,7 +46,7 @@ const struct scallop_gait scallop_gait_quadratic = { "quadratic",
 static double sine_length(const struct scallop_piece *p, double u)
 {
   double h = sin(0.5 * PI * u);
-  return (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * (h * h);
+  return law_sense(p) * p->direction * (h * h);
 }
 
 /* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
@@ -138,6 +138,15 @@ static bool same_law(const struct scallop_piece *a, const struct scallop_piece *
   int turned = a->anchor == b->anchor ? 1 : -1;
   return a->linear && b->linear && a->direction * a->velocity == b->direction * b->velocity
          && a->direction * a->acceleration == turned * b->direction * b->acceleration;
+}
+
+bool scallop_gait_is_exact(const struct scallop_gait *gait)
+{
+  for (int kind = 0; kind < 2; kind++)
+    for (int i = 0; i < gait->phase[kind].count; i++)
+      if (!gait->phase[kind].pieces[i].law && !gait->phase[kind].pieces[i].linear)
+        return false;
+  return true;
 }
 
 bool scallop_gait_mirrors(const struct scallop_gait *gait)

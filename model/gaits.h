@@ -1,8 +1,8 @@
-/* Gaits made to measure: trapezoidal, skewed, constant, polynomial, and splines through data. Each is defined exactly, by doubles that stand for what
- * they are (struct scallop_law), so that solvers of every precision agree on what the gait is.
+/* Gaits made to measure: trapezoidal, skewed, constant, polynomial, and splines through data. The doubles of a law define its gait exactly
+ * (struct scallop_law), so that solvers of every precision solve for the same gait.
  *
- * A gait is made in memory of the caller, which it points into: it must stay where it is, and unchanged, while the gait is used.
- * What cannot be made is SCALLOP_EDOMAIN, and the memory then holds no gait.
+ * The caller gives the memory. A gait points into it, so that it must neither move nor change while the gait is used. SCALLOP_EDOMAIN: the
+ * numbers make no gait, and the memory holds none.
  */
 #ifndef SCALLOP_GAITS_H
 #define SCALLOP_GAITS_H

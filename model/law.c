@@ -7,8 +7,6 @@
 typedef long double real;
 #include "model/bernstein.h"
 
-static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
-
 long double law_bernstein(const long double *b, int n, long double x, long double y)
 {
   long double sum = b[0], factor = 1;
@@ -77,7 +75,7 @@ double law_rise(const struct scallop_law *law, double from, double to)
 static double bernstein_length(const struct scallop_piece *p, double u)
 {
   struct place at = place_at(p->law, u);
-  return (double)(p->direction * (p->law->base + sense(p) * way(&at)));
+  return (double)(p->direction * (p->law->base + law_sense(p) * way(&at)));
 }
 
 static double bernstein_velocity(const struct scallop_piece *p, double u)
@@ -89,14 +87,14 @@ static double bernstein_velocity(const struct scallop_piece *p, double u)
 static double bernstein_acceleration(const struct scallop_piece *p, double u)
 {
   struct place at = place_at(p->law, u);
-  return (double)(p->direction * sense(p) * slope(&at));
+  return (double)(p->direction * law_sense(p) * slope(&at));
 }
 
 static void bernstein_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
 {
   struct place at = place_at(p->law, u);
   *velocity = (double)(p->direction * speed(&at));
-  *acceleration = (double)(p->direction * sense(p) * slope(&at));
+  *acceleration = (double)(p->direction * law_sense(p) * slope(&at));
 }
 
 static long double bernstein_third(const struct scallop_law *law, double u)
@@ -139,7 +137,7 @@ static double third_derivative(const struct scallop_piece *p, double u)
 double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
 {
   const struct scallop_piece *piece = &shape->pieces[at_end ? shape->count - 1 : 0];
-  return piece->direction * sense(piece) * third_derivative(piece, at_end ? piece->end : piece->begin);
+  return piece->direction * law_sense(piece) * third_derivative(piece, at_end ? piece->end : piece->begin);
 }
 
 /* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
@@ -178,7 +176,7 @@ static double bernstein_when(const struct scallop_piece *p, double a)
 {
   const struct scallop_law *law = p->law;
   double lo = p->anchor == SCALLOP_FROM_START ? p->begin : p->end, hi = p->anchor == SCALLOP_FROM_START ? p->end : p->begin;
-  long double wanted = (long double)(p->direction * sense(p)) * a;
+  long double wanted = (long double)(p->direction * law_sense(p)) * a;
   struct place low = place_at(law, lo), high = place_at(law, hi);
   long double f_lo = slope(&low) - wanted, f_hi = slope(&high) - wanted;
   if ((f_lo > 0 && f_hi > 0) || (f_lo < 0 && f_hi < 0))

@@ -135,6 +135,8 @@ extern const struct scallop_curve scallop_curve_linear;
 const struct scallop_gait *scallop_gait_named(const char *name);
 const char *scallop_gait_name(int i);
 
+/* Whether l' is known exactly in every piece of both phases: the piece has a law, or is linear. */
+bool scallop_gait_is_exact(const struct scallop_gait *gait);
 /* Whether |l'| of the contraction is that of the extension, piece by piece. */
 bool scallop_gait_mirrors(const struct scallop_gait *gait);
 /* Whether |l'| of each phase is symmetric about its middle: the motion of the separation looks the same backward in time. */

@@ -18,6 +18,11 @@ struct scaling {
 /* Below DBL_MAX, which is what an overflow gives where it is not rounded up. */
 SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive < DBL_MAX); }
 
+static inline struct scaling scaling_again(const struct scallop_scaled *s)
+{
+  return (struct scaling){ s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+}
+
 /* Whether a result keeps its digits when it is scaled back. Far below its natural unit it has few to keep. */
 SCALLOP_INLINE int scaling_keeps(double scaled, double result)
 {

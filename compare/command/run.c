@@ -225,7 +225,7 @@ const struct command command_run = {
       "states, series, errors, orders, or the tables of other commands. docs/scenes.md has the language. Each want is a "
       "table\n"
       "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
-      "the tool: figure2 to figure5, claims, errors, stress, workprec and the maps are. '-' is a scene on standard input.\n"
+      "the tool: figure2 to figure5, claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input.\n"
       "Parameters, --digits and --format given here take the place of the scene's.\n"
       "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
       "exactly, at most, or not requested; for: the quantity or table that first needs it.",

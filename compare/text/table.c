@@ -382,24 +382,13 @@ void table_text(struct table *t, const char *text)
   put_cell(t, text, false);
 }
 
-/* A number as JSON has it */
-static bool is_plain_number(const char *text)
-{
-  double x;
-  const char *digits = text + (*text == '-');
-  size_t whole = strspn(digits, "0123456789");
-  bool leads = whole > 0 && (whole == 1 || *digits != '0'), fraction = digits[whole] == '.';
-  bool is_hexadecimal = text[strspn(text, "0123456789.eE+-")] != '\0';
-  return leads && (!fraction || strspn(digits + whole + 1, "0123456789") > 0) && !is_hexadecimal && read_number(text, &x);
-}
-
 void table_carried(struct table *t, const char *text)
 {
   if (is_taken(t, CELL_CARRIED, 0, text))
     return;
   if (t->pictured)
     put_cell(&t->pictured->copy, text, true);
-  if (is_json(t) && is_plain_number(text))
+  if (is_json(t) && json_takes_number(text))
     put_digits(t, text);
   else if (is_json(t) && strcmp(text, "nan") == 0)
     put_digits(t, "null");

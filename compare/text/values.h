@@ -9,6 +9,9 @@
 enum { NUMBER_LENGTH = 10100 };
 bool read_number(const char *text, double *value);
 
+/* Is it a number as JSON writes one? */
+bool json_takes_number(const char *text);
+
 /* A whole number from low to high and nothing else. */
 bool read_count(const char *text, long low, long high, long *value);
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/exact/fractions.h"
+#include "model/law.h"
 
 static fmpq *fields(struct scallop_rational_crawler *c, int i)
 {
@@ -142,29 +143,14 @@ bool scallop_rational_parse(fmpq_t x, const char *text)
   return read;
 }
 
-static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
-
-static bool is_exact(const struct scallop_piece *p) { return p->law || p->linear; }
-
-bool scallop_gait_is_exact(const struct scallop_gait *gait)
-{
-  for (int kind = 0; kind < 2; kind++)
-    for (int i = 0; i < gait->phase[kind].count; i++)
-      if (!is_exact(&gait->phase[kind].pieces[i]))
-        return false;
-  return true;
-}
-
 bool scallop_gait_is_rational(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++)
     for (int i = 0; i < gait->phase[kind].count; i++)
-      if (!is_exact(&gait->phase[kind].pieces[i]) || is_sine(&gait->phase[kind].pieces[i]))
+      if (law_is_sine(&gait->phase[kind].pieces[i]))
         return false;
-  return true;
+  return scallop_gait_is_exact(gait);
 }
-
-static int sense(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START ? 1 : -1; }
 
 /* |l'| of a piece that is not a sine: its own fractions, or some that are made for now. */
 struct view {
@@ -274,7 +260,7 @@ void scallop_ball_end(arb_t u, const struct scallop_piece *p, slong precision)
 
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
 {
-  if (is_sine(p)) { /* (pi/2) sin(pi u) */
+  if (law_is_sine(p)) { /* (pi/2) sin(pi u) */
     arb_t half_pi;
     arb_init(half_pi);
     arb_const_pi(half_pi, precision);
@@ -289,7 +275,7 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
 {
-  if (is_sine(p)) { /* (pi^2/2) cos(pi u) */
+  if (law_is_sine(p)) { /* (pi^2/2) cos(pi u) */
     arb_t pi;
     arb_init(pi);
     arb_const_pi(pi, precision);
@@ -300,7 +286,7 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
     arb_clear(pi);
   } else
     evaluate_piece(rate, p, 1, u, precision);
-  arb_mul_si(rate, rate, sense(p), precision);
+  arb_mul_si(rate, rate, law_sense(p), precision);
 }
 
 void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, const arb_t v, slong precision)
@@ -308,7 +294,7 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
   arb_t a, b;
   arb_init(a);
   arb_init(b);
-  if (is_sine(p)) { /* (cos(pi u) - cos(pi v))/2 = sin(pi (u + v)/2) sin(pi (v - u)/2) */
+  if (law_is_sine(p)) { /* (cos(pi u) - cos(pi v))/2 = sin(pi (u + v)/2) sin(pi (v - u)/2) */
     arb_add(a, u, v, precision);
     arb_sub(b, v, u, precision);
     arb_mul_2exp_si(a, a, -1);
@@ -324,7 +310,7 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     view_close(&view);
     arb_sub(way, b, a, precision);
   }
-  arb_mul_si(way, way, sense(p), precision);
+  arb_mul_si(way, way, law_sense(p), precision);
   arb_clear(a);
   arb_clear(b);
 }
@@ -336,10 +322,10 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
   arb_poly_t time;
   arb_init(s);
   arb_poly_init(time);
-  arb_set_si(s, sense(p));
+  arb_set_si(s, law_sense(p));
   arb_poly_set_coeff_arb(time, 1, s);
   arb_poly_set_coeff_arb(time, 0, u);
-  if (is_sine(p)) {
+  if (law_is_sine(p)) {
     arb_poly_sin_pi_series(series, time, length, precision);
     arb_const_pi(s, precision);
     arb_mul_2exp_si(s, s, -1);
@@ -391,10 +377,10 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
   arb_init(pi);
   arb_poly_init(offset);
   arb_poly_set(offset, time);
-  if (sense(p) < 0)
+  if (law_sense(p) < 0)
     arb_poly_neg(offset, offset);
   arb_poly_set_coeff_arb(offset, 0, u);
-  if (is_sine(p)) {
+  if (law_is_sine(p)) {
     arb_poly_sin_cos_pi_series(speed, rate, offset, length, precision);
     arb_const_pi(pi, precision);
     arb_mul_2exp_si(pi, pi, -1);
@@ -415,7 +401,7 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     view_close(&view);
     fmpq_poly_clear(slope);
   }
-  if (sense(p) < 0)
+  if (law_sense(p) < 0)
     arb_poly_neg(rate, rate);
   arb_clear(pi);
   arb_poly_clear(offset);
@@ -424,8 +410,8 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
 bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
 {
   *turned = p->anchor != next->anchor;
-  if (is_sine(p) || is_sine(next))
-    return is_sine(p) && is_sine(next);
+  if (law_is_sine(p) || law_is_sine(next))
+    return law_is_sine(p) && law_is_sine(next);
   fmpq_t start;
   fmpq_poly_t here, there;
   fmpq_init(start);
@@ -461,17 +447,17 @@ static void sine_at_its_zero(fmpq_poly_t series, slong length, const fmpq_t pi_s
 bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piece *p, const fmpq_t u, slong length,
                                    const fmpq_t pi_squared)
 {
-  if (is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
+  if (law_is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
     return false;
-  if (is_sine(p)) {
+  if (law_is_sine(p)) {
     fmpq_poly_t time;
     fmpq_poly_init(time);
-    fmpq_poly_set_coeff_si(time, 1, sense(p));
+    fmpq_poly_set_coeff_si(time, 1, law_sense(p));
     sine_at_its_zero(series, length, pi_squared);
     fmpq_poly_compose(series, series, time);
     fmpq_poly_clear(time);
   } else
-    polynomial_of_time(series, p, sense(p), u);
+    polynomial_of_time(series, p, law_sense(p), u);
   fmpq_poly_truncate(series, length);
   return true;
 }

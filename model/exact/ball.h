@@ -44,8 +44,6 @@ void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_cr
 void scallop_rational_duration(fmpq_t duration, const struct scallop_rational_crawler *crawler,
                                enum scallop_phase_kind kind);
 
-/* Whether l' is known exactly in every piece of both phases (struct scallop_law in model.h). */
-bool scallop_gait_is_exact(const struct scallop_gait *gait);
 /* Whether every coefficient of l' is rational, so that series have exact coefficients. */
 bool scallop_gait_is_rational(const struct scallop_gait *gait);
 

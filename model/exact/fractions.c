@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "model/exact/ball.h"
+#include "model/law.h"
 
 void fractions_init(struct scallop_fractions *f)
 {
@@ -105,7 +106,7 @@ void fractions_of_doubles(struct scallop_fractions *f, const struct scallop_piec
 {
   fmpq_poly_struct *law = f->speed;
   fmpq *origin = f->origin;
-  int sense = p->anchor == SCALLOP_FROM_START ? 1 : -1;
+  int sense = law_sense(p);
   scallop_rational_set_double(f->least, sense > 0 ? p->begin : p->end);
   scallop_rational_set_double(f->most, sense > 0 ? p->end : p->begin);
   fmpq_poly_zero(law);
@@ -126,8 +127,6 @@ void fractions_of_doubles(struct scallop_fractions *f, const struct scallop_piec
     divide_by_sum(law, &p->law->polynomial.denominator, 1);
   }
 }
-
-static bool is_sine(const struct scallop_piece *p) { return p->law && p->law->kind == SCALLOP_LAW_SINE; }
 
 void scallop_exact_init(struct scallop_exact_gait *e) { *e = (struct scallop_exact_gait){ .count = 0 }; }
 
@@ -162,7 +161,7 @@ void scallop_exact_of(struct scallop_exact_gait *e, const struct scallop_gait *g
 {
   copy_pieces(e, gait);
   for (int i = 0; i < e->count; i++)
-    if (!e->pieces[i].exact && !is_sine(&e->pieces[i]) && (e->pieces[i].law || e->pieces[i].linear)) {
+    if (!e->pieces[i].exact && !law_is_sine(&e->pieces[i]) && (e->pieces[i].law || e->pieces[i].linear)) {
       fractions_of_doubles(&e->fractions[i], &e->pieces[i]);
       e->pieces[i].exact = &e->fractions[i];
     }

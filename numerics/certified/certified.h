@@ -4,8 +4,8 @@
  * velocities of the bodies themselves, forces from Newton's law, P(v) = v solved as it stands; digits that
  * this loses are put back by working with more. Each switching time is enclosed and shown to be the only one
  * in its interval, each mode follows from the forces, and precision is raised until the digits asked for hold.
- * What cannot be decided at any precision, a body that touches v = 0 exactly, a force exactly at its limit where l'' varies,
- * is said. Needs FLINT. Parameters are exact rationals: nothing is rounded on the way in.
+ * A motion that no precision decides is SCALLOP_EUNDECIDED: a body that touches v = 0 exactly, a force exactly at its limit where l''
+ * varies. Needs FLINT. Parameters are exact rationals: nothing is rounded on the way in.
  */
 #ifndef SCALLOP_CERTIFIED_H
 #define SCALLOP_CERTIFIED_H

@@ -1,5 +1,5 @@
 /* Zeros in ball arithmetic: the part of the certified solver that proves where something becomes 0 first, or that it
- * does not. Private to numerics/certified/certified.c. Times s run from 0 to 1 over a phase; l' and its derivatives are signed. */
+ * does not. Private to numerics/certified/. Times s run from 0 to 1 over a phase; l' and its derivatives are signed. */
 #ifndef SCALLOP_ENCLOSE_H
 #define SCALLOP_ENCLOSE_H
 

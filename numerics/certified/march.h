@@ -1,4 +1,4 @@
-/* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to numerics/certified/certified.c.
+/* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to numerics/certified/.
  * Unit of time: the phase; of length: L. */
 #ifndef SCALLOP_MARCH_H
 #define SCALLOP_MARCH_H

@@ -20,7 +20,7 @@ static void look(const struct scallop_piece *p, struct meeting *m, struct scallo
   double velocity, acceleration;
   piece_rates(p, m->x, &velocity, &acceleration);
   m->height = p->direction * velocity;
-  m->slope = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * acceleration;
+  m->slope = law_sense(p) * p->direction * acceleration;
   work->gait_evaluations++;
 }
 

@@ -18,8 +18,6 @@ static double finest(double a, double b)
 /* n with |b - a| <= 2^n ulp */
 static int halvings(double a, double b) { return ilogb(b - a) - ilogb(finest(a, b)) + 1; }
 
-int itp_most(double a, double b) { return a == b ? 2 : halvings(a, b) + 4; }
-
 /* Where the chord is 0. The values may be subnormal: their ratio is formed first. */
 static double interpolated(const struct bracket *k)
 {

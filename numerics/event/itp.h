@@ -12,11 +12,8 @@
  * Ends where f is 0 or the ends of the bracket are next to each other, and returns that of them with the smaller |f|. Where f has the
  * same sign at a and b, so that one of the values is rounding, that of a and b with the smaller |f|.
  *
- * f is evaluated at most itp_most(a, b) times. It need not be monotone, or continuous; its slope is not used. */
+ * f is evaluated at most ceil(log2(|b - a|/ulp)) + 5 times, with the ulp of the smaller of |a| and |b|: halving, both ends, and three to spare.
+ * That is 57 where b = 2 a, and 1079 where a = 0 and b = 1. f need not be monotone, or continuous; its slope is not used. */
 double itp_root(root_function *f, const void *context, double a, double b);
-
-/* ceil(log2(|b - a|/ulp)) + 4, or one more, with the ulp of the smaller of |a| and |b|: halving, both ends, and two to spare. 57 where
- * b = 2 a, 1076 at most for a = 0 and b <= 1. */
-int itp_most(double a, double b);
 
 #endif

@@ -1,10 +1,11 @@
-/* The legs of a piece, from which a walk (walk.h) measures its times. Not public.
+/* The legs of a piece: the parts of it in which a walk (walk.h) measures its times from one place. Not public.
  *
- * A piece of a spline, or a dwell, may be 1e-8 of the phase long, anywhere in it. What friction does in it is known to as many digits as times
- * are relative to its length: so they are measured from a knot of the piece, and not from an end of the phase. A leg of a dwell, and one of a
- * piece of a spline, is measured from where the piece begins, where after a rise velocities are small, and decay in as short a time. The last
- * piece of a phase has a second leg, from its middle on, measured from the end of the phase. A piece of a spline that is cut at half of the
- * phase is measured from the knot that it has. Any other piece is one leg, as it is. */
+ * A piece of a spline, or a dwell, can be as short as 1e-8 of the phase. A time in such a piece keeps its digits only if it is measured from
+ * a knot of the piece, and not from an end of the phase:
+ *     a dwell, a piece of a spline           one leg, measured from where the piece begins
+ *     the last piece of a spline             two legs of equal length; the second is measured from the end of the phase
+ *     a piece of a spline, cut at half time  one leg, measured from its knot
+ *     any other piece                        one leg, the piece itself */
 #ifndef SCALLOP_LEG_H
 #define SCALLOP_LEG_H
 

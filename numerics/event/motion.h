@@ -3,6 +3,7 @@
 #ifndef SCALLOP_MOTION_H
 #define SCALLOP_MOTION_H
 
+#include "model/law.h"
 #include "numerics/numerics.h"
 
 /* l' and l'' at an offset of a piece */

@@ -26,7 +26,7 @@ static struct tangent tangent_at(const struct scallop_piece *p, double x)
 {
   double velocity, acceleration;
   piece_rates(p, x, &velocity, &acceleration);
-  double slope = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * acceleration;
+  double slope = law_sense(p) * p->direction * acceleration;
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
@@ -77,7 +77,7 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
     r->c_start = first_guess(s);
     return REGULAR_NOT;
   }
-  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  const struct scaling scaling = scaling_again(s);
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
   r->c_start = 0;

@@ -6,8 +6,9 @@
 
 struct doubt {
   double
-      left; /* what cancellation has left of the parts that a displacement is the sum of: < 1 if it is to be mended, else 1 */
-  bool delicate; /* the multiplier depends on where in the last digit the start velocity lies          */
+      left; /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
+  bool
+      delicate; /* a change of the start velocity by less than an ulp changes the multiplier                                     */
 };
 
 /* As scallop_phase, scallop_period and scallop_steady. */

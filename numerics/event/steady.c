@@ -70,8 +70,8 @@ static struct bracket steady_states(const struct scallop_scaled *s, double c)
   return (struct bracket){ c, c };
 }
 
-/* The contraction does to velocities what the extension does to their opposites. Then the mirror image of the only steady state, half
- * a period late, is steady as well: it is that state, which goes back as far as it came. */
+/* The contraction maps velocities as the extension maps their opposites. Then the mirror image of a steady state, half a period late, is
+ * steady too. As there is only one steady state, both are the same, and the displacement is 0. */
 static bool is_mirrored(const struct scallop_scaled *s)
 {
   if (s->fraction[SCALLOP_EXTENSION] != s->fraction[SCALLOP_CONTRACTION] || !scallop_gait_mirrors(s->gait))
@@ -91,8 +91,8 @@ static bool is_level(const struct scallop_shape *shape)
   return true;
 }
 
-/* l' jumps from one level to another and back, and each jump throws the same body, one way and the other, which friction then brings to
- * rest, in opposite modes: it goes back as far as it came. */
+/* l' jumps between two levels, and each jump throws the same body, first one way and then the other. Friction brings it to rest each
+ * time, in opposite modes, so that the displacement is 0. */
 static bool is_thrown_back(const struct scallop_scaled *s, const struct period *p)
 {
   struct scallop_modes modes[2];
@@ -146,8 +146,8 @@ static void improve(const struct scallop_scaled *s, struct period *p)
   p->c_start = p->c_end;
 }
 
-/* Newton's method, kept inside a bracket that is halved whenever two steps did not halve the balance. within: the bracket, or NULL: it is
- * surely(), which is wanted when Newton's method is in doubt, which is seldom. */
+/* Newton's method in a bracket, which is halved whenever two steps did not halve the balance. within: the bracket; NULL: surely(), which is
+ * computed only when Newton's method is slow or leaves what is known of the bracket. */
 static enum scallop_status find_root(const struct scallop_scaled *s, double guess, const struct bracket *within,
                                      struct period *p, struct scallop_work *work)
 {
@@ -180,8 +180,8 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
   return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before STEPS */
 }
 
-/* If the root is near the level of a curve over a plateau of l', finds the root once more, counted from that level. Friction may change c by
- * less than rounding of c there; the rest tells where on the plateau c meets the curve, and so the modes and the multiplier. */
+/* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that level: friction may
+ * change c by less than an ulp of c, but this change decides where on the plateau c meets the curve, and so the modes and the multiplier. */
 static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
 {
   const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
@@ -293,7 +293,7 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct stea
 {
   struct held h;
   const struct scallop_shape *phase = s->gait->phase;
-  const struct scaling scaling = { s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
+  const struct scaling scaling = scaling_again(s);
   if (!has_ramps(s->gait))
     return false;
   struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);

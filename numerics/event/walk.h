@@ -155,7 +155,7 @@ static void look_again(struct walk *w)
 static void look_along(struct walk *w, const struct scallop_piece *next)
 {
   w->piece = w->leg.piece;
-  w->sense = w->piece->anchor == SCALLOP_FROM_START ? 1 : -1;
+  w->sense = law_sense(w->piece);
   w->u = w->piece->begin;
   w->here = rates_at(w, w->piece->begin);
   w->end = rates_at(w, w->piece->end);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/law.h"
 #include "numerics/event/leg.h"
 #include "numerics/numerics.h"
 
@@ -63,8 +64,8 @@ enum { WALK_FEW_PIECES = 16 };
  *
  * Region j lies above curve j and region j + 1 below it.
  *
- * Where l' is 0 the curves meet at c = 0, and region 1 ends there: a node. So who comes to a node within a phase through region 1, or along a
- * curve, has c = 0 there, exactly. While l' stays 0, a dwell, both curves are c = 0, and c on them is both bodies at rest. */
+ * Where l' is 0 the curves meet at c = 0 and region 1 ends: a node. A motion that reaches a node within a phase through region 1, or along
+ * a curve, has exactly c = 0 there. In a dwell, while l' stays 0, both curves are c = 0; on them both bodies are at rest. */
 struct walk {
   const struct walk_input *in;
   struct leg leg;

@@ -8,8 +8,9 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "numerics/rivals/rival_phases.h"
+#include "numerics/event/motion.h"
 #include "numerics/event/start.h"
+#include "numerics/rivals/rival_phases.h"
 
 enum { DIMENSION = 2 };
 
@@ -55,17 +56,6 @@ static int equation(double t, const double y[], double dydt[], void *params)
   return GSL_SUCCESS;
 }
 
-static void gait_rates(const struct scallop_piece *p, double t, double *velocity, double *acceleration)
-{
-  double u = rival_flip(p, t);
-  if (p->curve->rates) {
-    p->curve->rates(p, u, velocity, acceleration);
-    return;
-  }
-  *velocity = p->curve->velocity(p, u);
-  *acceleration = p->curve->acceleration(p, u);
-}
-
 /* d tanh(x)/dx. Not 1/cosh(x)^2, which overflows on the way to 0. */
 static double tanh_slope(double x)
 {
@@ -78,7 +68,7 @@ static int jacobian(double t, const double y[], double *dfdy, double dfdt[], voi
   struct run *run = params;
   struct rival_phases *r = &run->phases;
   double c = y[0], l1, l2, steepness = r->eps / run->d;
-  gait_rates(run->piece, t, &l1, &l2);
+  piece_rates(run->piece, rival_flip(run->piece, t), &l1, &l2);
   double slope1 = r->f[0] * tanh_slope((c - r->mu[1] * l1) / run->d);
   double slope2 = r->f[1] * tanh_slope((c + r->mu[0] * l1) / run->d);
   dfdy[0] = -steepness * (slope1 + slope2);

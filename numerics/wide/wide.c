@@ -22,17 +22,6 @@ int scallop_width_bits(enum scallop_width width)
   return WIDE_HAS_FLOAT128 || LDBL_MANT_DIG == 113 ? 113 : 0;
 }
 
-static bool is_exact(const struct scallop_gait *gait)
-{
-  for (int kind = 0; kind < 2; kind++)
-    for (int i = 0; i < gait->phase[kind].count; i++) {
-      const struct scallop_piece *p = &gait->phase[kind].pieces[i];
-      if (!p->linear && !p->law)
-        return false;
-    }
-  return true;
-}
-
 /* status: of the same solve in double */
 static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_status status)
 {
@@ -40,7 +29,7 @@ static enum scallop_status check(enum scallop_width width, const struct scallop_
     return status;
   if (status == SCALLOP_INTERVAL) /* none of them is the one */
     return SCALLOP_EDOMAIN;
-  return scallop_width_bits(width) > 0 && is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
+  return scallop_width_bits(width) > 0 && scallop_gait_is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
 
 static bool are_finite(const struct scallop_wide *const numbers[], int count)
@@ -64,7 +53,7 @@ static bool choose_width(const struct scallop_gait *gait, double left, enum scal
 {
   bool long_enough = long_double_bits() > DBL_MANT_DIG && left > ldexp(1, DBL_MANT_DIG + 1 - LDBL_MANT_DIG);
   *width = long_enough || scallop_width_bits(SCALLOP_BINARY128) == 0 ? SCALLOP_LONG_DOUBLE : SCALLOP_BINARY128;
-  return is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
+  return scallop_gait_is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
 }
 
 static const struct wide_solver *const solvers[] = { [SCALLOP_LONG_DOUBLE] = &wide_long, [SCALLOP_BINARY128] = &wide_quad };

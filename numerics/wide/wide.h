@@ -1,10 +1,9 @@
-/* The exact solver once more in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of
- * x86) or 113 (binary128, in software: some hundred times slower). It tells what rounding did to a result in double, without
- * the certified solver and FLINT; it proves nothing. The steady state is found from the walk alone, by none of the double
- * solver's short cuts.
+/* The exact solver in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of x86) or 113 (binary128, in
+ * software, about a hundred times slower). It estimates the rounding error of a result in double, without FLINT; it proves nothing. It uses
+ * none of the double solver's short cuts.
  *
- * For gaits whose pieces have an exact law (struct scallop_law) or are linear; others are
- * SCALLOP_EDOMAIN, and so are steady states that fill an interval, as they can where l' jumps. Parameters are taken for exactly the doubles they are. Allocates nothing.
+ * Domain: gaits with exact laws (scallop_gait_is_exact); others are SCALLOP_EDOMAIN, as are steady states that fill an interval, which they
+ * can where l' jumps. Parameters are exactly the doubles given. Allocates nothing.
  */
 #ifndef SCALLOP_WIDE_H
 #define SCALLOP_WIDE_H
@@ -53,10 +52,10 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
 enum scallop_status scallop_wide_steady(enum scallop_width width, const struct scallop_crawler *crawler,
                                         struct scallop_wide_steady *result);
 
-/* Estimates of |computed - true| for each number of a result in double: bounds, but for a chance that nothing proves: the distance
- * to the result in the widest arithmetic there is, and for what that is off by itself 2^-62 of the number and, of a displacement, 2^-111 of
- * the parts that it is the sum of. With 113 bits they hold unless rounding is magnified more than 2^50 times; tests/numerics/certified/test_wide.c measures them against certified values. nan where the
- * number is. */
+/* Estimates of |computed - true| for each number of a result in double: the distance to the result in the widest arithmetic available, plus
+ * 2^-62 of the number and, for a displacement, 2^-111 of the parts that it is the sum of, for the error of that result itself. Not proven: with
+ * 113 bits they are bounds unless rounding is magnified more than 2^50 times. tests/numerics/certified/test_wide.c compares them with certified
+ * values. nan where the number is nan. */
 struct scallop_phase_error {
   double t1, dT, v_end, dx1, dx2, dxC;
 };

@@ -86,7 +86,7 @@ static real walk_velocity(const struct scallop_piece *p)
 
 static real walk_acceleration(const struct scallop_piece *p)
 {
-  int sign = p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
+  int sign = law_sense(p) * p->direction;
   if (!p->law || p->direction == 0)
     return p->acceleration;
   const struct scallop_ramp_law *ramp = &p->law->ramp;
@@ -98,7 +98,7 @@ static real walk_acceleration(const struct scallop_piece *p)
 static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
 {
   *velocity = p->direction * speed_derivative(p, u, 0);
-  *acceleration = (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * speed_derivative(p, u, 1);
+  *acceleration = law_sense(p) * p->direction * speed_derivative(p, u, 1);
 }
 
 static real walk_way(const struct scallop_piece *p, real from, real to)

@@ -40,7 +40,7 @@ static real rate_beyond(const void *context, real u, real *slope)
 
 static real walk_when(const struct scallop_piece *p, real a)
 {
-  const struct rate_search search = { p, (p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction) * a };
+  const struct rate_search search = { p, law_sense(p) * p->direction * a };
   struct root_end begin = { .u = p->begin }, end = { .u = p->end };
   begin.f = rate_beyond(&search, begin.u, &begin.slope);
   end.f = rate_beyond(&search, end.u, &end.slope);
@@ -70,8 +70,7 @@ static real near_root(root_function *f, const void *context, struct root_end a, 
     }
   } else if (f == rate_beyond) {
     const struct rate_search *s = context;
-    double sense = s->piece->anchor == SCALLOP_FROM_START ? s->piece->direction : -s->piece->direction;
-    u = s->piece->curve->when(s->piece, sense * (double)s->wanted);
+    u = s->piece->curve->when(s->piece, law_sense(s->piece) * s->piece->direction * (double)s->wanted);
   }
   if (u > lo && u < hi)
     return u;

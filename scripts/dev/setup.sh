@@ -36,7 +36,7 @@ look() { # GOAL...: what is missing
                   fi
                 fi ;;
       plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
-                [ -x /usr/bin/python3 ] || need python3 ;;
+                /usr/bin/python3 -c 'import jinja2' 2>/dev/null || need "python3 python3-jinja2" ;;
       report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
       explorer) command -v clang >/dev/null 2>&1 || need clang
                 command -v wasm-ld >/dev/null 2>&1 || need lld
@@ -49,6 +49,7 @@ look() { # GOAL...: what is missing
                 command -v pkg-config >/dev/null 2>&1 || need pkgconf
                 command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
                 /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"
+                /usr/bin/python3 -c 'import jinja2' 2>/dev/null || need python3-jinja2
                 /usr/bin/python3 -c 'import numpy' 2>/dev/null || need python3-numpy ;;
       lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
                 command -v clang-format >/dev/null 2>&1 || need clang-format

@@ -4,7 +4,8 @@
 set -eu
 tables=$1 plots=$2 maps=$3
 mkdir -p "$plots"
-for name in figure2 figure3 figure4 figure5 errors workprec map_regimes map_reach map_velocity; do
+for name in figure2 figure3 figure4 figure5 errors workprec stress map_regimes map_reach map_velocity \
+  found_order found_zero found_peak found_froude found_alpha found_sign; do
   for kind in svg png; do
     code=0
     gnuplot -d -e "table='$tables/$name.tsv'; tables='$tables'; work='$maps'; output_file='$plots/$name.$kind'; kind='$kind'" \

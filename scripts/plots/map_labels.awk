@@ -1,7 +1,10 @@
-# Where to write the number of each region of a map, from its grid: the node that is farthest from other regions. Prints, numbered
-# from the largest region on: number x y modes regime.
+# Where to write the number of each region of a map, from its grid: the node that is farthest from other regions. Prints number x y
+# modes regime. Numbers go from the largest region on, but a region keeps the number that it has in other maps, whose numbers come first:
+#   awk -f scripts/plots/map_labels.awk [NUMBERS...] GRID
 BEGIN { FS = OFS = "\t" }
+FNR == 1 { numbers = $1 == "number" }
 /^#/ { next }
+numbers { if (FNR > 1) { number[$4] = $1; if ($1 > last) last = $1 } next }
 !named { for (i = 1; i <= NF; i++) at[$i] = i; named = 1; next }
 {
   if (!($1 in column)) { column[$1] = columns++; xs[columns - 1] = $1 }
@@ -42,7 +45,9 @@ END {
     most = 0
     for (m in size) if (size[m] > most || (size[m] == most && most > 0 && m < chosen)) { most = size[m]; chosen = m }
     if (most == 0) break
-    print ++n, xs[bx[chosen]], ys[by[chosen]], chosen, regime[chosen]
+    if (!(chosen in number)) number[chosen] = ++last
+    line[number[chosen]] = number[chosen] OFS xs[bx[chosen]] OFS ys[by[chosen]] OFS chosen OFS regime[chosen]
     delete size[chosen]
   }
+  for (n = 1; n <= last; n++) if (n in line) print line[n]
 }

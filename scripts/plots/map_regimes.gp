@@ -42,7 +42,7 @@ do for [k=1:2] {
   set xrange [*:*]
   set yrange [*:*]
   stats numbers using 1 nooutput
-  many = int(STATS_max)
+  many = int(STATS_records)
   unset xlabel
   unset ylabel
   unset title
@@ -54,9 +54,9 @@ do for [k=1:2] {
   set tmargin at screen 0.30
   lines = (many + 1) / 2
   y_of(n) = 0.97 - 0.93 * (int(n-1) % lines) / (lines < 6 ? 6 : lines)
-  plot numbers using (($1 > lines ? 0.52 : 0)):(y_of($1)):(sprintf("%d", $1)) with labels left font "DejaVu Sans Bold,".(kind eq "png" ? "14" : "11"), \
-    numbers using (($1 > lines ? 0.57 : 0.05)):(y_of($1)):(stringcolumn(4)) with labels left font "DejaVu Sans Mono,".(kind eq "png" ? "13" : "10"), \
-    numbers using (($1 > lines ? 0.57 : 0.05) + 0.25):(y_of($1)):(stringcolumn(5)) with labels left font "DejaVu Sans,".(kind eq "png" ? "13" : "10")
+  plot numbers using (($0 >= lines ? 0.52 : 0)):(y_of($0 + 1)):(sprintf("%d", $1)) with labels left font "DejaVu Sans Bold,".(kind eq "png" ? "14" : "11"), \
+    numbers using (($0 >= lines ? 0.57 : 0.05)):(y_of($0 + 1)):(stringcolumn(4)) with labels left font "DejaVu Sans Mono,".(kind eq "png" ? "13" : "10"), \
+    numbers using (($0 >= lines ? 0.57 : 0.05) + 0.25):(y_of($0 + 1)):(stringcolumn(5)) with labels left font "DejaVu Sans,".(kind eq "png" ? "13" : "10")
   set border 15
   set xtics out nomirror
   set ytics out nomirror

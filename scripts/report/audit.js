@@ -47,7 +47,7 @@ globalThis.audit = (() => {
       const ratio = contrast(over(channels(style.color), background(element)), background(element));
       if (ratio < 4.5) bad.push(`contrast ${ratio.toFixed(2)} of ${named(element)}`);
       const wanted = element.closest('table') ? leastInTables : least;
-      if (parseFloat(style.fontSize) < wanted && !element.closest('sup, sub')) {
+      if (parseFloat(style.fontSize) < wanted && !element.closest('sup, sub, math')) {
         bad.push(`font size ${style.fontSize} of ${named(element)}`);
       }
     }
@@ -100,50 +100,59 @@ globalThis.audit = (() => {
     for (const pixel of pixels) counts.set(pixel, (counts.get(pixel) || 0) + 1);
     return { colours: counts.size, common: Math.max(...counts.values()) / pixels.length };
   };
-  const tables = () => Array.from(document.querySelectorAll('table.sortable'), (table) => ({
-    id: table.id, rows: table.tBodies[0].rows.length, wanted: Number(table.closest('details.table')?.dataset.rows ?? NaN),
-    columns: Array.from(table.tHead.rows[0].cells, (cell) => ({ name: cell.dataset.column,
-      numeric: cell.classList.contains('n'),      button: cell.querySelector('button') !== null })) }));
-  const heading = (id, column) => document.getElementById(id).tHead.rows[0].cells[column];
-  const click = (id, column) => {
-    heading(id, column).querySelector('button').click();
-    const table = document.getElementById(id);
-    return { sorted: heading(id, column).ariaSort, others: table.querySelectorAll('[aria-sort]').length,
-      cells: Array.from(table.tBodies[0].rows, (row) => {
-        const marked = row.cells[column].querySelector('data');
-        return marked ? marked.value : row.cells[column].textContent.trim();
-      }) };
-  };
-  const focus = (id, column) => {
-    heading(id, column).querySelector('button').focus();
-    return document.activeElement === heading(id, column).querySelector('button');
-  };
-  // Opens every <details> but those of long tables, and resolves when the page is drawn again.
   const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   const open = async () => {
-    for (const details of document.querySelectorAll('details:not(.table)')) details.open = true;
-    await drawn();
-  };
-  // A long table is opened, which fills it, or closed; others stay as they are.
-  const turn = async (id, opened) => {
-    const details = document.getElementById(id).closest('details.table');
-    if (!details) return;
-    const turned = new Promise((done) => details.addEventListener('toggle', done, { once: true }));
-    details.open = opened;
-    await turned;
+    for (const details of document.querySelectorAll('details')) details.open = true;
     await drawn();
   };
   const width = () => [document.documentElement.scrollWidth, innerWidth];
+  // Verdict and conditions of every row of a ledger are within the window, and formulas are drawn.
+  const ledgers = () => {
+    const bad = [];
+    for (const cell of document.querySelectorAll('.ledger tbody tr:not(.claim) :is(td:nth-child(1), td:nth-child(3))')) {
+      const box = cell.getBoundingClientRect();
+      const inside = box.width > 20 && box.left >= 0 && box.right <= innerWidth && cell.scrollWidth <= Math.ceil(box.width);
+      if (!inside) bad.push(`out of sight: ${named(cell)}`);
+    }
+    for (const formula of document.querySelectorAll('math')) {
+      const box = formula.getBoundingClientRect();
+      if (box.width < 3 || box.height < 5) bad.push(`a formula of ${box.width} x ${box.height} px: ${named(formula)}`);
+    }
+    return bad.slice(0, 5);
+  };
+  // Pictures and captions that lie over one another
+  const overlaps = () => {
+    const parts = Array.from(document.querySelectorAll('figure .plot svg, figcaption'), (part) => [part, part.getBoundingClientRect()]);
+    return parts.slice(1).filter(([, box], i) => {
+      const before = parts[i][1];
+      return Math.min(box.bottom, before.bottom) - Math.max(box.top, before.top) > 1
+        && Math.min(box.right, before.right) - Math.max(box.left, before.left) > 1;
+    }).map(([part]) => `lies over what is before it: ${part.getAttribute('aria-label') || named(part)}`);
+  };
+  // How far each body of the crawlers goes, back and forth, in a second, in pixels
+  const moved = async () => {
+    const bodies = Array.from(document.querySelectorAll('.body1, .body2'));
+    const places = () => bodies.map((body) => new DOMMatrix(getComputedStyle(body).transform).e);
+    const paths = bodies.map(() => 0);
+    await drawn();
+    for (let before = places(), i = 0; i < 4; i++) {
+      await new Promise((done) => setTimeout(done, 250));
+      const now = places();
+      now.forEach((place, body) => { paths[body] += Math.abs(place - before[body]); });
+      before = now;
+    }
+    return paths;
+  };
   // Follows a link to the ledger; gives what is shown, what should be, and what the line above the table says.
   const filtered = (selector) => {
     const link = document.querySelector(selector);
     link.click();
-    const rows = Array.from(document.querySelectorAll('#ledger-table tbody tr'));
+    const rows = Array.from(document.querySelectorAll('#ledger-table tr[data-verdict]'));
     const { verdict, scope } = link.dataset;
     return { shown: rows.filter((row) => row.getClientRects().length > 0).length,
       wanted: rows.filter((row) => row.dataset.verdict === verdict && row.dataset.scope === scope).length,
       said: Number(link.textContent.match(/\d+/)[0]),
       says: document.querySelector('.controls output').textContent };
   };
-  return { texts, plotTexts, colours, pictures, painted, tables, heading, click, focus, open, turn, width, filtered };
+  return { texts, plotTexts, colours, pictures, painted, open, width, ledgers, overlaps, moved, filtered };
 })();

@@ -4,44 +4,24 @@
 scripts/report/check_report.py build/report/index.html [--quick] [--screenshots FOLDER]
 
 Nothing is said on the console and nothing is asked of the network; every figure is there and painted; the page is no wider
-than the window; text has contrast and size; every column of every table sorts up and down by mouse, and by keyboard; the
-ledger is filtered. Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it
-fails, 4 no such file.
+than the window; text has contrast and size; the ledger shows verdict and conditions of every row, and is filtered; the crawlers
+move, and stand still where no motion is wanted.
+
+Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it fails, 4 no such file.
 """
 import argparse
 import base64
-import re
 import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 import browser  # noqa: E402  (nothing is written beside the sources)
-import tables  # noqa: E402
 
 SIZES = {360: 740, 1280: 900}
 SCHEMES = ("light", "dark")
 TEXT, TEXT_IN_TABLES, TEXT_IN_PLOTS = 14, 12, 9  # least pixels
-LONG = "table-figure3"  # stands for all long tables where text is looked at
 SLICE = 2000  # pixels of height of a screenshot
-KEYS = (("Enter", "Enter", 13, "\r", "ascending"), (" ", "Space", 32, " ", "descending"))
 REPORTS = {"Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"}
-
-
-def natural(cell):
-    """Texts by their letters, the numbers in them by size: an order of its own, to hold the page's against."""
-    return [(int(piece), "") if i % 2 else (0, piece) for i, piece in enumerate(re.split(r"([0-9]+)", cell.lower()))]
-
-
-def out_of_order(cells, numeric, descending):
-    """What is wrong with the order of a column, or None: missing cells last, the others up or down."""
-    last = [cell in tables.MISSING or (numeric and tables.value(cell) is None) for cell in cells]
-    if last != sorted(last):
-        return "a missing cell stands before another"
-    keys = [tables.value(cell) if numeric else natural(cell) for cell, missing in zip(cells, last) if not missing]
-    if descending:
-        keys.reverse()
-    wrong = next((i for i in range(1, len(keys)) if keys[i] < keys[i - 1]), None)
-    return None if wrong is None else f"{keys[wrong - 1]} stands before {keys[wrong]}"
 
 
 class Check:
@@ -99,49 +79,17 @@ class Check:
                     f"{name}: blank, {painted['colours']} colours, one on {100 * painted['common']:.1f} % of it"
                 )
 
-    def legible(self):
-        for what in (
-            self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
-        ):
-            self.complain(what)
-
-    def sorting(self, table):
-        for column, heading in enumerate(table["columns"]):
-            before = None
-            for wanted in ("ascending", "descending"):
-                name = f"#{table['id']}, {heading['name']}, {wanted}"
-                if not heading["button"]:
-                    self.complain(f"{name}: no button")
-                    break
-                after = self.call("click", table["id"], column)
-                if after["sorted"] != wanted or after["others"] != 1:
-                    self.complain(f"{name}: aria-sort is {after['sorted']}, on {after['others']} headings")
-                wrong = out_of_order(after["cells"], heading["numeric"], wanted == "descending")
-                if wrong:
-                    self.complain(f"{name}: {wrong}")
-                if before is not None and sorted(before) != sorted(after["cells"]):
-                    self.complain(f"{name}: other cells than before")
-                before = after["cells"]
-
-    def keyboard(self, table):
-        if not self.call("focus", table["id"], 0):
-            self.complain(f"#{table['id']}: its heading cannot have the focus")
-            return
-        for key, code, number, typed, wanted in KEYS:
-            self.page.type_key(key, code, number, typed)
-            got = self.page.run(f"audit.heading('{table['id']}', 0).ariaSort")
-            if got != wanted:
-                self.complain(f"#{table['id']}: {code} gives aria-sort {got}, not {wanted}")
-
-    def each_table(self):
-        for identifier in [table["id"] for table in self.call("tables")]:
-            self.page.run(f"audit.turn('{identifier}', true)")
-            table = next(table for table in self.call("tables") if table["id"] == identifier)
-            if table["wanted"] is not None and table["rows"] != table["wanted"]:
-                self.complain(f"#{identifier}: {table['rows']} rows of {table['wanted']}")
-            self.keyboard(table)
-            self.sorting(table)
-            self.page.run(f"audit.turn('{identifier}', false)")
+    def motion(self, scheme):
+        """The crawlers move, unless they are stopped or the reader wants no motion, as from here on."""
+        if min(self.call("moved")) < 1:
+            self.complain("a crawler does not move")
+        self.page.run("document.getElementById('still').click()")
+        if max(self.call("moved")) > 0:
+            self.complain("a crawler does not stop")
+        self.page.prefer(color_scheme=scheme, reduced_motion="reduce")
+        self.page.run("document.getElementById('still').click()")
+        if max(self.call("moved")) > 0:
+            self.complain("a crawler moves where no motion is wanted")
 
     def filtering(self):
         for verdict in ("holds", "sharper", "refuted"):
@@ -160,24 +108,25 @@ class Check:
             (folder / f"{width}-{scheme}-{number:02}.png").write_bytes(self.page.picture(box))
 
     def all(self, folder, quick):
-        """quick: the phone in the dark, and no long table."""
+        """quick: the phone in the dark."""
         for width in SIZES:
             for scheme in SCHEMES:
                 if quick and (width, scheme) != (360, "dark"):
                     continue
                 self.load(width, scheme)
+                self.motion(scheme)
                 self.width()
                 self.figures()
                 if folder:
                     self.screenshots(folder, width, scheme)
                 self.call("open")
-                self.page.run(f"audit.turn('{LONG}', true)")
                 self.width()
-                self.legible()
-                self.page.run(f"audit.turn('{LONG}', false)")
+                for what in (
+                    self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
+                    + self.call("ledgers") + self.call("overlaps")
+                ):
+                    self.complain(what)
                 self.filtering()
-                if (width, scheme) == (1280, "light"):
-                    self.each_table()
                 self.reports()
 
 
@@ -185,7 +134,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("page", type=Path)
     parser.add_argument(
-        "--quick", action="store_true", help="at the width of a phone, dark, and without sorting every table"
+        "--quick", action="store_true", help="at the width of a phone, dark"
     )
     parser.add_argument(
         "--screenshots", type=Path, metavar="FOLDER", help="write what was seen as WIDTH-SCHEME-NUMBER.png"

@@ -1,70 +1,103 @@
 #!/usr/bin/python3
-"""Writes the page that shows every figure, the ledger and the measurements, as one file that asks the network for nothing.
+"""Writes the page that shows what was found, every figure and the ledger, as one file that asks the network for nothing.
 
 scripts/report/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
 
-Tables are read (tables), counted (found), drawn (figures, drawing, stability), marked up (markup), and put into sections (ledger,
-sections) and a page (page). check_report.py drives a browser (browser) over the result.
+page.html is the page, filled in by Jinja, which escapes whatever comes from a file (tables, scenes) unless it was built as markup:
+plots (plots), formulas (book). check_report.py drives a browser (browser) over the result.
 
-The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 3 scripts/plots/cheapest.awk failed, 4 a file could
-not be read or written.
+The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 4 a file could not be read or written.
 """
 import argparse
+import base64
+import hashlib
 import os
-import subprocess
 import sys
 from pathlib import Path
+from urllib.parse import quote
 
 sys.dont_write_bytecode = True
-import figures  # noqa: E402  (nothing is written beside the sources)
-import found  # noqa: E402
-import page  # noqa: E402
+import jinja2  # noqa: E402  (nothing is written beside the sources)
+from markupsafe import Markup  # noqa: E402
+
+import book  # noqa: E402
+import journey  # noqa: E402
+import ledger  # noqa: E402
+import plots  # noqa: E402
 import tables  # noqa: E402
 
-
-class Inputs:
-    """What the page is made of. scenes: texts by the names of their tables; formulas: see found.formula_texts."""
-
-    def __init__(self, options):
-        self.warned = set()
-        self.plots = options.plots
-        self.tables = {name: tables.read(options.tables, name) for name in figures.NAMES}
-        self.scenes = self.read_scenes(options.scenes)
-        self.formulas = found.formula_texts(options.errata)
-        self.cheapest = cheapest(options.tables)
-
-    def warn(self, message):
-        if message not in self.warned:
-            print(f"report.py: {message}", file=sys.stderr)
-        self.warned.add(message)
-
-    def read_scenes(self, folder):
-        if not folder.is_dir():
-            self.warn(f"{folder}: there is no such folder: the page shows no scene")
-            return {}
-        scenes = {}
-        for name in figures.NAMES:
-            try:
-                scenes[name] = (folder / f"{name}.cfg").read_text(encoding="utf-8")
-            except FileNotFoundError:
-                self.warn(f"{folder / name}.cfg: there is no such scene: left out")
-        return scenes
+HERE = Path(__file__).parent
+EXPLORER = "../explorer/index.html"  # beside the page's folder; linked where it is there
 
 
-class Failed(Exception):
-    """scripts/plots/cheapest.awk could not be run, or did not do what was asked."""
+def fingerprint(source):
+    return "'sha256-" + base64.b64encode(hashlib.sha256(source.encode()).digest()).decode() + "'"
 
 
-def cheapest(folder):
-    """The summary of workprec.tsv: the cheapest method for each wanted error."""
-    command = ["awk", "-f", str(Path(__file__).parents[1] / "plots" / "cheapest.awk"), str(folder / "workprec.tsv")]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise Failed(f"awk: {error.strerror}") from error
-    if done.returncode != 0:
-        raise Failed(f"{' '.join(command)} ends with exit code {done.returncode}: {done.stderr.strip()}")
-    return tables.Table("cheapest", done.stdout, " ".join(command))
+def inside(text):
+    """The inside of a <math>; text that is no formula stays text."""
+    return book.typeset(text) or Markup("<mtext>{}</mtext>").format(text)
+
+
+def typeset(text):
+    """A formula within a line, or the text itself."""
+    shown = book.typeset(text)
+    return Markup("<math>{}</math>").format(shown) if shown else text
+
+
+def order(power):
+    """T^power, of the error of a formula; what is no number stays as it is."""
+    words = {"inf": "exact", "nan": "-", "0": typeset("T^0")}
+    return words.get(power) or (typeset(f"T^{power}") if power.lstrip("-").isdigit() else power)
+
+
+def remainder(claimed):
+    """What the paper prints behind a formula: + O(T^claimed), or nothing where it is an equality."""
+    return Markup("<mo>+</mo>{}").format(book.typeset(f"O(T^{claimed})")) if claimed.lstrip("-").isdigit() else ""
+
+
+def breakable(name):
+    return Markup("").join(letter + Markup("<wbr>") if letter in "_:" else letter for letter in name)
+
+
+def download(table):
+    # quote() leaves letters, digits and _.-~ alone; these others are as harmless in a quoted attribute
+    return "data:text/tab-separated-values;charset=utf-8," + quote(table.text, safe=" |()+*/:=,;!")
+
+
+def fragment(table, also):
+    """The parameters of a table's crawler, and others, as the explorer takes them: F1=4&T=1"""
+    given = dict(pair.split("=") for pair in f"{table.comment('parameters')} {also}".split())
+    return "&".join(f"{name}={quote(value, safe=':,')}" for name, value in given.items())
+
+
+def page(options):
+    """The page as text."""
+    read = tables.Folder(options.tables)
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    for function in (order, typeset, inside, remainder, breakable, download, fragment):
+        environment.filters[function.__name__] = function
+    figure2 = read["figure2"]
+    kinds = ("symmetric", "asymmetric")
+    style = tables.text_of(HERE / "page.css") + "".join(journey.style(figure2, kind) for kind in kinds)
+    script = tables.text_of(HERE / "page.js")
+    return environment.get_template("page.html").render(
+        style=Markup(style),
+        script=Markup(script),
+        policy=f"default-src 'none'; img-src data:; style-src {fingerprint(style)}; script-src {fingerprint(script)}; "
+        "base-uri 'none'; form-action 'none'",
+        marks={kind: journey.marks(figure2, kind) for kind in kinds},
+        stroke=journey.STROKE,
+        tables=read,
+        scene=lambda name: tables.text_of(options.scenes / f"{name}.cfg"),
+        drawing=lambda name: plots.drawing(options.plots / f"{name}.svg", name),
+        formulas=book.read(options.book),
+        ledger=ledger,
+        paper=[row for row in read["claims"].rows if ledger.scope(row) == "paper"],
+        explorer=EXPLORER if (options.output.parent / EXPLORER).is_file() else None,
+    )
 
 
 def write(path, content):
@@ -78,34 +111,19 @@ def write(path, content):
         aside.unlink(missing_ok=True)
 
 
-def read_options():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--tables", type=Path, required=True, metavar="FOLDER", help="the tables, NAME.tsv")
-    parser.add_argument(
-        "--plots", type=Path, required=True, metavar="FOLDER", help="the plots that scripts/plots/draw.sh drew, NAME.svg"
-    )
-    parser.add_argument("--scenes", type=Path, required=True, metavar="FOLDER", help="the scenes, NAME.cfg")
-    parser.add_argument("--output", type=Path, required=True, metavar="FILE", help="the page")
-    parser.add_argument(
-        "--errata",
-        type=Path,
-        metavar="FILE",
-        default=Path(__file__).parents[2] / "docs" / "errata.md",
-        help="the document with the formulas that hold instead of refuted ones (docs/errata.md)",
-    )
-    return parser.parse_args()
-
-
 def main():
-    options = read_options()
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    for name, what in (("tables", "the tables, NAME.tsv"), ("plots", "their plots, NAME.svg"), ("scenes", "their scenes, NAME.cfg")):
+        parser.add_argument(f"--{name}", type=Path, required=True, metavar="FOLDER", help=what)
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE", help="the page")
+    published = HERE.parents[1] / "asymptotics" / "published" / "paper.cfg"
+    parser.add_argument("--book", type=Path, default=published, metavar="FILE", help="the book of formulas (paper.cfg)")
+    options = parser.parse_args()
     try:
-        write(options.output, page.page(Inputs(options)))
+        write(options.output, page(options))
     except tables.Unreadable as error:
         print(f"report.py: {error}", file=sys.stderr)
         return 4
-    except Failed as error:
-        print(f"report.py: {error}", file=sys.stderr)
-        return 3
     except OSError as error:
         print(f"report.py: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4

@@ -1,6 +1,7 @@
 /* Many crawlers at once against one at a time: the same bits, for any number of threads and any mixture of gaits and modes. */
 #include <float.h>
 
+#include "model/gaits.h"
 #include "tests/support/columns.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
@@ -129,6 +130,21 @@ static void every_family(uint64_t seed, int first_kind, int last_kind)
 
 TEST(every_family_of_steady_states) { every_family(20261121, STEADY, STEADY); }
 TEST(every_family_of_phases) { every_family(20261122, SCALLOP_EXTENSION, SCALLOP_CONTRACTION); }
+
+/* The library's own gaits have two ramps of one slope in both phases. */
+TEST(ramps_of_different_slopes)
+{
+  struct random r = { 5 };
+  struct scallop_straight skewed;
+  assert_int_equal(scallop_make_skewed(&skewed, "skewed", (const double[]){ 0.25, 0.625 }), SCALLOP_OK);
+  assert_true(skewed.gait.phase[0].ramps && skewed.gait.phase[1].ramps);
+  for (int family = 0; family < FAMILIES; family++) {
+    fill(&r, 300, (enum family)family, (enum family)family, STEADY);
+    for (int i = 0; i < 300; i++)
+      in.gait[i] = &skewed.gait;
+    assert_int_equal(solve_and_check(STEADY, 300, 1), 0);
+  }
+}
 
 /* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
 TEST(every_length)

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-#include "model/model.h"
+#include "tests/support/random_crawler.h"
 
 static inline double run_velocity(const struct scallop_piece *p, double u) { return p->velocity + p->acceleration * u; }
 static inline double run_acceleration(const struct scallop_piece *p, double u) { return (void)u, p->acceleration; }
@@ -93,38 +93,18 @@ static const struct scallop_gait wait_gait = {
 };
 
 /* Minimum jerk in half of a phase, from either end; velocity of a piece: its amplitude. */
-static inline double hump_sign(const struct scallop_piece *p)
-{
-  return p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
-}
-static inline double hump_bend(double u) { return 60 * (2 * u) * (1 - 2 * u) * (1 - 4 * u); }
-static inline double hump_length(const struct scallop_piece *p, double u)
-{
-  double x = 2 * u;
-  return hump_sign(p) * p->velocity * (x * x * x * (10 - x * (15 - 6 * x)));
-}
+static inline double hump_length(const struct scallop_piece *p, double u) { return p->velocity * jerk_length(p, 2 * u); }
 static inline double hump_velocity(const struct scallop_piece *p, double u)
 {
-  double root = 2 * u * (1 - 2 * u);
-  return p->direction * p->velocity * 60 * (root * root);
+  return 2 * p->velocity * jerk_velocity(p, 2 * u);
 }
 static inline double hump_acceleration(const struct scallop_piece *p, double u)
 {
-  return hump_sign(p) * p->velocity * 4 * hump_bend(u);
+  return 4 * p->velocity * jerk_acceleration(p, 2 * u);
 }
-/* By bisection, as the bend is monotone in a piece */
 static inline double hump_when(const struct scallop_piece *p, double a)
 {
-  double level = hump_sign(p) * a / (4 * p->velocity), below = p->begin, above = p->end;
-  if (hump_bend(below) > hump_bend(above)) {
-    below = p->end;
-    above = p->begin;
-  }
-  if (!(hump_bend(below) <= level && level <= hump_bend(above)))
-    return NAN;
-  for (double mid; (mid = 0.5 * (below + above)) != below && mid != above;)
-    *(hump_bend(mid) < level ? &below : &above) = mid;
-  return above;
+  return jerk_place(2 * p->begin, 2 * p->end, jerk_sign(p) * a / (4 * p->velocity)) / 2;
 }
 
 static const struct scallop_curve hump = { hump_length, hump_velocity, hump_acceleration, hump_when, NULL };

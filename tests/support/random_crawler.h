@@ -93,13 +93,13 @@ static inline double jerk_velocity(const struct scallop_piece *p, double u)
 }
 static inline double jerk_bend(double u) { return 60 * u * (1 - u) * (1 - 2 * u); }
 static inline double jerk_acceleration(const struct scallop_piece *p, double u) { return jerk_sign(p) * jerk_bend(u); }
-/* By bisection: slow, right to the last digit, and the same for both directions. */
-static inline double jerk_when(const struct scallop_piece *p, double a)
+/* The u between below and above with jerk_bend(u) = level, or nan; the bend is monotone there. By bisection: slow, right to the last digit. */
+static inline double jerk_place(double below, double above, double level)
 {
-  double below = p->begin, above = p->end, level = jerk_sign(p) * a;
   if (jerk_bend(below) > jerk_bend(above)) {
-    below = p->end;
-    above = p->begin;
+    double end = below;
+    below = above;
+    above = end;
   }
   if (!(jerk_bend(below) <= level && level <= jerk_bend(above)))
     return NAN;
@@ -108,6 +108,10 @@ static inline double jerk_when(const struct scallop_piece *p, double a)
   for (double mid; (mid = 0.5 * (below + above)) != below && mid != above;)
     *(jerk_bend(mid) < level ? &below : &above) = mid;
   return above;
+}
+static inline double jerk_when(const struct scallop_piece *p, double a)
+{
+  return jerk_place(p->begin, p->end, jerk_sign(p) * a);
 }
 
 static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when, NULL };

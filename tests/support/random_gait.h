@@ -38,12 +38,22 @@ static inline const struct scallop_gait *random_straight(struct random *r, bool 
   return &g->gait;
 }
 
+/* l' is a multiple of the sum of slope[k] s^k, k <= degree. False: it is none of a gait. */
+static inline bool polynomial_of_slope(struct scallop_polynomial *g, const double *slope, int degree)
+{
+  double c[SCALLOP_POLYNOMIAL_DEGREE + 1] = { 0 }, sum = 0;
+  for (int k = 0; k <= degree; k++)
+    sum += c[k + 1] = slope[k] / (k + 1);
+  for (int k = 1; k <= degree + 1; k++)
+    c[k] = sum < 0 ? -c[k] : c[k];
+  return scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) == SCALLOP_OK;
+}
+
 /* l' = s^p (1 - s)^q times a random polynomial, which is positive or, turning, has one or two roots. */
 static inline const struct scallop_gait *random_polynomial(struct random *r, bool turning, struct scallop_polynomial *g)
 {
   enum { DEGREE = 8 };
-  double slope[DEGREE + 1] = { 0 }, c[DEGREE + 2] = { 0 },
-                        roots[2] = { random_between(r, 0.05, 0.45), random_between(r, 0.55, 0.95) };
+  double slope[DEGREE + 1] = { 0 }, roots[2] = { random_between(r, 0.05, 0.45), random_between(r, 0.55, 0.95) };
   int rising = 1 + random_below(r, 2), falling = 1 + random_below(r, 2), degree = rising;
   slope[rising] = 1;
   int factors = falling + (turning ? 1 + random_below(r, 2) : random_below(r, 3));
@@ -53,16 +63,7 @@ static inline const struct scallop_gait *random_polynomial(struct random *r, boo
     for (int k = ++degree; k >= 0; k--)
       slope[k] = slope[k] * a + (k > 0 ? slope[k - 1] * b : 0);
   }
-  double sum = 0;
-  for (int k = 0; k <= degree; k++) {
-    c[k + 1] = slope[k] / (k + 1);
-    sum += c[k + 1];
-  }
-  for (int k = 1; k <= degree + 1; k++)
-    c[k] = sum < 0 ? -c[k] : c[k];
-  if (scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) != SCALLOP_OK)
-    return random_polynomial(r, turning, g);
-  return &g->gait;
+  return polynomial_of_slope(g, slope, degree) ? &g->gait : random_polynomial(r, turning, g);
 }
 
 /* Steffen's slope at the middle one of three knots */

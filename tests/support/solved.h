@@ -2,7 +2,7 @@
 #ifndef SOLVED_H
 #define SOLVED_H
 
-#include "numerics/numerics.h"
+#include "numerics/wide/wide.h"
 #include "tests/support/check.h"
 
 /* The call, which gives its answer to &out, is refused with this status, and touches nothing. */
@@ -67,6 +67,11 @@ static inline const char *both_modes(const struct scallop_modes modes[2], char b
   strcat(both, " | ");
   scallop_modes_text(&modes[1], both + strlen(both));
   return both;
+}
+
+static inline double wide_apart(const struct scallop_wide *a, const struct scallop_wide *b)
+{
+  return fabs((a->high - b->high) + (a->low - b->low));
 }
 
 struct units {

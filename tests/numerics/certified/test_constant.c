@@ -155,24 +155,6 @@ TEST(short_ramps_tend_to_none)
   }
 }
 
-/* R > 0: the numbers of the trapezoidal gait, to the last bit */
-TEST(ramps_are_trapezoidal)
-{
-  static const char *const texts[][2] = { { "constant:0.1", "trapezoidal:0.1,0.1" },
-                                          { "constant:0.3,0.5", "trapezoidal:0.3,0.3,0.5,0.5" },
-                                          { "constant:1e-9,0.2", "trapezoidal:1e-9,1e-9,0.2,0.2" } };
-  struct random r = { 2026112203 };
-  for (int i = 0; i < CRAWLERS / 5; i++) {
-    struct scallop_crawler c = next_crawler(&r, gait_of(texts[i % 3][0])), d = c;
-    d.gait = gait_of(texts[i % 3][1]);
-    struct scallop_steady_result s = steady_of(&c), t = steady_of(&d);
-    CHECK_EQUAL(s.period.v_start, t.period.v_start);
-    CHECK_EQUAL(s.period.v_mid, t.period.v_mid);
-    CHECK_EQUAL(s.period.displacement, t.period.displacement);
-    CHECK_EQUAL(s.period.multiplier, t.period.multiplier);
-  }
-}
-
 static void certify(const struct scallop_crawler *c, struct scallop_certified_steady *s, const char **why,
                     enum scallop_status wanted)
 {

@@ -80,11 +80,6 @@ TEST(takes_what_the_mechanism_gives)
     assert_true(judged[regime] > 10);
 }
 
-static double apart(const struct scallop_wide *a, const struct scallop_wide *b)
-{
-  return fabs((a->high - b->high) + (a->low - b->low));
-}
-
 enum { NAMED = 2 };
 static const enum quantity_id named[NAMED] = { Q_FRICTION_WORK, Q_COST_OF_TRANSPORT };
 
@@ -109,7 +104,7 @@ static void units_of(double unit[NAMED], const struct scallop_crawler *c, const 
     *parameter(&moved, i) = nextafter(*parameter(&moved, i), 0);
     in_binary128(&a, &moved);
     for (int q = 0; q < NAMED; q++)
-      sum[q] += apart(&a.value[named[q]], &at->value[named[q]]);
+      sum[q] += wide_apart(&a.value[named[q]], &at->value[named[q]]);
   }
   for (int q = 0; q < NAMED; q++)
     unit[q] = fmax(sum[q], nextafter(at->value[named[q]].high, INFINITY) - at->value[named[q]].high);
@@ -135,7 +130,7 @@ TEST(double_is_right)
     assert_int_equal(isnan(a.value[Q_COST_OF_TRANSPORT].high), !has_cost);
     costs += has_cost;
     for (int q = 0; q < 1 + has_cost; q++) {
-      double units = apart(&a.value[named[q]], &exact.value[named[q]]) / unit[q];
+      double units = wide_apart(&a.value[named[q]], &exact.value[named[q]]) / unit[q];
       if (!(units <= 8))
         print_crawler(&c);
       CHECK_AT_MOST(units, 8);

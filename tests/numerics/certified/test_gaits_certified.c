@@ -163,7 +163,7 @@ TEST(turning)
 static const struct scallop_gait *far_turning(struct random *r, struct scallop_polynomial *g)
 {
   enum { MOST = 8 };
-  double slope[MOST + 1] = { 0 }, c[MOST + 2] = { 0 }, root = 0;
+  double slope[MOST + 1] = { 0 }, root = 0;
   int degree = 1 + random_below(r, 2), roots = 1 + random_below(r, 4);
   slope[degree] = 1;
   for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
@@ -173,12 +173,7 @@ static const struct scallop_gait *far_turning(struct random *r, struct scallop_p
     for (int k = ++degree; k >= 0; k--)
       slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
   }
-  double sum = 0;
-  for (int k = 0; k <= degree; k++)
-    sum += c[k + 1] = slope[k] / (k + 1);
-  for (int k = 1; k <= degree + 1; k++)
-    c[k] = sum < 0 ? -c[k] : c[k];
-  return scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) == SCALLOP_OK ? &g->gait : far_turning(r, g);
+  return polynomial_of_slope(g, slope, degree) ? &g->gait : far_turning(r, g);
 }
 
 /* l' has the sign that the piece says, also where all of it is next to a turn. */

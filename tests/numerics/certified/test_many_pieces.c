@@ -4,6 +4,7 @@
 
 #include "model/gaits.h"
 #include "tests/support/certified_balls.h"
+#include "tests/support/random_rises.h"
 
 /* The size of the ways that are added up: of the mechanism, of the start, and of friction. */
 static double way_size(const struct scallop_crawler *c, double v0, double tau)
@@ -76,7 +77,6 @@ static double drawn_length(double s)
   return fmin(fmax(l, 0), 1);
 }
 
-/* Harmonic means of the slopes on both sides, and 0 where these differ in sign: monotone between the knots */
 static void draw_phase(struct random *r, struct scallop_knot *k, bool up)
 {
   for (int i = 0; i < KNOTS; i++) {
@@ -84,11 +84,7 @@ static void draw_phase(struct random *r, struct scallop_knot *k, bool up)
     double l = i == 0 ? 0 : i == KNOTS - 1 ? 1 : drawn_length(s);
     k[i] = (struct scallop_knot){ scallop_knot_round(s), scallop_knot_round(up ? l : 1 - l), 0 };
   }
-  for (int i = 1; i < KNOTS - 1; i++) {
-    double before = (k[i].length - k[i - 1].length) / (k[i].time - k[i - 1].time);
-    double after = (k[i + 1].length - k[i].length) / (k[i + 1].time - k[i].time);
-    k[i].slope = before * after > 0 ? 2 / (1 / before + 1 / after) : 0;
-  }
+  rises_slopes(k, KNOTS);
 }
 
 static struct drawn *draw_gait(void)

@@ -32,11 +32,6 @@ static bool certified(const struct scallop_crawler *crawler, struct scallop_wide
   return solved;
 }
 
-static double apart(const struct scallop_wide *a, const struct scallop_wide *b)
-{
-  return fabs((a->high - b->high) + (a->low - b->low));
-}
-
 static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NUMBERS])
 {
   const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,   w->period.v_mid, w->period.displacement,
@@ -65,7 +60,7 @@ TEST(near_certified)
       list(&w, got);
       double ulp = ldexp(1, 1 - (bits < 100 ? bits : 100)); /* two doubles hold no more */
       for (int i = 0; i < NUMBERS; i++)
-        worst[width] = fmax(worst[width], apart(&got[i], &exact[i]) / (ulp * size[i]));
+        worst[width] = fmax(worst[width], wide_apart(&got[i], &exact[i]) / (ulp * size[i]));
     }
   }
   print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0], worst[1]);
@@ -77,7 +72,7 @@ TEST(near_certified)
 static double generosity(double estimate, double got, const struct scallop_wide *exact)
 {
   const struct scallop_wide value = { got, 0 };
-  double error = apart(&value, exact), least = 0x1p-60 * fabs(exact->high);
+  double error = wide_apart(&value, exact), least = 0x1p-60 * fabs(exact->high);
   if (!(estimate >= error))
     check_fail("estimate >= error", estimate, error, 0, "at least", __FILE__, __LINE__);
   return estimate == 0 ? 1 : estimate / fmax(error, least);

@@ -112,6 +112,13 @@ static double (*const functions[])(double,
                                    double) = { line, parabola, cube, flat, root_of_magnitude, jump, pole, steep, tiny };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
+/* As the header promises */
+static int most(double a, double b)
+{
+  double least = fmin(fabs(a), fabs(b));
+  return ilogb(b - a) - ilogb(nextafter(least, INFINITY) - least) + 5;
+}
+
 /* The evaluations of one search, which ends at a zero or beside a change of sign */
 static int evaluations(double (*value)(double, double), double root, double from, double to)
 {
@@ -119,7 +126,7 @@ static int evaluations(double (*value)(double, double), double root, double from
   const struct counted c = { value, root, &count };
   double u = itp_root(counted, &c, from, to);
   assert_true(value(u, root) == 0 || (value(nextafter(u, 0), root) > 0) != (value(nextafter(u, 2 * to + from), root) > 0));
-  assert_true(count <= itp_most(from, to));
+  assert_true(count <= most(from, to));
   return count;
 }
 
@@ -140,7 +147,7 @@ TEST(itp_keeps_its_count)
 TEST(itp_is_fast)
 {
   for (int k = 1; k < 200; k++)
-    assert_true(evaluations(parabola, 0.2 + 0.004 * k, 0.2, 1) <= itp_most(0.2, 1) / 4);
+    assert_true(evaluations(parabola, 0.2 + 0.004 * k, 0.2, 1) <= most(0.2, 1) / 4);
 }
 
 /* What is no bracket: the end that is nearer to a root. */
@@ -153,5 +160,5 @@ TEST(itp_without_a_bracket)
   CHECK_EQUAL(itp_root(counted, &c, 0.25, 1), 0.25);
   CHECK_EQUAL(itp_root(counted, &c, 0, 0.25), 0.25);
   CHECK_EQUAL(itp_root(counted, &c, 0.5, 0.5), 0.5);
-  assert_true(count == 10 && itp_most(0.5, 0.5) == 2);
+  assert_int_equal(count, 10);
 }

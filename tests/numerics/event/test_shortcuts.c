@@ -4,7 +4,6 @@
 
 #include "numerics/event/concave.h"
 #include "numerics/event/ramps.h"
-#include "tests/support/columns.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -246,29 +245,6 @@ TEST(steady_states_quadratic) { many_steady_states(&scallop_gait_quadratic); }
 TEST(steady_states_sinusoidal) { many_steady_states(&scallop_gait_sinusoidal); }
 TEST(steady_states_trapezoid) { many_steady_states(&trapezoid_gait); }
 TEST(steady_states_skewed) { many_steady_states(&skewed_gait); }
-
-/* Many at once are the same as one at a time (test_batch.c has the rest). */
-TEST(skewed_batch)
-{
-  enum { MANY = 2000 };
-  static struct columns in;
-  static double v_start[MANY], displacement[MANY];
-  struct random r = { 5 };
-  for (int i = 0; i < MANY; i++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), &skewed_gait);
-    columns_put(&in, i, &c);
-  }
-  struct scallop_crawlers all = columns_all(&in, MANY);
-  struct scallop_steady_states states = { .v_start = v_start, .displacement = displacement };
-  assert_int_equal(scallop_steady_batch(&all, &states, 1), 0);
-  for (int i = 0; i < MANY; i++) {
-    struct scallop_crawler c = columns_row(&in, i);
-    struct scallop_steady_result one;
-    assert_true(scallop_steady(&c, &one) >= 0);
-    CHECK_RELATIVE(v_start[i], one.period.v_start, SAME_BITS);
-    CHECK_RELATIVE(displacement[i], one.period.displacement, SAME_BITS);
-  }
-}
 
 /* The short cut is taken where it should be, and its work is counted. */
 TEST(work_is_counted)
