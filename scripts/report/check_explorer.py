@@ -124,6 +124,11 @@ class Check:
         buttons = {"mousePressed": 1, "mouseMoved": 1, "mouseReleased": 0}[kind]
         self.page.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=buttons, clickCount=1)
 
+    def key(self, key, code, number, text=""):
+        for kind in ("keyDown", "keyUp"):
+            more = {"text": text} if kind == "keyDown" and text else {}
+            self.page.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, windowsVirtualKeyCode=number, **more)
+
     def drag(self, selector, path):
         """Presses at the first of the places, parts of a box, and lets go at the last."""
         x, y, width, height = self.box(selector)
@@ -174,15 +179,15 @@ class Check:
         for focus, field in (("slider-T", "T"), ("map", "F1")):
             before = self.state()
             self.page.run(f"document.getElementById('{focus}').focus()")
-            self.page.type_key("ArrowRight", "ArrowRight", 39)
+            self.key("ArrowRight", "ArrowRight", 39)
             self.settle()
             self.expect(float(self.state()[field]) > float(before[field]), f"the right arrow in #{focus} does not change {field}")
         self.same_as_command("after keys")
         self.page.run("document.activeElement.blur()")
         self.expect(self.page.run("document.getElementById('play').textContent") == "Pause", "the crawler does not move at first")
-        self.page.type_key(" ", "Space", 32, " ")
+        self.key(" ", "Space", 32, " ")
         self.expect(self.page.run("document.getElementById('play').textContent") == "Play", "the space bar does not pause")
-        self.page.ask("Emulation.setEmulatedMedia", media="screen", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
+        self.page.prefer(reduced_motion="reduce")
         self.page.ask("Page.reload")
         self.settle(1)
         self.expect(self.page.run("document.getElementById('play').textContent") == "Play", "the crawler moves where no motion is wanted")
