@@ -75,6 +75,36 @@ verdicts --gait sinusoidal
 verdicts --gait quadratic --alpha 0.3
 verdicts --gait trapezoidal:0.2,0.3
 
+# ---- modes in words, in steady and phase ----
+words() { # COMMAND ARGUMENTS...: the column in each format, and not where nothing asks for it
+  run 0 "$@"
+  ! grep -q motion out || note "a column of modes in words that nothing asked for"
+  run 0 "$@" --columns motion
+  mv out words
+  run 0 "$@" --format table
+  sed -n '/^motion /,/^status /s/^[a-z]* *//p' out | sed '$d' | tr '\n' ' ' | sed 's/ $//' >upright
+  [ "$(tail -n 1 words)" = "$(cat upright)" ] || note "upright: $(cat upright), else: $(tail -n 1 words)"
+  finish "$*: the modes in words"
+}
+words steady
+words steady --gait sinusoidal --T 3 --alpha 0.4
+words steady --T 20
+words steady --certified
+words phase --phase contraction --v0 1
+run 0 steady --gait sinusoidal --T 3 --F1 2 --columns motion
+tail -n 1 out >words
+run 0 summary --gait sinusoidal --T 3 --F1 2 --format tsv --columns motion
+[ "$(tail -n 1 out)" = "$(cat words)" ] || note "summary: $(tail -n 1 out), steady: $(cat words)"
+run 0 steady --F1 1,2 --format table
+[ "$(grep -c '^modes: .*+ forward, - backward, 0 stuck' out)" -eq 1 ] || note "no legend"
+! grep -q 'both bodies' out || note "words in a table of many rows"
+run 0 trajectory --format table
+! grep -q 'forward, - backward' out || note "a legend without modes"
+printf 'T\n-1\n1\n' >refused.tsv
+run 3 steady --points refused.tsv --columns motion
+[ "$(sed -n 4p out)" = - ] || note "refused: $(sed -n 4p out)"
+finish "modes in words agree, and symbols have a legend"
+
 # ---- the page ----
 says() { # TEXT...: the page holds each
   for text in "$@"; do
