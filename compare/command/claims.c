@@ -91,29 +91,29 @@ const struct command command_claims = {
   .options = options_of_claims,
   .rules = rules,
   .size = sizeof(struct claims_options),
-  .about =
-      "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof: derived_order is the\n"
-      "first power of T that the formula leaves out of the derived expansion, coefficient what stands there (exact, or\n"
-      "a ball that does not hold 0); lower coefficients vanish, and do at random rational parameters too. 'none': every\n"
-      "coefficient below T^48 vanishes. order is measured: certified errors at 12 T, down to below 1e-20, with the\n"
-      "interval of the fit. Where it is not the derived one, the exit code is 3.\n"
-      "verdict: holds; sharper (the error falls faster than claimed); refuted (slower, or not at all); undecided, with\n"
-      "the reason. corrected: the row of the formula that holds where this one does not (source 'corrected'; ':mirrored'\n"
-      "is a formula with the bodies exchanged and seen in a mirror, ':contraction' with the bodies exchanged).\n"
-      "conditions: what was assumed; inside: whether the paper assumes it too. Claims in words have the figure that\n"
-      "decides in 'measured'. claimed_order inf: the formula is printed as an equality. A summary goes to standard error.\n"
-      "--gait: the ledger for one gait, which need not be one of the paper's two; with others the rows that 'corrected'\n"
-      "names may not hold, either: see their verdicts.\n"
-      "--check: the verdicts are compared with those of the ledger that comes with the tool (data/claims.tsv of its\n"
-      "sources); anything that differs is printed, and the exit code is 1.\n"
-      "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the fit used it;\n"
-      "`scallop order` reads such a table.\n"
-      "--book, --formula: the same table for formulas of your own (source 'book'), one row for each formula with a claim\n"
-      "and gait; docs/formulas.md describes both. A crawler that is not given is one for which the conditions of the\n"
-      "formula hold; 'measured' has the numbers that were changed for that. inside: whether the conditions hold for a "
-      "given\n"
-      "crawler. Exit code 1 if a formula is refuted where its conditions hold, else 3 if one is undecided, or its\n"
-      "conditions do not hold.",
+  .about = "One row for each statement '... + O(T^n)', gait and set of conditions. The verdict is a proof:\n"
+           "derived_order is the first power of T that the formula leaves out of the derived expansion,\n"
+           "coefficient what stands there (exact, or a ball that does not hold 0); lower coefficients vanish,\n"
+           "and do at random rational parameters too. 'none': every coefficient below T^48 vanishes. order is\n"
+           "measured: certified errors at 12 T, down to below 1e-20, with the interval of the fit. Where it is\n"
+           "not the derived one, the exit code is 3.\n"
+           "verdict: holds; sharper (the error falls faster than claimed); refuted (slower, or not at all);\n"
+           "undecided, with the reason. corrected: the row of the formula that holds where this one does not\n"
+           "(source 'corrected'; ':mirrored' is a formula with the bodies exchanged and seen in a mirror,\n"
+           "':contraction' with the bodies exchanged). conditions: what was assumed; inside: whether the paper\n"
+           "assumes it too. Claims in words have the figure that decides in 'measured'. claimed_order inf: the\n"
+           "formula is printed as an equality. A summary goes to standard error. --gait: the ledger for one\n"
+           "gait, which need not be one of the paper's two; with others the rows that 'corrected' names may not\n"
+           "hold, either: see their verdicts.\n"
+           "--check: the verdicts are compared with those of the ledger that comes with the tool\n"
+           "(data/claims.tsv of its sources); anything that differs is printed, and the exit code is 1.\n"
+           "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the\n"
+           "fit used it; `scallop order` reads such a table.\n"
+           "--book, --formula: the same table for formulas of your own (source 'book'), one row for each formula\n"
+           "with a claim and gait; docs/formulas.md describes both. A crawler that is not given is one for which\n"
+           "the conditions of the formula hold; 'measured' has the numbers that were changed for that. inside:\n"
+           "whether the conditions hold for a given crawler. Exit code 1 if a formula is refuted where its\n"
+           "conditions hold, else 3 if one is undecided, or its conditions do not hold.",
   .defaults = &generic,
   .run = run,
 };

@@ -135,19 +135,16 @@ static bool is_sound(const void *options)
 }
 
 #define ABOUT_ROWS \
-  "motion: the modes in words with their times. It is a column of a single answer on a terminal, and elsewhere where\n" \
-  "--columns names it. " ABOUT_MANY_POINTS ".\n" \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of " \
-  "the " \
-  "doubles\n" \
-  "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
-  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
-  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table " \
-  "too;\n" \
-  "of a range they are the decimals that the row prints. status is certified. What touches a boundary exactly\n" \
-  "cannot be decided, which status says. A polynomial whose l' changes its sign within a phase, or is not exactly 0 " \
-  "at\n" \
-  "its ends, is that of the doubles."
+  "motion: the modes in words with their times, a column of a single answer on a terminal, and\n" \
+  "elsewhere where --columns names it.\n" ABOUT_MANY_POINTS ".\n" \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits\n" \
+  "(numerics/wide/wide.h). It is of the doubles nearest to the parameters as written; --certified takes\n" \
+  "the decimals themselves.\n" \
+  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is\n" \
+  "right to a unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those\n" \
+  "of a gait and a table too; of a range they are the decimals that the row prints. status is\n" \
+  "certified. What touches a boundary exactly cannot be decided, which status says. A polynomial whose\n" \
+  "l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
 
 const struct command command_steady = {
   .name = "steady",
@@ -158,10 +155,9 @@ const struct command command_steady = {
   .size = sizeof(struct motion_options),
   .rules = rules,
   .is_sound = is_sound,
-  .about =
-      "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
-      "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
-      "answer.\n" ABOUT_ROWS,
+  .about = "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
+           "directions of body 1 and body 2 in turn, 0 stuck, | between extension and contraction; status: ok,\n"
+           "or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
@@ -176,8 +172,8 @@ const struct command command_phase = {
   .rules = rules,
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
-           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
+           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest;\n"
+           "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

@@ -90,7 +90,6 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
 }
 
 bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
-
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
 
 /* The first error is the one to tell of. */
