@@ -113,7 +113,8 @@ const struct command command_claims = {
       "formula hold; 'measured' has the numbers that were changed for that. inside: whether the conditions hold for a "
       "given\n"
       "crawler. Exit code 1 if a formula is refuted where its conditions hold, else 3 if one is undecided, or its\n"
-      "conditions do not hold.",
+      "conditions do not hold. leading_error: the term that coefficient belongs to, as a formula, or '-' where it is not\n"
+      "known as one.",
   .defaults = &generic,
   .run = run,
 };

@@ -207,6 +207,29 @@ grep -q 'character 2: / divides by what may be 0' out || note "$(cells out reaso
 grep -q 'no crawler was found for which the conditions hold' out || note "$(cells out reason)"
 finish "what a series cannot do"
 
+# ---- the leading error as a formula: added to the text it takes the error one order further ----
+further() { # ORDER FORMULA OF ARGUMENT...
+  order=$1 text=$2 of=$3
+  shift 3
+  run 1 claims --formula "$text" --of "$of" --claimed 20 "$@"
+  more=$(cells out leading_error)
+  run 1 claims --formula "$text + $more" --of "$of" --claimed 20 "$@"
+  [ "$(cells out derived_order)" = "$order" ] || note "$text + $more: order $(cells out derived_order)"
+}
+further 8 "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" displacement --gait quadratic
+further 3 "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*T*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" v_start --gait quadratic
+further 2 "L" displacement --gait trapezoidal:0.2,0.3
+further 5 "(F1 - F2)/M*T" v_end --gait sinusoidal
+further 1 "dT*(F1 - F2)/m2" v_end --gait quadratic --start v0 --phase contraction
+further 2 "-(F1 - F2)*T/m1" v_change --gait sinusoidal --start v0 --phase contraction
+run 1 claims --formula "sqrt(m1^2)" --of v_end --claimed 3 --gait quadratic
+[ "$(cells out leading_error)" = - ] || note "sqrt: $(cells out leading_error)"
+run 1 claims --formula "L" --of v_start --claimed 3 --gait sinusoidal
+[ "$(cells out leading_error)" = - ] || note "no closed form: $(cells out leading_error)"
+run 1 claims --formula "L" --of v_start --claimed 3 --gait quadratic --errors all
+grep -q leading_error out && note "--errors has no leading error"
+finish "claims: the leading error as a formula"
+
 # ---- by name in the other commands ----
 run 0 series --T 0.1 --book mine.cfg
 [ "$(cells out formula published | sed -n 1p)" = "my_xC 3.2432432432432434" ] || note "series: $(cells out formula published | sed -n 1p)"
