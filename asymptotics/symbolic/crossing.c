@@ -69,6 +69,21 @@ static void curve_along(struct symbols *s, struct symbolic_series *value, struct
   }
 }
 
+struct symbolic_series way_to(struct symbols *s, const struct end *end, const struct symbolic_series *y, slong length)
+{
+  symbolic all = end->last ? symbolic_named(s, NAMED_L) : symbolic_number(s, 0, 1);
+  struct symbolic_series way = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, length),
+                         rest = symbolic_series_set(s, all, 0, length);
+  for (int k = end->degree; k >= 0; k--) { /* Horner's scheme */
+    struct symbolic_series term = symbolic_series_set(s, symbolic_mul(s, end->law[k], symbolic_number(s, 1, (ulong)k + 1)),
+                                                      0, length);
+    way = symbolic_series_mul(s, &way, y, length);
+    way = symbolic_series_add(s, &way, &term, length);
+  }
+  way = symbolic_series_mul(s, &way, y, length);
+  return (end->last ? symbolic_series_sub : symbolic_series_add)(s, &rest, &way, length);
+}
+
 /* The time since the start of the phase */
 struct symbolic_series time_of(struct symbols *s, const struct end *end, const struct symbolic_series *y, slong length)
 {

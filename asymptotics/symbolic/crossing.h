@@ -29,6 +29,9 @@ struct end end_of(struct symbols *s, bool last, symbolic mu, enum scallop_phase_
 /* s of y */
 struct symbolic_series time_of(struct symbols *s, const struct end *end, const struct symbolic_series *y, slong length);
 
+/* |l - l(start of the phase)| at y */
+struct symbolic_series way_to(struct symbols *s, const struct end *end, const struct symbolic_series *y, slong length);
+
 struct line { /* Pi = a + b s                                                                            */
   struct symbolic_series a, b;
 };

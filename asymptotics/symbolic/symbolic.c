@@ -24,9 +24,19 @@ static void name_symbol(struct symbol *symbol, bool second)
     snprintf(symbol->name, SYMBOL_NAME, "l%d_%s%s", n, end, phase);
 }
 
+int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind)
+{
+  for (int i = 0; i < s->count; i++)
+    if (s->list[i].meaning == meaning && s->list[i].derivative == derivative && (derivative == 0 || s->list[i].kind == kind))
+      return i;
+  return -1;
+}
+
 void symbols_add(struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind)
 {
   bool second = false;
+  if (symbols_place(s, meaning, derivative, kind) >= 0)
+    return;
   for (int i = 0; i < s->count; i++)
     second |= s->list[i].derivative > 0 && s->list[i].kind != kind;
   struct symbol *symbol = &s->list[s->count++];
@@ -120,6 +130,13 @@ symbolic symbolic_fraction(struct symbols *s, const fmpq_t x)
   struct symbolic *value = new_value(s);
   fmpz_mpoly_set_fmpz(value->over, fmpq_numref(x), s->ring);
   fmpz_mpoly_set_fmpz(value->under, fmpq_denref(x), s->ring);
+  return value;
+}
+
+symbolic symbolic_polynomial(struct symbols *s, const fmpz_mpoly_t polynomial)
+{
+  struct symbolic *value = new_value(s);
+  fmpz_mpoly_set(value->over, polynomial, s->ring);
   return value;
 }
 

@@ -55,9 +55,11 @@ struct symbols {
   struct symbolic **made; /* all values                                                         */
   size_t made_count, made_room;
 };
-/* An empty list; symbols_add appends, and symbols_begin makes the ring of what is then in the list. symbols_end ends all three. */
+/* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the list. symbols_end ends all three. */
 void symbols_init(struct symbols *s);
 void symbols_add(struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind);
+/* The place in the list, -1: it is not there. kind: of a derivative */
+int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind);
 void symbols_begin(struct symbols *s);
 void symbols_end(struct symbols *s);
 
@@ -70,6 +72,7 @@ typedef const struct symbolic *symbolic;
 
 symbolic symbolic_number(struct symbols *s, slong over, ulong under);
 symbolic symbolic_fraction(struct symbols *s, const fmpq_t x);
+symbolic symbolic_polynomial(struct symbols *s, const fmpz_mpoly_t polynomial);
 /* A symbol of the list, the first with this meaning */
 symbolic symbolic_named(struct symbols *s, enum symbol_meaning meaning);
 symbolic symbolic_place(struct symbols *s, int place);
@@ -111,7 +114,7 @@ struct symbolic_series symbolic_series_of(struct symbols *s, symbolic value, slo
 /* One phase, as struct scallop_phase_expansion. */
 struct symbolic_phase {
   bool switches;
-  struct symbolic_series t1, dT, v_end, dx1, dx2, dxC;
+  struct symbolic_series t1, dT, v_end, dx1, dx2, dxC, at_first, at_last;
   char modes[SCALLOP_BRANCH_TEXT];
 };
 /* All coefficients below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the derivatives of l at the ends that are

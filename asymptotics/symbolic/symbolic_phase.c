@@ -29,11 +29,12 @@ static struct symbolic_series between(struct symbols *s, const struct line *line
   return symbolic_series_mul(s, &middle, &duration, length);
 }
 
-/* travel: M times that of the centre of mass; what a point moves against it is share L/M. */
-static struct symbolic_series moved(struct symbols *s, const struct symbolic_series *travel, symbolic share, slong length)
+/* travel: M times that of the centre of mass; what a point moves against it is share/M times the change of l. */
+static struct symbolic_series moved(struct symbols *s, const struct symbolic_series *travel, symbolic share,
+                                    const struct symbolic_series *change, slong length)
 {
   symbolic M = symbolic_named(s, NAMED_M);
-  struct symbolic_series way = symbolic_series_set(s, symbolic_mul(s, share, symbolic_named(s, NAMED_L)), 0, length);
+  struct symbolic_series way = symbolic_series_scale(s, change, share, length);
   way = symbolic_series_add(s, &way, travel, length);
   return symbolic_series_scale(s, &way, symbolic_div(s, symbolic_number(s, 1, 1), M), length);
 }
@@ -42,11 +43,22 @@ static void set_displacements(struct symbols *s, struct symbolic_phase *phase, c
                               enum scallop_phase_kind kind, const struct symbolic_series *travel, slong order)
 {
   bool extension = kind == SCALLOP_EXTENSION;
+  struct symbolic_series L = symbolic_series_set(s, symbolic_named(s, NAMED_L), 0, order);
   symbolic back = symbolic_sub(s, symbolic_number(s, 0, 1), bodies->front_mass);
   symbolic centre = symbolic_mul(s, symbolic_sub(s, bodies->rear_mass, bodies->front_mass), symbolic_number(s, 1, 2));
-  *(extension ? &phase->dx1 : &phase->dx2) = moved(s, travel, back, order);
-  *(extension ? &phase->dx2 : &phase->dx1) = moved(s, travel, bodies->rear_mass, order);
-  phase->dxC = moved(s, travel, centre, order);
+  *(extension ? &phase->dx1 : &phase->dx2) = moved(s, travel, back, &L, order);
+  *(extension ? &phase->dx2 : &phase->dx1) = moved(s, travel, bodies->rear_mass, &L, order);
+  phase->dxC = moved(s, travel, centre, &L, order);
+}
+
+/* Where the rear body is at a crossing, from its start */
+static struct symbolic_series rear_position(struct symbols *s, const struct bodies *bodies, const struct end *end,
+                                            const struct symbolic_series *y, const struct symbolic_series *travel,
+                                            slong order)
+{
+  symbolic back = symbolic_sub(s, symbolic_number(s, 0, 1), bodies->front_mass);
+  struct symbolic_series change = way_to(s, end, y, order);
+  return moved(s, travel, back, &change, order);
 }
 
 static void expand(struct symbols *s, const struct branch *b, enum scallop_phase_kind kind, bool from_rest, slong order,
@@ -60,7 +72,7 @@ static void expand(struct symbols *s, const struct branch *b, enum scallop_phase
   struct line line = { symbolic_series_set(s, from_rest ? none : symbolic_mul(s, M, symbolic_named(s, NAMED_v0)), 1, length),
                        symbolic_series_set(s, bodies.force[b->first_region], 2, length) };
   phase->switches = b->count > 0;
-  phase->t1 = phase->dT = symbolic_series_set(s, none, 0, order);
+  phase->t1 = phase->dT = phase->at_first = phase->at_last = symbolic_series_set(s, none, 0, order);
   for (int i = 0; i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
     struct end end = end_of(s, at->piece->anchor == SCALLOP_FROM_END, bodies_curve(s, &bodies, at->curve), kind);
@@ -69,14 +81,17 @@ static void expand(struct symbols *s, const struct branch *b, enum scallop_phase
     way = between(s, &line, &since, &time, length);
     travel = symbolic_series_add(s, &travel, &way, length);
     since = time;
+    phase->at_last = rear_position(s, &bodies, &end, &y, &travel, order);
     struct symbolic_series slope = symbolic_series_set(s, bodies.force[at->to], 2, length);
     way = symbolic_series_sub(s, &line.b, &slope, length);
     way = symbolic_series_mul(s, &way, &time, length);
     line.a = symbolic_series_add(s, &line.a, &way, length);
     line.b = slope;
     way = symbolic_series_sub(s, &end_of_phase, &time, length);
-    if (i == 0)
+    if (i == 0) {
       phase->t1 = symbolic_series_shift(s, &time, 1, order);
+      phase->at_first = phase->at_last;
+    }
     phase->dT = symbolic_series_shift(s, &way, 1, order);
   }
   way = between(s, &line, &since, &end_of_phase, length);

@@ -76,6 +76,18 @@ const struct scallop_formula *formula_named(const char *name)
   return scallop_formula_named(name);
 }
 
+bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what)
+{
+  int found = 0;
+  for (int i = 0; file && book_formula(i); i++)
+    found += is_for(context, book_formula(i));
+  if (file && found == 0)
+    complain(command, "--book: no formula of %s is about %s", file, what);
+  else if (found > BOOK_MOST)
+    complain(command, "--book: more than %d formulas of %s are about %s", BOOK_MOST, file, what);
+  return !file || (found > 0 && found <= BOOK_MOST);
+}
+
 struct read_once {
   struct read_once *next;
   const struct scallop_formula *formula;

@@ -39,6 +39,12 @@ const struct scallop_formula *formula_at(int i);
 /* The first of this name, or NULL. */
 const struct scallop_formula *formula_named(const char *name);
 
+/* Are formulas of the books for this, of which a command takes BOOK_MOST? False: none is, so that --book FILE would have no effect, or more are, and
+ * the message is on stderr. file: NULL, there is no --book. */
+enum { BOOK_MOST = 24 };
+typedef bool formula_is_for(const void *context, const struct scallop_formula *formula);
+bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what);
+
 /* Its text, read when it is first asked for. NULL: out of memory. */
 const struct formula *formula_read_once(const struct scallop_formula *formula);
 /* Does its text, or a part of it, use the symbol? */

@@ -6,7 +6,7 @@
 #include "compare/answers/quantities.h"
 #include "compare/text/values.h"
 
-enum breakdown_source { FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
+enum breakdown_source { FROM_BOOK, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
 extern const char *const breakdown_sources[BREAKDOWN_SOURCES]; /* their names */
 
 struct breakdown_options {
@@ -20,6 +20,8 @@ struct breakdown_options {
   bool boundaries;
 };
 
+/* Do the options go together? False: the message is on stderr. */
+bool breakdown_is_sound(const struct breakdown_options *options);
 /* Is it the source that was asked for, if any was? */
 bool breakdown_takes(const struct breakdown_options *options, enum breakdown_source source);
 /* The quantity that was asked for, which has series, of the steady state or of one phase; unchanged: none was. False: there is none of that

@@ -30,9 +30,7 @@ const struct series *expansions_of(const struct expansions *e, enum quantity_id 
   return e->derived.status == SCALLOP_OK ? e->derived.value[quantity] : NULL;
 }
 
-/* Whether the formula is about the quantity, or about one that becomes it: a displacement the mean velocity, a change of velocity the
- * velocity at the end. */
-static bool is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity)
+bool series_is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity)
 {
   enum quantity_id own = quantity_of_formula(f, m->phase);
   enum scallop_setting moving = m->phase == SCALLOP_EXTENSION ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION,
@@ -59,8 +57,8 @@ int series_items(struct series_item items[MOST_ITEMS], const struct expansions *
   int count = 0;
   const struct scallop_formula *f;
   for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
-    if (is_about(f, e->motion, quantity))
-      items[count++] = (struct series_item){ FROM_PUBLISHED, quantity, f->name, .formula = f };
+    if (series_is_about(f, e->motion, quantity))
+      items[count++] = (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f->name, .formula = f };
   if (s) {
     items[count++] = (struct series_item){ FROM_DERIVED, quantity, "derived", .series = s, .before = order };
     items[count++] = (struct series_item){ FROM_LIMIT, quantity, "limit", .series = s, .before = past_first(s) };
@@ -74,8 +72,9 @@ static void published(arb_t value, const struct series_item *item, const struct 
   bool is_other = quantity_of_formula(item->formula, m->phase) != item->quantity;
   arb_t x;
   arb_init(x);
-  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them */
-  if (!gait_has_ends(m->crawler.gait)
+  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no L_kin */
+  bool divides = item->source == FROM_PUBLISHED || formula_takes(item->formula, SCALLOP_SYMBOL_L_kin);
+  if ((divides && !gait_has_ends(m->crawler.gait))
       || !published_in_balls(value, item->formula, &e->crawler, m->phase, e->v0, T, NULL, BREAKDOWN_BITS))
     arb_indeterminate(value);
   arb_set_fmpq(x, item->quantity == Q_MEAN_VELOCITY ? T : e->v0, BREAKDOWN_BITS);

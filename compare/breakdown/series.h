@@ -1,4 +1,4 @@
-/* The series beside a motion: the paper's formulas, the derived terms, the limit. */
+/* The series beside a motion: formulas of books and of the paper, the derived terms, the limit. */
 #ifndef SCALLOP_BREAKDOWN_SERIES_H
 #define SCALLOP_BREAKDOWN_SERIES_H
 
@@ -7,14 +7,14 @@
 
 enum {
   BREAKDOWN_BITS = 256, /* of the balls that errors are formed in */
-  MOST_ITEMS = 16
+  MOST_ITEMS = 32
 };
 
 struct series_item { /* one series for one quantity */
   enum breakdown_source source;
   enum quantity_id quantity;
   const char *name;
-  const struct scallop_formula *formula; /* published */
+  const struct scallop_formula *formula; /* of a book, or published */
   const struct series *series;           /* derived and limit: their terms below T^before */
   slong before;
 };
@@ -32,6 +32,9 @@ void expansions_clear(struct expansions *e);
 const char *expansions_modes(const struct expansions *e);
 const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity);
 
+/* Is the formula about the quantity, or about one that becomes it: a displacement the mean velocity, a change of velocity the velocity at the
+ * end? */
+bool series_is_about(const struct scallop_formula *formula, const struct motion *motion, enum quantity_id quantity);
 /* All series of a quantity, by their source; order: of the derived one. Returns how many. */
 int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity, long order);
 /* Value at T; nan or not finite where there is none. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/defaults.h"
+#include "compare/book/book.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
@@ -251,6 +252,8 @@ static bool begin(struct report *r)
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: breakdown");
+  if (r->options->request.book)
+    table_note(t, "book: %s", r->options->request.book);
   /* T is what is looked for; a phase is one of duration T */
   note_parameters(t, &r->options->request.point, (const char *const[]){ "T", steady ? NULL : "alpha", NULL }, false);
   if (!steady) {
@@ -292,30 +295,29 @@ static enum exit_code report(struct report *r, enum quantity_id only)
   return code;
 }
 
-/* Do the options go together? False: the message is on stderr. */
-static bool is_sound(const struct breakdown_options *o)
+/* The quantity of a motion that rows are about; QUANTITIES: any */
+struct asked {
+  struct motion motion;
+  enum quantity_id quantity;
+};
+
+static bool is_asked(const void *context, const struct scallop_formula *f)
 {
-  static const double least_tolerance = 1e-20; /* errors are known to some 1e-32 */
-  bool not_derived = o->source.given && strcmp(o->source.value, "derived") != 0;
-  if (o->order.given && not_derived) {
-    complain("breakdown", "--order needs the derived series: leave --source out, or --source derived");
-    return false;
-  }
-  bool reaches = !o->only.given || strcmp(o->only.value, "reach") == 0,
-       events = !reaches && strcmp(o->only.value, "event") == 0;
-  const char *idle = reaches                                      ? NULL
-                     : o->tolerance.given                         ? "tol"
-                     : o->quantity && events                      ? "quantity"
-                     : not_derived || (o->source.given && events) ? "source"
-                     : o->order.given                             ? "order"
-                                                                  : NULL;
-  if (idle)
-    complain("breakdown", "--%s has nothing to do with --only %s", idle, o->only.value);
-  else if (o->tolerance.given && o->tolerance.value < least_tolerance)
-    complain("breakdown", "--tol: %g is not allowed here: it takes a number from 1e-20 on", o->tolerance.value);
-  else
-    return true;
-  return false;
+  const struct asked *asked = context;
+  bool is = false;
+  for (int q = 0; q < QUANTITIES && !is; q++)
+    is = (asked->quantity == QUANTITIES || (int)asked->quantity == q)
+         && series_is_about(f, &asked->motion, (enum quantity_id)q);
+  return is;
+}
+
+static bool serves(const struct breakdown_options *o, enum quantity_of of, enum quantity_id only)
+{
+  const struct asked asked = { motion_of(&o->request.point, of), o->quantity ? only : QUANTITIES };
+  char what[80] = "this motion";
+  if (o->quantity)
+    snprintf(what, sizeof what, "the %s of this motion", o->quantity);
+  return book_serves("breakdown", o->request.book, is_asked, &asked, what);
 }
 
 enum exit_code breakdown_table(const struct breakdown_options *o)
@@ -323,7 +325,7 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
   struct report r = { .options = o, .progress = progress_begin(o->request.style.quiet) };
   enum quantity_of of = o->request.point.has_phase || o->request.point.has_v0 ? OF_PHASE : OF_STEADY;
   enum quantity_id only;
-  if (!breakdown_quantity(&only, o, of) || !is_sound(o))
+  if (!breakdown_quantity(&only, o, of) || !breakdown_is_sound(o) || !serves(o, of, only))
     return EXIT_USAGE;
   bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
   const char *why = study_begin(&r.study, &o->request.point, of, o->order.value, looks_far ? STUDY_MANY : 1);

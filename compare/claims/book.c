@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "asymptotics/symbolic/left_out.h"
 #include "compare/answers/answer.h"
 #include "compare/answers/point_flint.h"
 #include "compare/answers/quantities.h"
@@ -76,8 +77,24 @@ static const char *undecided(const struct condition *condition, const struct tri
   return text;
 }
 
-void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *f)
+/* The leading term of the error as a formula, which must give the coefficient for the crawler where both are fractions */
+static void set_leading_error(struct ledger *ledger, struct claim_row *row, const struct trial *trial,
+                              const struct proof *proof, const struct scallop_formula *f)
+{
+  char message[FORMULA_MESSAGE];
+  fmpq_t derived, of_formula;
+  fmpq_init(derived);
+  fmpq_init(of_formula);
+  row->leading_error = symbolic_left_out(of_formula, f, &trial->crawler, trial->v0, proof->order, message);
+  if (row->leading_error && scallop_gait_is_rational(trial->crawler.gait)
+      && series_rational_coefficient(derived, &proof->left_out, proof->order) && !fmpq_equal(derived, of_formula))
+    ledger_contradict(ledger, row, "the leading error as a formula is another one than as a number");
+  fmpq_clear(derived);
+  fmpq_clear(of_formula);
+}
+
+static void add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *f, bool with_leading_error)
 {
   const struct condition condition = condition_of(f);
   struct claim_row row = { .equation = f->equation,
@@ -109,12 +126,20 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
   } else {
     samples_measure(&row, &trial, f);
     ledger_judge(&row, &proof);
+    if (with_leading_error && row.proven && !row.exact)
+      set_leading_error(ledger, &row, &trial, &proof, f);
   }
   ledger_enter(ledger, &row);
   samples_free(trial.samples);
   trial_clear(&trial);
   proof_clear(&proof);
   scallop_rational_clear(&fitted);
+}
+
+void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *f)
+{
+  add_formula(ledger, crawler, is_given, f, false);
 }
 
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
@@ -128,7 +153,7 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; (f = book_formula(i)); i++)
       if (f->remainder != 0 && (!only || claim_is_listed(only, f->name)))
-        ledger_add_formula(ledger, &c, is_given, f);
+        add_formula(ledger, &c, is_given, f, true);
   }
   scallop_rational_clear(&c);
 }

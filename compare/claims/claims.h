@@ -46,6 +46,7 @@ struct claim_row {
   bool exact;           /* every coefficient that was looked at vanishes                    */
   long derived_order;   /* of the first coefficient of what is left out                     */
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
+  char *leading_error;  /* of a book's formula: that term as a formula; the ledger's own, NULL: not known    */
   double slope;         /* measured between the two smallest T; nan if there is no error    */
   struct order_fit fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
@@ -70,7 +71,7 @@ void ledger_free(struct ledger *ledger);
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
-/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler. */
+/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler, without leading_error. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
 /* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where it is not given, changed so that the

@@ -35,6 +35,7 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
   struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);
   if (!rows) {
     snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
+    free(row->leading_error);
     return;
   }
   ledger->rows = rows;
@@ -43,11 +44,13 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
 
 void ledger_free(struct ledger *ledger)
 {
+  for (int i = 0; i < ledger->count; i++)
+    free(ledger->rows[i].leading_error);
   free(ledger->rows);
   *ledger = (struct ledger){ .rows = NULL };
 }
 
-static void contradict(struct ledger *ledger, const struct claim_row *row, const char *what)
+void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *what)
 {
   snprintf(ledger->contradiction, sizeof ledger->contradiction, "%s, %s, %s: %s", row->claim, row->gait, row->conditions,
            what);
@@ -145,13 +148,13 @@ void ledger_enter(struct ledger *ledger, struct claim_row *row)
       snprintf(what, sizeof what, "the derived order is %ld, and no slope could be measured", row->derived_order);
     else
       snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
-    contradict(ledger, row, what);
+    ledger_contradict(ledger, row, what);
   }
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
   /* the corrections are for the gaits of the paper: with others there may be none */
   else if (!*row->corrected && row->source != OF_BOOK && scallop_gait_named(row->gait))
-    contradict(ledger, row, "refuted, and nothing is named that holds");
+    ledger_contradict(ledger, row, "refuted, and nothing is named that holds");
   ledger_add(ledger, row);
 }
 

@@ -7,6 +7,9 @@
 /* The verdict on a claim from what its formula leaves out: derived_order, coefficient, verdict and reason of the row. */
 void ledger_judge(struct claim_row *row, const struct proof *proof);
 
+/* Notes what a row has that cannot be. */
+void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *what);
+
 /* Fits the order to the points of the row, holds it against the derived one, and adds the row. What contradicts itself is noted. */
 void ledger_enter(struct ledger *ledger, struct claim_row *row);
 

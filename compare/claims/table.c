@@ -14,6 +14,8 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
                                        "derived_order", "coefficient", "corrected", "conditions", "inside",
                                        "source",        "measured",    "reason",    NULL };
 
+static const char *const book_columns[] = { "leading_error", NULL }; /* behind those */
+
 static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
                                              "inside", "h",        "err",      "pairwise", "use",           NULL };
 
@@ -64,6 +66,8 @@ static void write_row(struct table *t, const struct claim_row *row)
   table_rounded(t, row->fit.hi, "%.6f");
   table_rounded(t, row->fit.used, "%.0f");
   write_texts(t, texts, sizeof texts / sizeof *texts);
+  if (row->source == OF_BOOK)
+    table_text(t, row->leading_error ? row->leading_error : "-");
 }
 
 static void summarise(const struct ledger *ledger)
@@ -156,6 +160,8 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
   if (o->request.point.has_gait)
     table_note(table, "gait: %s", o->request.point.crawler.gait->name);
   table_columns(table, names);
+  if (is_of_book(o) && !o->errors)
+    table_columns(table, book_columns);
   table_begin_rows(table);
   return true;
 }

@@ -13,14 +13,14 @@
 #pragma weak summary_of_breakdown
 
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
-static const char *const sources[] = { "published", "derived", "limit", NULL };
+static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
 static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, NULL),
   OPTION_PHASE("with --v0 %s, else the steady state"),
   OPTION_V0("with --phase %s"),
-  OPTION_WORD("source", "SOURCE", "this series only: published, derived or limit", "all", breakdown_options, source,
+  OPTION_WORD("source", "SOURCE", "these series only: book, published, derived or limit", "all", breakdown_options, source,
               sources),
   OPTION_BOOK("the formulas of this book too: series are called by their names"),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
@@ -44,6 +44,7 @@ static const struct option options_of_breakdown[] = {
 #define NARROWS "all only quantity source order tol phase v0 format columns"
 static const struct option_rule rules[] = { { "all only phase v0", RULE_WITH, "map", NULL },
                                             { "x y boundaries T", RULE_WITHOUT, "map", NULL },
+                                            { "source order quantity tol book", RULE_WITH, "boundaries", NULL },
                                             { NULL, RULE_WITH, NULL, NULL } };
 static const struct breakdown_options initial = { .source = { "published", false },
                                                   .order = { 8, false },
@@ -93,7 +94,8 @@ const struct command command_breakdown = {
            "\n"
            "--map X Y: a grid over two of F1/F2 (or F1_over_F2; F2 stays), m1/m2 (or m1_over_m2; m2 stays),\n"
            "alpha, T, froude (--x, --y FROM:TO:N, with :log or :linear). One row for each point, x running\n"
-           "fastest: the crawler, its steady state, and for each series the relative error at this T and the T\n"
+           "fastest: the crawler, its steady state, and for each series (the formulas of the book by their\n"
+           "names, the paper's (27) or (28), the derived one, the limit) the relative error at this T and the T\n"
            "it reaches to for 1e-2 and 1e-6. With -o FILE the rows done are kept in FILE.rows; if the run is\n"
            "interrupted, the same command goes on from there. --boundaries: the curves between regions with the\n"
            "same modes instead, each point to 1e-12 of the axis (its logarithm, if it is a log axis), followed\n"

@@ -113,7 +113,8 @@ const struct command command_claims = {
            "with a claim and gait; docs/formulas.md describes both. A crawler that is not given is one for which\n"
            "the conditions of the formula hold; 'measured' has the numbers that were changed for that. inside:\n"
            "whether the conditions hold for a given crawler. Exit code 1 if a formula is refuted where its\n"
-           "conditions hold, else 3 if one is undecided, or its conditions do not hold.",
+           "conditions hold, else 3 if one is undecided, or its conditions do not hold. leading_error: the term\n"
+           "that coefficient belongs to, as a formula, or '-' where it is not known as one.",
   .defaults = &generic,
   .run = run,
 };

@@ -223,6 +223,8 @@ static const char *excluded(const struct series_options *o)
     return "--bound is for the derived series: leave --source out";
   if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
     return "--bound takes an --order from 1 to 60";
+  if (o->request.book && (o->bound || !published))
+    return "--book is for the published formulas: --source derived, limit and --bound have none";
   if (o->order.given && !o->bound && !derived)
     return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
                      : "--order and --source limit exclude each other: the limit is one term";

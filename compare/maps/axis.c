@@ -94,6 +94,8 @@ void axes_head(struct table *t, const struct breakdown_options *o, const struct 
 {
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
+  if (o->request.book)
+    table_note(t, "book: %s", o->request.book);
   for (int i = 0; i < 2; i++) {
     const struct axis *a = &axes[i];
     char from[NUMBER_TEXT], to[NUMBER_TEXT];

@@ -5,19 +5,27 @@
 
 #include "compare/answers/defaults.h"
 #include "compare/answers/gaits.h"
+#include "compare/book/book.h"
 #include "compare/breakdown/reach.h"
 #include "compare/maps/journal.h"
 #include "compare/maps/maps.h"
+#include "compare/text/memory.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 
-enum { MOST_TOLERANCES = 2, MOST_MEASURES = BREAKDOWN_SOURCES * (1 + MOST_TOLERANCES), MOST_ROWS = 10000000 };
-enum { NAME = 48, TITLE = 2048 };
+enum {
+  MOST_TOLERANCES = 2,
+  MOST_MEASURES = (BREAKDOWN_SOURCES - 1 + BOOK_MOST) * (1 + MOST_TOLERANCES),
+  MOST_ROWS = 10000000
+};
+_Static_assert((int)MOST_MEASURES <= (int)JOURNAL_WIDTH, "a journal holds all measures");
+enum { NAME = 96, TITLE = 16384 };
 
 /* A column that takes long: the error of a series at T; with a tolerance, the largest T up to which the error is below that. */
 struct measure {
   enum breakdown_source source;
-  double tolerance; /* 0: the error */
+  const struct scallop_formula *formula; /* of a book, else NULL */
+  double tolerance;                      /* 0: the error */
   char name[NAME];
 };
 
@@ -31,25 +39,49 @@ struct grid {
   struct progress progress;
 };
 
-static void add_measure(struct grid *g, enum breakdown_source source, double tolerance)
+static void add_measure(struct grid *g, enum breakdown_source source, const struct scallop_formula *formula,
+                        double tolerance)
 {
   struct measure *m = &g->measures[g->width++];
   double power = log10(tolerance);
-  char what[NAME / 2] = "error", order[NAME / 2] = "";
+  char what[NAME / 4] = "error", order[NAME / 4] = "";
   if (tolerance > 0)
     snprintf(what, sizeof what, power == rint(power) ? "T_1e%.0f" : "T_%g", power == rint(power) ? power : tolerance);
   if (source == FROM_DERIVED)
     snprintf(order, sizeof order, "_%ld", g->options->order.value);
-  *m = (struct measure){ source, tolerance, "" };
-  snprintf(m->name, NAME, "%.23s_%s%.23s", what, breakdown_sources[source], order);
+  *m = (struct measure){ source, formula, tolerance, "" };
+  snprintf(m->name, NAME, "%s_%s%s", what, formula ? formula->name : breakdown_sources[source], order);
 }
 
+static const struct motion any_motion = { .of = OF_STEADY };
+
+static bool is_about_quantity(const void *context, const struct scallop_formula *f)
+{
+  const struct grid *g = context;
+  return series_is_about(f, &any_motion, g->quantity);
+}
+
+static bool serves(const struct grid *g)
+{
+  char what[80];
+  snprintf(what, sizeof what, "the %s of the steady state", quantity_rows[g->quantity].name);
+  return book_serves("breakdown", g->options->request.book, is_about_quantity, g, what);
+}
+
+/* For each formula of the book, and for each other source */
 static void add_measures(struct grid *g, const double *tolerances, int count)
 {
+  const struct scallop_formula *f;
   for (int s = 0; s < BREAKDOWN_SOURCES; s++)
-    for (int i = 0; i < count; i++)
-      if (breakdown_takes(g->options, (enum breakdown_source)s))
-        add_measure(g, (enum breakdown_source)s, tolerances[i]);
+    for (int i = 0; i < count; i++) {
+      if (!breakdown_takes(g->options, (enum breakdown_source)s))
+        continue;
+      if (s != FROM_BOOK)
+        add_measure(g, (enum breakdown_source)s, NULL, tolerances[i]);
+      for (int k = 0; s == FROM_BOOK && (f = book_formula(k)); k++)
+        if (is_about_quantity(g, f))
+          add_measure(g, FROM_BOOK, f, tolerances[i]);
+    }
 }
 
 static long columns_of(const struct grid *g) { return g->axes[0].count; }
@@ -70,26 +102,30 @@ static long first_of(const struct grid *g, long row)
 
 static void compute(const struct grid *g, long row, double values[MOST_MEASURES])
 {
-  const struct motion m = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
+  const struct motion at = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
   const long order = g->options->order.value, least = 6; /* that holds the first term, which is the limit */
   struct series_item items[MOST_ITEMS];
   struct expansions e;
   struct comparison c = { .expansions = &e };
   for (int i = 0; i < g->width; i++)
     values[i] = NAN;
-  if (scallop_crawler_check(&m.crawler, NULL) != SCALLOP_OK)
+  if (scallop_crawler_check(&at.crawler, NULL) != SCALLOP_OK)
     return;
-  c.cache = first_of(g, row) == row ? exact_cache_new(&m) : NULL;
-  expansions_init(&e, &m, order > least ? order : least, BREAKDOWN_BITS);
+  c.cache = first_of(g, row) == row ? exact_cache_new(&at) : NULL;
+  expansions_init(&e, &at, order > least ? order : least, BREAKDOWN_BITS);
   int count = series_items(items, &e, g->quantity, order);
-  for (int i = 0; i < g->width; i++)
-    for (int k = 0; k < count; k++) { /* of two formulas of the paper the last one, (27), is the simpler */
-      c.item = items[k];
-      c.tolerance = g->measures[i].tolerance;
-      bool last = c.item.source == g->measures[i].source && (k == count - 1 || items[k + 1].source != c.item.source);
-      if (last && (c.tolerance == 0 || c.cache))
-        values[i] = c.tolerance == 0 ? comparison_error(&c, m.crawler.T) : comparison_reach(&c);
-    }
+  for (int i = 0; i < g->width; i++) {
+    const struct measure *m = &g->measures[i];
+    const struct series_item *item = NULL;
+    for (int k = 0; k < count; k++) /* of two formulas of the paper the last one, (27), is the simpler */
+      if (items[k].source == m->source && (!m->formula || items[k].formula == m->formula))
+        item = &items[k];
+    if (!item || (m->tolerance > 0 && !c.cache))
+      continue;
+    c.item = *item;
+    c.tolerance = m->tolerance;
+    values[i] = m->tolerance == 0 ? comparison_error(&c, at.crawler.T) : comparison_reach(&c);
+  }
   free(c.cache);
   expansions_clear(&e);
 }
@@ -119,6 +155,17 @@ static void compute_all(struct grid *g)
   progress_end(&g->progress);
 }
 
+/* Of the texts of a formula that is not NULL */
+static uint32_t formula_checksum(const struct scallop_formula *f)
+{
+  uint32_t sum = f ? checksum_after(CHECKSUM_OF_NOTHING, f->text, strlen(f->text) + 1) : CHECKSUM_OF_NOTHING;
+  for (const struct scallop_part *p = f ? f->parts : NULL; p && p->name; p++) {
+    sum = checksum_after(sum, p->name, strlen(p->name) + 1);
+    sum = checksum_after(sum, p->text, strlen(p->text) + 1);
+  }
+  return sum;
+}
+
 /* All that the values depend on */
 static void make_title(const struct grid *g, char title[TITLE])
 {
@@ -136,7 +183,8 @@ static void make_title(const struct grid *g, char title[TITLE])
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     fprintf(f, " %a", numbers[i]);
   for (int i = 0; i < g->width; i++)
-    fprintf(f, " %s %d %a", g->measures[i].name, (int)g->quantity, g->measures[i].tolerance);
+    fprintf(f, " %s %08lx %d %a", g->measures[i].name, (unsigned long)formula_checksum(g->measures[i].formula),
+            (int)g->quantity, g->measures[i].tolerance);
   fclose(f);
 }
 
@@ -229,7 +277,8 @@ enum exit_code breakdown_map(const struct breakdown_options *o)
 {
   static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
   struct grid g = { .options = o, .quantity = Q_DISPLACEMENT, .progress = progress_begin(o->request.style.quiet) };
-  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !breakdown_quantity(&g.quantity, o, OF_STEADY))
+  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !breakdown_quantity(&g.quantity, o, OF_STEADY)
+      || !breakdown_is_sound(o) || !serves(&g))
     return EXIT_USAGE;
   long rows = g.axes[0].count * g.axes[1].count;
   if (rows > MOST_ROWS) {

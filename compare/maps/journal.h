@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { JOURNAL_WIDTH = 64 }; /* numbers of a row, at most */
+enum { JOURNAL_WIDTH = 96 }; /* numbers of a row, at most */
 
 struct journal {
   long rows, done_count;

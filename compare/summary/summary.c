@@ -10,6 +10,20 @@ const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };
 static const enum quantity_id quantities[] = { Q_V_START, Q_DISPLACEMENT };
 enum { SUMMARY_QUANTITIES = sizeof quantities / sizeof *quantities };
 
+static bool is_of_a_page(const void *context, const struct scallop_formula *f)
+{
+  bool shown = false;
+  (void)context;
+  for (int q = 0; q < SUMMARY_QUANTITIES; q++)
+    shown = shown || (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == quantities[q]);
+  return shown;
+}
+
+bool summary_serves(const struct request *request)
+{
+  return book_serves(request->style.command, request->book, is_of_a_page, NULL, "the steady v_start or displacement");
+}
+
 int summary_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
 {
   const struct scallop_formula *f;
@@ -63,7 +77,7 @@ static void examine_series(struct summary *s, const struct point *point, bool ve
     for (int i = 0; i < count; i++) {
       if (items[i].source == FROM_DERIVED)
         s->derived[s->series++] = examine(s, &items[i]);
-      if (items[i].source != FROM_PUBLISHED || s->formulas == SUMMARY_FORMULAS)
+      if (!items[i].formula || s->formulas == SUMMARY_FORMULAS)
         continue;
       struct summary_series *made = &s->formula[s->formulas++];
       *made = examine(s, &items[i]);

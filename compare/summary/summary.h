@@ -3,10 +3,11 @@
 #ifndef SCALLOP_SUMMARY_H
 #define SCALLOP_SUMMARY_H
 
+#include "compare/book/book.h"
 #include "compare/breakdown/study.h"
 #include "compare/claims/claims.h"
 
-enum { SUMMARY_FORMULAS = 8, SUMMARY_LEVELS = 2, SUMMARY_ORDER = 8 };
+enum { SUMMARY_FORMULAS = BOOK_MOST + 8, SUMMARY_LEVELS = 2, SUMMARY_ORDER = 8 };
 extern const double summary_levels[SUMMARY_LEVELS]; /* relative errors whose T are looked for: 0.01 and 0.05 */
 
 /* A formula or a derived series for a quantity of the steady state */
@@ -27,8 +28,11 @@ struct summary {
   slong best_order[2]; /* of the derived series at the point's T, below T^best_order: the least error; 0: there is none */
   double best_error[2];
 };
-/* The formulas of the book that every steady state has; a summary looks at no more than SUMMARY_FORMULAS of them. */
+/* The formulas of the books and of the paper that every steady state has */
 int summary_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS]);
+
+/* Is one of them of the book that was given, if any was? False: the message is on stderr. */
+bool summary_serves(const struct request *request);
 
 /* verdicts: of the formulas, which takes the longest. NULL, or why there is no answer; the summary has to be cleared in either case. */
 const char *summary_make(struct summary *summary, const struct point *point, bool verdicts);

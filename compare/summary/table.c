@@ -106,6 +106,8 @@ enum exit_code summary_table(const struct request *request)
   static char names[SUMMARY_FORMULAS * PER_FORMULA][COLUMN];
   const char *columns[MOST_COLUMNS], *const none[] = { NULL };
   int n = 0, count = summary_formulas(formulas);
+  if (!summary_serves(request))
+    return EXIT_USAGE;
   for (int i = 0; of_motion[i]; i++)
     columns[n++] = of_motion[i];
   for (int i = 0; i < count * PER_FORMULA; i++) {
@@ -124,6 +126,8 @@ enum exit_code summary_of_breakdown(const struct request *request)
   static const char *const of_T[] = { "T", NULL };
   struct summary s;
   struct table t;
+  if (!summary_serves(request))
+    return EXIT_USAGE;
   const char *why = summary_make(&s, &request->point, false);
   if (why)
     complain(request->style.command, "%s", why);

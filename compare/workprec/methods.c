@@ -75,12 +75,23 @@ static enum scallop_turns turns_in_limit(const struct reference *reference)
   return turns;
 }
 
+static bool is_compared(const void *context, const struct scallop_formula *f)
+{
+  (void)context;
+  return f->quantity == SCALLOP_STEADY_VELOCITY || f->quantity == SCALLOP_STEADY_DISPLACEMENT;
+}
+
+bool methods_serve(const char *book)
+{
+  return book_serves("workprec", book, is_compared, NULL, "the steady v_start or displacement");
+}
+
 static void add_formulas(struct settings *settings, const struct reference *reference)
 {
   enum scallop_turns turns = turns_in_limit(reference);
   const struct scallop_formula *published;
   for (int i = 0; (published = listed_formula(i)); i++)
-    if (published->quantity == SCALLOP_STEADY_VELOCITY || published->quantity == SCALLOP_STEADY_DISPLACEMENT) {
+    if (is_compared(NULL, published)) {
       bool of_book = book_formula(i) != NULL;
       settings_add(settings, reference, of_book ? "book" : "published", METHOD_FORMULA, solve_published, "%s",
                    of_book ? published->name : published->equation)

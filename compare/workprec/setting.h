@@ -92,6 +92,8 @@ void settings_clear(struct settings *settings);
 
 /* methods.c: the methods of the paper and of this tool; rivals.c: those of general-purpose solvers. quick: fewer settings. */
 void methods_add(struct settings *settings, const struct reference *reference, bool quick);
+/* Is a formula of the book that was given, if any was, among them? False: the message is on stderr. */
+bool methods_serve(const char *book);
 void rivals_add(struct settings *settings, const struct reference *reference, bool quick);
 
 /* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them, so that a machine

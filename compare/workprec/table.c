@@ -145,6 +145,8 @@ enum exit_code workprec_table(const struct workprec_options *options)
                             : options->quick         ? WORKPREC_QUICK_LIMIT
                                                      : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
+  if (!methods_serve(options->request.book))
+    return EXIT_USAGE;
   struct settings *settings = calloc(1, sizeof *settings);
   if (!settings)
     complain("workprec", "out of memory");

@@ -207,6 +207,29 @@ grep -q 'character 2: / divides by what may be 0' out || note "$(cells out reaso
 grep -q 'no crawler was found for which the conditions hold' out || note "$(cells out reason)"
 finish "what a series cannot do"
 
+# ---- the leading error as a formula: added to the text it takes the error one order further ----
+further() { # ORDER FORMULA OF ARGUMENT...
+  order=$1 text=$2 of=$3
+  shift 3
+  run 1 claims --formula "$text" --of "$of" --claimed 20 "$@"
+  more=$(cells out leading_error)
+  run 1 claims --formula "$text + $more" --of "$of" --claimed 20 "$@"
+  [ "$(cells out derived_order)" = "$order" ] || note "$text + $more: order $(cells out derived_order)"
+}
+further 8 "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" displacement --gait quadratic
+further 3 "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*T*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" v_start --gait quadratic
+further 2 "L" displacement --gait trapezoidal:0.2,0.3
+further 5 "(F1 - F2)/M*T" v_end --gait sinusoidal
+further 1 "dT*(F1 - F2)/m2" v_end --gait quadratic --start v0 --phase contraction
+further 2 "-(F1 - F2)*T/m1" v_change --gait sinusoidal --start v0 --phase contraction
+run 1 claims --formula "sqrt(m1^2)" --of v_end --claimed 3 --gait quadratic
+[ "$(cells out leading_error)" = - ] || note "sqrt: $(cells out leading_error)"
+run 1 claims --formula "L" --of v_start --claimed 3 --gait sinusoidal
+[ "$(cells out leading_error)" = - ] || note "no closed form: $(cells out leading_error)"
+run 1 claims --formula "L" --of v_start --claimed 3 --gait quadratic --errors all
+grep -q leading_error out && note "--errors has no leading error"
+finish "claims: the leading error as a formula"
+
 # ---- by name in the other commands ----
 run 0 series --T 0.1 --book mine.cfg
 [ "$(cells out formula published | sed -n 1p)" = "my_xC 3.2432432432432434" ] || note "series: $(cells out formula published | sed -n 1p)"
@@ -235,4 +258,72 @@ printf 'vary = ( { T = [ 0.1, 0.2 ]; label = { my_xC = [ "a", "b" ]; }; } ); boo
 run 2 run scene.cfg
 grep -q 'a label cannot be called my_xC, which is a quantity' err || note "$(cat err)"
 finish "formulas of a book by name: series, breakdown, workprec, a scene"
+
+# ---- a map has the formulas of the book, each in columns of its own ----
+printf 'formulas = ( { name = "limit_again"; of = "displacement"; start = "steady";
+  text = "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))"; },
+  { name = "twice"; of = "displacement"; start = "steady"; text = "2*limit"; where = {
+    limit = "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))"; }; },
+  { name = "velocity"; of = "v_end"; text = "T"; } );\n' >map.cfg
+map='--map F1/F2 alpha --x 2:4:2 --y 0.6:0.8:2 --tol 0.01'
+# shellcheck disable=SC2086
+run 0 breakdown $map --book map.cfg
+python out <<'END'
+rows = read(sys.argv[1])
+for r in rows:
+    if (r["error_limit_again"], r["T_1e-2_limit_again"]) != (r["error_limit"], r["T_1e-2_limit"]):
+        bad("(28) is the limit of the quadratic gait", r)
+    if not near(number(r, "error_twice"), 1 + 2 * number(r, "error_limit"), 1e-14) or r["T_1e-2_twice"] != "0":
+        bad("twice the limit", r)
+    if "error_velocity" in r or "error_published" not in r:
+        bad(list(r))
+END
+# shellcheck disable=SC2086
+run 0 breakdown $map --book map.cfg --source book
+[ "$(grep -v '^#' out | head -n 1 | tr '\t' '\n' | grep -c '^error_\|^T_')" = 4 ] || note "--source book: $(grep -v '^#' out | head -n 1)"
+# What an interrupted map has computed is not taken for another formula of that name.
+# shellcheck disable=SC2086
+{ run 0 breakdown $map --book map.cfg --source book -o first
+  (ulimit -f 1; "$tool" breakdown --map F1/F2 alpha --tol 0.01 --book map.cfg --source book -o whole >/dev/null 2>&1)
+  if [ -s whole.rows ]; then
+    sed 's/2\*limit/3*limit/' map.cfg >other.cfg
+    run 4 breakdown --map F1/F2 alpha --tol 0.01 --book other.cfg --source book -o whole
+  else note "no interrupted map"; fi; }
+finish "formulas of a book in a map"
+
+# ---- a book without effect ----
+idle() { # MESSAGE ARGUMENT...
+  said=$1
+  shift
+  run 2 "$@"
+  [ "$(cat err)" = "scallop $1: $said" ] || note "$*: $(cat err)"
+}
+printf 'formulas = ( { name = "velocity"; of = "v_end"; text = "T"; } );\n' >phase.cfg
+{ echo 'formulas = ('; awk 'BEGIN { for (i = 0; i < 25; i++) printf "%s{ name = \"a%d\"; of = \"v_start\"; start = \"steady\"; text = \"L\"; }", i ? ", " : "", i }'; echo ');'; } >many.cfg
+none="--book is for the published formulas: --source derived, limit and --bound have none"
+idle "$none" series --source derived --book map.cfg
+idle "$none" series --source limit --book map.cfg
+idle "$none" series --bound --book map.cfg
+idle "--book has nothing to do with --source limit: leave --source out, or --source book" breakdown --book map.cfg --source limit
+idle "--source book needs --book FILE" breakdown --source book
+for only in event radius best; do
+  idle "--book has nothing to do with --only $only" breakdown --book map.cfg --only $only
+done
+idle "--book: no formula of map.cfg is about the v_mid of this motion" breakdown --book map.cfg --quantity v_mid
+idle "--book: no formula of phase.cfg is about this motion" breakdown --book phase.cfg --all
+idle "--book: no formula of phase.cfg is about this motion" breakdown --book phase.cfg --phase extension --v0 1
+run 0 breakdown --book phase.cfg --phase extension --source book --tol 0.1
+# shellcheck disable=SC2086
+idle "--book: no formula of phase.cfg is about the displacement of the steady state" breakdown $map --book phase.cfg
+for option in '--book map.cfg' '--source limit' '--order 8' '--quantity v_mid' '--tol 0.1'; do
+  # shellcheck disable=SC2086
+  idle "${option%% *} has nothing to do with --boundaries" breakdown --map F1/F2 alpha --boundaries $option
+done
+for command in breakdown summary 'workprec --quick'; do
+  # shellcheck disable=SC2086
+  idle "--book: no formula of phase.cfg is about the steady v_start or displacement" $command --book phase.cfg
+  # shellcheck disable=SC2086
+  idle "--book: more than 24 formulas of many.cfg are about the steady v_start or displacement" $command --book many.cfg
+done
+finish "a book without effect is refused"
 exit $failed
