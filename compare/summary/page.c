@@ -67,9 +67,9 @@ static void write_error(FILE *page, double error)
   if (isnan(error))
     fputs("with no exact value to compare", page);
   else if (isinf(error))
-    fputs("where the exact value is 0", page);
+    fputs("so that no relative error is finite", page);
   else if (error == 0)
-    fputs("exactly", page);
+    fputs("the same", page);
   else if (fabs(error) >= 1e-4)
     fprintf(page, "%.3g %% off", 100 * fabs(error));
   else
@@ -127,12 +127,12 @@ static void write_reach(FILE *page, const struct summary *s, const struct summar
 static void write_formula(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
 {
   const struct scallop_formula *formula = f->item.formula;
-  fprintf(page, "  %s %s = ", *formula->equation ? formula->equation : formula->name, name_of(f));
+  fprintf(page, "  %s %s ", *formula->equation ? formula->equation : formula->name, name_of(f));
   if (isnan(f->value)) {
-    fprintf(page, "nothing: it divides by l'', which is 0 at an end of a phase [%s]\n", formula->name);
+    fprintf(page, "has no value: it divides by l'', which is 0 at an end of a phase [%s]\n", formula->name);
     return;
   }
-  fprintf(page, "%.*g, ", digits, f->value);
+  fprintf(page, "= %.*g, exact %.*g, ", digits, f->value, digits, value(s, f->item.quantity));
   write_error(page, f->error);
   fprintf(page, " [%s]\n       ", formula->name);
   write_verdict(page, &f->claim);
