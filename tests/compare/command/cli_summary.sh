@@ -122,7 +122,7 @@ says 'refuted: O(T^4) is claimed, but the error does not vanish as T -> 0'
 run 0 summary --alpha 0.3
 says 'It crawls backward (towards body 1), by 2.925 in each period'
 run 0 summary --T 20
-says 'one body never moves' 'exact 0, ' 'from there on the series does not describe the motion'
+says 'one body never moves' 'exact 0 [' 'from there on the series does not describe the motion'
 run 0 summary --gait constant:0
 says 'it divides by l'"''"', which is 0 at an end of a phase' 'There is no derived series'
 run 0 summary --F1 1
