@@ -7,7 +7,7 @@ cat <<'END'
 `make docs` writes this page from `scallop --help` and `scallop COMMAND --help`.
 [Examples](examples.md) shows each command in use.
 END
-for command in '' $("$1" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+for command in '' $("$1" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   printf '\n## scallop%s\n\n```text\n' "${command:+ $command}"
   # shellcheck disable=SC2086
   "$1" --help $command
