@@ -254,9 +254,9 @@ static symbolic leading(struct motion *m, const struct symbolic_laurent *differe
     found = term ? symbolic_reduced(s, term, replaced) : NULL;
     vanish = found && symbolic_is_zero(found, s) == (k < power);
   }
-  term = vanish ? symbolic_replaced(s, term, replaced) : NULL;
+  symbolic other = term ? symbolic_replaced(s, term, replaced) : NULL;
   replacements_clear(replaced);
-  return !vanish ? NULL : term && length_of(term, s) < length_of(found, s) ? term : found;
+  return !vanish ? NULL : other && length_of(other, s) < length_of(found, s) ? other : found;
 }
 
 static char *write(struct motion *m, symbolic found, slong power)

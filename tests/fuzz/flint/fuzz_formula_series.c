@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/symbolic/formula_symbolic.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/scoped.h"
 
@@ -185,6 +186,35 @@ static void judge_in_balls(const struct series *value, const char *text)
   _arb_vec_clear(values, SYMBOLS);
 }
 
+/* As a formula, where it has one: h a symbol, b nothing that is known. With 1/2 for h the coefficients are the same, where those are defined. */
+static void judge_symbolic(const struct series *value, const char *text)
+{
+  struct formula formula;
+  struct symbols s;
+  struct symbolic_laurent in_symbols;
+  char message[FORMULA_MESSAGE];
+  SCOPED(fmpq, got, wanted);
+  fmpq *half = _fmpq_vec_init(1);
+  fmpq_set_si(half, 1, 2);
+  formula_read(&formula, text, &names, message);
+  symbols_init(&s);
+  symbols_add(&s, NAMED_F1, 0, SCALLOP_EXTENSION);
+  symbols_begin(&s);
+  const struct symbolic_laurent x = symbolic_laurent_set(&s, symbolic_number(&s, 1, 1), 1),
+                                h = symbolic_laurent_set(&s, symbolic_place(&s, 0), 0);
+  const struct symbolic_laurent *const values[SYMBOLS] = { &x, &h, NULL };
+  bool has_formula = !formula_symbolic(&in_symbols, &formula, values, &s, message), defined = true;
+  for (slong k = 0; has_formula && k < in_symbols.count; k++) /* not where a divisor is 0 for h = 1/2 only */
+    defined = defined && symbolic_value(got, in_symbols.term[k], &s, half);
+  for (slong k = -4; has_formula && defined && k < in_symbols.first + in_symbols.count && k < value->known; k++) {
+    symbolic_value(got, symbolic_laurent_term(&s, &in_symbols, k), &s, half);
+    if (series_rational_coefficient(wanted, value, k) && !fmpq_equal(got, wanted))
+      fuzz_fail("'%s' as a formula has another coefficient of x^%ld", text, (long)k);
+  }
+  _fmpq_vec_clear(half, 1);
+  symbols_end(&s);
+}
+
 /* What is known of it is the same with more terms and bits, if it is taken then. */
 static void judge_known(const struct series *value, const char *text)
 {
@@ -250,6 +280,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   if (EVALUATE(&value, text)) {
     judge_value(&value, text);
     judge_in_balls(&value, text);
+    judge_symbolic(&value, text);
     judge_known(&value, text);
     judge(&value, text);
     judge_functions(text);
