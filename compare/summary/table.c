@@ -121,25 +121,29 @@ enum exit_code summary_table(const struct request *request)
   return for_each_point(request, &table);
 }
 
-enum exit_code summary_of_breakdown(const struct request *request)
+static enum exit_code write_breakdown(const struct request *request, const struct summary *s)
 {
   static const char *const of_T[] = { "T", NULL };
-  struct summary s;
+  int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
+  char parameters[PARAMETERS_TEXT];
   struct table t;
-  if (!summary_serves(request))
-    return EXIT_USAGE;
+  if (!table_open(&t, &request->style))
+    return EXIT_FILE;
+  parameters_text(parameters, &request->point, of_T, true);
+  fprintf(t.file, "Crawler:%s\n", parameters);
+  page_of_events(t.file, s, digits);
+  page_of_reaches(t.file, s, digits);
+  fputs("\nMore: --all, or --only event, reach, radius or best, gives the table with every row.\n", t.file);
+  return table_close(&t) ? EXIT_DONE : EXIT_FILE;
+}
+
+enum exit_code summary_of_breakdown(const struct request *request)
+{
+  struct summary s;
   const char *why = summary_make(&s, &request->point, false);
   if (why)
     complain(request->style.command, "%s", why);
-  else if (table_open(&t, &request->style)) {
-    int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
-    char parameters[PARAMETERS_TEXT];
-    parameters_text(parameters, &request->point, of_T, true);
-    fprintf(t.file, "Crawler:%s\n", parameters);
-    page_of_events(t.file, &s, digits);
-    page_of_reaches(t.file, &s, digits);
-    fputs("\nMore: --all, or --only event, reach, radius or best, gives the table with every row.\n", t.file);
-  }
+  enum exit_code code = why ? EXIT_UNSOLVED : write_breakdown(request, &s);
   summary_clear(&s);
-  return why ? EXIT_UNSOLVED : table_close(&t) ? EXIT_DONE : EXIT_FILE;
+  return code;
 }
