@@ -45,7 +45,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 programs  := $(addprefix $(B)/,$(call built,scallop scallop-flint))
 
-.PHONY: all help check check-report reproduce bench instructions explorer check-explorer rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -127,26 +127,14 @@ rooms size:
 ## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
 gates:
 	@sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
+## docs:       docs/commands.md anew, from --help
+docs: $(programs)
+	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
 ## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
 check-report:
 	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
 
-# The explorer: the core in WebAssembly, with no import, in a page of one file. The walk is compiled for speed, the rest for size; both wider
-# types are binary128 there.
-wasm_parts := $(filter-out numerics/wide/wide_long numerics/rivals/% asymptotics/observed/% compare/%,$(filter-out $(flint),$(parts))) \
-              compare/answers/gait_file $(addprefix compare/text/,tsv values digits) $(basename $(wildcard explorer/*.c))
-wasm       = clang --target=wasm32-wasi
-$(B)/wasm/%.o: %.c Makefile
-	@mkdir -p $(@D); $(wasm) $(WASM_LEVEL) -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) -Dwide_long=wide_quad -MMD -MP -c -o $@ $<
-$(B)/wasm/%.o: WASM_LEVEL = -Oz
-$(patsubst %,$(B)/wasm/%.o,$(filter model/gait numerics/batch numerics/event/%,$(wasm_parts))): WASM_LEVEL = -O3
-$(B)/wasm/model/law.o: wasm += $(foreach name,law_curve_bernstein law_rise law_same scallop_fourth_derivative,-D$(name)=$(name)_in_long_double)
-$(B)/wasm/asymptotics/published/paper.o: $(B)/asymptotics/published/paper.c
-	@mkdir -p $(@D); $(wasm) -Oz -I. -c -o $@ $<
-$(B)/core.wasm: $(patsubst %,$(B)/wasm/%.o,$(wasm_parts))
-	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144,--wrap=wide_enough_steady -o $@ $^ && wasm-opt -O3 $@ -o $@
-$(B)/explorer/index.html: $(B)/core.wasm $(wildcard explorer/*.js explorer/*.css explorer/*.html explorer/*.json) scripts/dev/explorer.sh
-	@sh scripts/dev/explorer.sh $(B)
+include explorer/rules.mk
 ## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server
 explorer: $(B)/explorer/index.html
 ## check-explorer: that page in headless Chromium: its numbers, drags, presets, links, and what is refused

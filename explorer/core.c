@@ -138,11 +138,10 @@ static void note_interval(void *context, const struct scallop_interval *interval
 {
   struct walk *w = context;
   struct scallop_span s = scallop_interval_span(interval, &explorer_crawler, w->kind);
-  const double out[] = { w->begin + s.t_begin, w->begin + s.t_end, s.mode.s1,  s.mode.s2,
-                         s.v1_begin,           s.v1_end,           s.v2_begin, s.v2_end };
+  const double out[] = { w->begin + s.t_begin, w->begin + s.t_end, s.mode.s1, s.mode.s2 };
   if (w->count == EXPLORER_MOST)
     return;
-  for (int i = 0; i < 8; i++)
+  for (int i = 0; i < 4; i++)
     explorer_rows[i][w->count] = out[i];
   w->count++;
 }

@@ -35,14 +35,13 @@ int EXPORTED(choose_crawler)(void);
 int EXPORTED(steady)(void);
 /* The period from v0. numbers(): v_mid, v_end, displacement, multiplier, regime. text(): the modes */
 int EXPORTED(period)(double v0);
-/* The intervals of constant mode of so many periods from v0, each in row(0)...: t_begin, t_end, directions of both bodies, their velocities at
- * its beginning and at its end. Returns how many (as many as there is room for), or a status. */
+/* The intervals of constant mode of so many periods from v0, each in row(0)...: t_begin, t_end, directions of both bodies. Returns how many (as many
+ * as there is room for), or a status. */
 int EXPORTED(walk)(double v0, int periods);
 /* row(0)...: t, x1, x2, xC, v1, v2, l. Returns how many samples, or a status. */
 int EXPORTED(trajectory)(double v0, int periods, int samples);
 /* Classes: a regime with its modes, numbered as steady_states meets them. */
 const char *EXPORTED(class_name)(int i);
-int EXPORTED(class_count)(void);
 void EXPORTED(forget_classes)(void);
 /* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of the crawler that was chosen.
  * row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted).

@@ -43,7 +43,6 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 }
 
 const char *class_name(int i) { return class_text[i]; }
-int class_count(void) { return classes; }
 void forget_classes(void) { classes = 0; }
 
 /* For a picture no digits are wanted that cancelled: binary128 in software takes a hundred times as long as all the rest. The linker puts this

@@ -28,7 +28,7 @@ const AMONG = {
 };
 let state = ofLink();
 const history = new History(state);
-const costs = {};
+const costs = {}, waiting = {};
 let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
 
 /** The state of the page's address; two axes of a map never set the same parameter. */
@@ -107,8 +107,8 @@ function picture(state, crawler) {
   showAnswers();
   showTime();
   map.show(crawler, state, `${state.gait} ${state.show}`);
-  curve.show(crawler, state[state.along], state.of);
-  inTime(`errors ${state.gait}`, () => errors.show(crawler, state, motion.endless ? 0 : motion.v0));
+  inTime("curve", state.gait, () => curve.show(crawler, state[state.along], state.of));
+  inTime("errors", state.gait, () => errors.show(crawler, state, motion.endless ? 0 : motion.v0));
   core.chooseCrawler(crawler);
   for (const [id, name] of Object.entries(CHOICES)) find(id).value = state[name];
   find("command").textContent = commandOf(state);
@@ -116,16 +116,17 @@ function picture(state, crawler) {
   find("save-table").hidden = state.table === "";
 }
 
-/** Does something now, or where it took too long the last time when nothing has changed for a while. */
-function inTime(key, action) {
+/** Does one of the things that follow now, or where that took too long for the gait the last time when nothing has changed for a while. */
+function inTime(what, gait, action) {
+  const key = `${what} ${gait}`;
   const timed = () => {
     const begun = performance.now();
     action();
     costs[key] = performance.now() - begun;
   };
-  clearTimeout(inTime.later);
+  clearTimeout(waiting[what]);
   if ((costs[key] ?? 0) < 8) timed();
-  else inTime.later = setTimeout(timed, 150);
+  else waiting[what] = setTimeout(timed, 150);
 }
 
 /** The crawler was moved in the map. */
@@ -305,4 +306,4 @@ addEventListener("keydown", (event) => {
 
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };
+globalThis.explorer = { core, usual: USUAL, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };

@@ -5,21 +5,28 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 const HEIGHT = 300;
 
 const number = (x) => (x === null ? "" : x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? x.toExponential().replace("e+", "e") : String(Number(x.toPrecision(6))));
+const isPower = (x) => Math.abs(Math.log10(x) - Math.round(Math.log10(x))) < 1e-9;
 /** On a log scale of many decades, grid lines at powers of ten only. */
 const fewer = (u, splits, i) => {
   const { distr, min, max } = u.scales[u.axes[i].scale];
-  return distr === 3 && max / min > 1e4 ? splits.map((x) => (Math.abs(Math.log10(x) % 1) < 1e-9 ? x : null)) : splits;
+  return distr === 3 && max / min > 1e4 ? splits.map((x) => (isPower(x) ? x : null)) : splits;
 };
 /** And labels at as many of those as there is room for. */
 const labelled = (u, splits, i) => {
   const { distr, min, max } = u.scales[u.axes[i].scale], decades = Math.log10(max / min);
   if (distr !== 3) return splits;
   const room = (i === 0 ? u.bbox.width / 60 : u.bbox.height / 26) / devicePixelRatio, every = Math.max(1, Math.ceil(decades / room));
-  const kept = (x) => (decades < 1.5 ? true : Math.abs(Math.log10(x) % 1) < 1e-9 && Math.round(Math.log10(x)) % every === 0);
+  const kept = (x) => (decades < 1.5 ? true : isPower(x) && Math.round(Math.log10(x)) % every === 0);
   return splits.map((x) => (kept(x) ? x : null));
 };
-const axis = (label, grid) => ({
-  label, filter: labelled, values: (_, splits) => splits.map(number), stroke: () => colour("ink"), font: "13px system-ui", labelFont: "13px system-ui", labelSize: 22,
+/** Powers of ten, and where there are few their multiples. */
+function logSplits(u, i, min, max) {
+  const from = Math.floor(Math.log10(min)), to = Math.ceil(Math.log10(max)), few = to - from <= 6, splits = [];
+  for (let k = from; k <= to; k++) for (let digit = 1; digit <= (few ? 9 : 1); digit++) splits.push(Number(`${digit}e${k}`));
+  return splits.filter((x) => x >= min && x <= max);
+}
+const axis = (label, grid, log) => ({
+  label, filter: labelled, ...(log ? { splits: logSplits } : {}), values: (_, splits) => splits.map(number), stroke: () => colour("ink"), font: "13px system-ui", labelFont: "13px system-ui", labelSize: 22,
   grid: { show: grid ?? true, filter: fewer, stroke: () => colour("line"), width: 1 }, ticks: { stroke: () => colour("line") },
 });
 export const scale = (log, range) => ({ time: false, distr: log ? 3 : 1, range: range ?? ((_, low, high) => [low, high]) });
@@ -43,7 +50,7 @@ export class Plot {
       this.plot?.destroy();
       this.key = what.key;
       this.plot = new uPlot({
-        ...this.size(), ...this.more, scales: what.scales, axes: [axis(what.x, what.grid), { ...axis(what.y, what.grid), size: 70 }],
+        ...this.size(), ...this.more, scales: what.scales, axes: [axis(what.x, what.grid, what.scales.x.distr === 3), { ...axis(what.y, what.grid, what.scales.y.distr === 3), size: 70 }],
         series: [{ label: what.x, value: this.value }, ...what.series.map((one) => ({ value: this.value, ...one }))],
         hooks: what.hooks ?? {}, cursor: { drag: { x: false, y: false }, ...what.cursor }, legend: { live: what.live ?? true, show: what.legend ?? true },
       }, data, this.host);

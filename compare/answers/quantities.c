@@ -44,12 +44,17 @@ enum quantity_id quantity_of_name(const char *name)
 
 const struct column_meaning *quantity_meaning(const char *name)
 {
+  static const struct column_meaning modes = {
+    "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck; | ends the extension", true
+  };
   static struct column_meaning meaning;
+  if (strcmp(name, "modes") == 0)
+    return &modes;
   enum quantity_id q = quantity_of_name(name);
   if (q == NAMED_QUANTITIES)
     return NULL;
   meaning = (struct column_meaning){ strcmp(quantity_rows[q].unit, "1") == 0 ? "" : quantity_rows[q].unit,
-                                     quantity_rows[q].sentence };
+                                     quantity_rows[q].sentence, false };
   return &meaning;
 }
 

@@ -259,7 +259,7 @@ static bool begin(struct report *r)
   if (!steady) {
     char v0[NUMBER_TEXT];
     number_text(v0, r->study.motion.v0, 0);
-    table_note(t, "%s from v0 = %s; T: its duration",
+    table_note(t, "%s from v0 = %s; T is its duration, not the period",
                r->study.motion.phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
   }
   if (r->study.expansions.derived.status != SCALLOP_OK)

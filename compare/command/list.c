@@ -45,16 +45,37 @@ static const char program_text[] =
     "  1  a check failed\n"
     "  2  bad usage or input\n"
     "  3  a computation could not be done\n"
-    "  4  a file or standard output could not be read or written; a closed pipe is such a case: scallop ... | head\n"
-    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the new table is "
-    "complete.\n";
+    "  4  a file or standard output could not be read or written, as in scallop ... | head\n"
+    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the\n"
+    "new table is complete.\n";
+
+/* A text that begins at a place of a line, and goes on in as many lines as it takes, each from that column on. */
+static void print_from(FILE *to, int at, int column, const char *text)
+{
+  enum { WIDTH = 100 };
+  bool begins = true;
+  for (int word; *text; text += word + (text[word] == ' '), begins = false) {
+    word = (int)strcspn(text, " ");
+    if (!begins && at + 1 + word > WIDTH)
+      at = fprintf(to, "\n%*s", column, "") - 1;
+    else if (!begins)
+      at += fprintf(to, " ");
+    at += fprintf(to, "%.*s", word, text);
+  }
+  fputc('\n', to);
+}
+
+static void print_item(FILE *to, const char *name, int column, const char *text)
+{
+  print_from(to, fprintf(to, "  %-*s  ", column - 4, name), column, text);
+}
 
 /* An option, what it takes, and what for. */
 static void option_line(FILE *to, const char *name, const char *placeholder, const char *help)
 {
   char left[40];
   snprintf(left, sizeof left, "--%s %s", name, placeholder ? placeholder : "");
-  fprintf(to, "  %-18s  %s\n", left, help);
+  print_item(to, left, 22, help);
 }
 
 void help_program(FILE *to)
@@ -65,7 +86,7 @@ void help_program(FILE *to)
         "Commands:\n",
         to);
   for (const struct command *const *c = commands; *c; c++)
-    fprintf(to, "  %-12s %s\n", (*c)->name, (*c)->summary);
+    print_item(to, (*c)->name, 16, (*c)->summary);
   fputs(program_text, to);
 }
 
@@ -89,8 +110,11 @@ static void describe(const struct arguments *initial, const struct option *o, ch
 static void list_quantities(FILE *to, const struct quantity_row *row, const struct quantity_row *end)
 {
   fputs("\nQuantities (with their units):\n", to);
-  for (; row < end; row++)
-    fprintf(to, "  %-18s  %s [%s]\n", row->name, row->sentence, row->unit);
+  for (; row < end; row++) {
+    char text[HELP_OPTION];
+    snprintf(text, sizeof text, "%s [%s]", row->sentence, row->unit);
+    print_item(to, row->name, 22, text);
+  }
 }
 
 /* What --gait takes, if the command has it */
@@ -103,18 +127,25 @@ static void list_gaits(FILE *to, const struct command *command)
   if (o->name)
     fputs("\nGaits (with their usual numbers):\n", to);
   for (int i = 0; o->name && (family = gait_family(i)) != NULL; i++) {
-    char name[40];
+    char name[40], text[HELP_OPTION];
     bool may = family->numbers && family->usual;
     snprintf(name, sizeof name, "%s%s%s%s%s", family->name, may ? "[" : "", family->numbers ? ":" : "",
              family->numbers ? family->numbers : "", may ? "]" : "");
-    fprintf(to, "  %-22s  %s%s%s%s\n", name, family->sentence, may ? " (" : "", may ? family->usual : "", may ? ")" : "");
+    snprintf(text, sizeof text, "%s%s%s%s", family->sentence, may ? " (" : "", may ? family->usual : "", may ? ")" : "");
+    print_item(to, name, 26, text);
   }
 }
 
 void help_command(FILE *to, const struct command *command)
 {
-  fprintf(to, "Example: %s\n\nscallop %s%s%s [options]: %s.\n\n%s\n", command->example, command->name,
-          command->operand ? " " : "", command->operand ? command->operand : "", command->summary, command->about);
+  char summary[HELP_OPTION];
+  snprintf(summary, sizeof summary, "%s.", command->summary);
+  fprintf(to, "Example: %s\n\n", command->example);
+  print_from(to,
+             fprintf(to, "scallop %s%s%s [options]: ", command->name, command->operand ? " " : "",
+                     command->operand ? command->operand : ""),
+             0, summary);
+  fprintf(to, "\n%s\n", command->about);
   if (command->quantities.end > 0)
     list_quantities(to, quantity_rows + command->quantities.first, quantity_rows + command->quantities.end);
   list_gaits(to, command);

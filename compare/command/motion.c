@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/answer.h"
+#include "compare/answers/mode_change.h"
 #include "compare/answers/points.h"
 #include "compare/answers/defaults.h"
 #include "compare/command/commands.h"
@@ -52,6 +53,21 @@ static const char *solve(struct cells *c, const struct motion_options *o, const 
   return done ? NULL : why;
 }
 
+/* The modes in words are a column of a single answer for people, and of any table whose columns are chosen by name. */
+static bool has_words(const struct request *r)
+{
+  return r->style.choice || (!has_many_points(r) && table_is_for_people(&r->style));
+}
+
+static void write_words(struct table *t, const struct motion_options *o, const struct point *p)
+{
+  enum { SHOWN = 6 };
+  const struct motion motion = motion_of(p, o->of);
+  struct answer answer;
+  char words[MOTION_WORDS];
+  table_text(t, answer_in_double(&answer, &motion) ? motion_in_words(words, &motion, &answer, SHOWN) : "-");
+}
+
 static const char *row(struct table *t, const struct point *p, const void *context, const char *refused)
 {
   static const double rounded_up = 1.005; /* of an estimate, with three digits */
@@ -69,6 +85,10 @@ static const char *row(struct table *t, const struct point *p, const void *conte
     table_rounded(t, why ? NAN : rounded_up * c.errors[q], "%.3g");
   table_text(t, why ? "-" : scallop_regime_text(c.answer.regime));
   table_text(t, why ? "-" : motion_modes_text(modes, o->of, c.answer.modes));
+  if (has_words(&o->request) && why)
+    table_text(t, "-");
+  else if (has_words(&o->request))
+    write_words(t, o, p);
   table_text(t, why ? why : o->certified ? "certified" : answer_status_text(status, &c.answer));
   if (o->certified)
     decimals_free(c.decimals);
@@ -77,7 +97,7 @@ static const char *row(struct table *t, const struct point *p, const void *conte
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  enum { MOST = 2 * QUANTITIES + 4, NAME = 32 };
+  enum { MOST = 2 * QUANTITIES + 5, NAME = 32 };
   static const char *const none[] = { NULL }, *const start[] = { "phase", "v0", NULL };
   const struct motion_options *o = options;
   const char *columns[MOST];
@@ -93,6 +113,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   }
   columns[n++] = "regime";
   columns[n++] = "modes";
+  if (has_words(&o->request))
+    columns[n++] = "motion";
   columns[n++] = "status";
   columns[n] = NULL;
   const struct point_table table = {
@@ -113,19 +135,16 @@ static bool is_sound(const void *options)
 }
 
 #define ABOUT_ROWS \
-  ABOUT_MANY_POINTS \
-  ".\n" \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits (numerics/wide/wide.h). It is of " \
-  "the " \
-  "doubles\n" \
-  "nearest to the parameters as written; --certified takes the decimals themselves.\n" \
-  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is right to a\n" \
-  "unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those of a gait and a table " \
-  "too;\n" \
-  "of a range they are the decimals that the row prints. status is certified. What touches a boundary exactly\n" \
-  "cannot be decided, which status says. A polynomial whose l' changes its sign within a phase, or is not exactly 0 " \
-  "at\n" \
-  "its ends, is that of the doubles."
+  "motion: the modes in words with their times, a column of a single answer on a terminal, and\n" \
+  "elsewhere where --columns names it.\n" ABOUT_MANY_POINTS ".\n" \
+  "--error: for each number an estimate of its error: what it is off by in 113 bits\n" \
+  "(numerics/wide/wide.h). It is of the doubles nearest to the parameters as written; --certified takes\n" \
+  "the decimals themselves.\n" \
+  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is\n" \
+  "right to a unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those\n" \
+  "of a gait and a table too; of a range they are the decimals that the row prints. status is\n" \
+  "certified. What touches a boundary exactly cannot be decided, which status says. A polynomial whose\n" \
+  "l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
 
 const struct command command_steady = {
   .name = "steady",
@@ -136,10 +155,9 @@ const struct command command_steady = {
   .size = sizeof(struct motion_options),
   .rules = rules,
   .is_sound = is_sound,
-  .about =
-      "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes: directions of body 1\n"
-      "and body 2 in turn, 0 stuck, | between extension and contraction; status: ok, or why there is no "
-      "answer.\n" ABOUT_ROWS,
+  .about = "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
+           "directions of body 1 and body 2 in turn, 0 stuck, | between extension and contraction; status: ok,\n"
+           "or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .run = run,
 };
@@ -154,8 +172,8 @@ const struct command command_phase = {
   .rules = rules,
   .is_sound = is_sound,
   .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
-           "directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
+           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest;\n"
+           "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

@@ -127,9 +127,10 @@ struct option_rule {
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
 /* What --help says of lists and ranges, where a command takes many points */
 #define ABOUT_MANY_POINTS \
-  "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which with :log has\n" \
-  "equal ratios (--T 1e-3:1:50:log). Every combination is a row; the option that stands last varies fastest. Values\n" \
-  "between the ends of a range are rounded to 15 digits, with :log to 12, as in scenes: docs/scenes.md"
+  "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which\n" \
+  "with :log has equal ratios (--T 1e-3:1:50:log). Every combination is a row; the option that stands\n" \
+  "last varies fastest. Values between the ends of a range are rounded to 15 digits, with :log to 12,\n" \
+  "as in scenes: docs/scenes.md"
 
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)

@@ -219,16 +219,14 @@ const struct command command_run = {
   .options = options_of_run,
   .rules = rules,
   .size = sizeof(struct scene_options),
-  .about =
-      "A scene is a file that says which crawler and gait, what varies, and what is wanted of it: trajectories, phases, "
-      "steady\n"
-      "states, series, errors, orders, or the tables of other commands. docs/scenes.md has the language. Each want is a "
-      "table\n"
-      "with a file and a format of its own, and may have a plot. A name without .cfg is that of a scene that comes with\n"
-      "the tool: figure2 to figure5, claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input.\n"
-      "Parameters, --digits and --format given here take the place of the scene's.\n"
-      "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will count it; known:\n"
-      "exactly, at most, or not requested; for: the quantity or table that first needs it.",
+  .about = "A scene is a file that says which crawler and gait, what varies, and what is wanted of it:\n"
+           "trajectories, phases, steady states, series, errors, orders, or the tables of other commands.\n"
+           "docs/scenes.md has the language. Each want is a table with a file and a format of its own, and may\n"
+           "have a plot. A name without .cfg is that of a scene that comes with the tool: figure2 to figure5,\n"
+           "claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input. Parameters,\n"
+           "--digits and --format given here take the place of the scene's.\n"
+           "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will\n"
+           "count it; known: exactly, at most, or not requested; for: the quantity or table that first needs it.",
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };

@@ -33,21 +33,18 @@ const struct command command_summary = {
   .options = options_of_summary,
   .size = sizeof(struct summary_options),
   .initial = &initial,
-  .about =
-      "A page for each crawler, in words: how it moves, and when its bodies turn; the paper's formulas for the steady "
-      "state,\n"
-      "each with its value, its error now, the verdict for this gait and these parameters, and the T from which it is off "
-      "by\n"
-      "more than 1 % and 5 %; the best order of the derived series; and the events that end the expansion.\n"
-      "Nothing is computed otherwise than by `steady`, `claims` and `breakdown`, which show more.\n"
-      "\n"
-      "--format json, tsv, csv or markdown gives a row for each crawler instead: its steady state (`steady --help` has the\n"
-      "names), motion (the modes in words, with times since the start of the extension), and for each formula NAME its "
-      "value\n"
-      "NAME, NAME_error (NAME/exact - 1), NAME_reach_1 and NAME_reach_5 (the largest T up to which |error| stays below 1 %\n"
-      "and 5 %; 0: it does not as T -> 0; inf: at every T), NAME_verdict and NAME_order (of its error, proven; inf: "
-      "exact).\n"
-      "first_event, with its T and Froude number, is where the modes change first as T grows; best_order: of the derived\n"
-      "displacement, that the terms below T^best_order have the least error at this T, best_error.",
+  .about = "A page for each crawler, in words: how it moves, and when its bodies turn; the paper's formulas for\n"
+           "the steady state, each with its value, its error now, the verdict for this gait and these\n"
+           "parameters, and the T from which it is off by more than 1 % and 5 %; the best order of the derived\n"
+           "series; and the events that end the expansion. Nothing is computed otherwise than by `steady`,\n"
+           "`claims` and `breakdown`, which show more.\n"
+           "\n"
+           "--format json, tsv, csv or markdown gives a row for each crawler instead: its steady state (`steady\n"
+           "--help` has the names), motion (the modes in words, with times since the start of the extension),\n"
+           "and for each formula NAME its value NAME, NAME_error (NAME/exact - 1), NAME_reach_1 and NAME_reach_5\n"
+           "(the largest T up to which |error| stays below 1 % and 5 %; 0: it does not as T -> 0; inf: at every\n"
+           "T), NAME_verdict and NAME_order (of its error, proven; inf: exact). first_event, with its T and\n"
+           "Froude number, is where the modes change first as T grows; best_order: of the derived displacement,\n"
+           "that the terms below T^best_order have the least error at this T, best_error.",
   .run = run,
 };

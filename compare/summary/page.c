@@ -17,7 +17,7 @@ static void write_way(FILE *page, const struct summary *s, int digits)
     fprintf(page, "  It moves to and fro, and is where it was after each period.\n");
   else
     fprintf(page, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
-            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", digits, way, digits,
+            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", digits, fabs(way), digits,
             value(s, Q_MEAN_VELOCITY));
 }
 
@@ -64,16 +64,12 @@ static const char *name_of(const struct summary_series *f) { return quantity_row
 
 static void write_error(FILE *page, double error)
 {
-  if (isnan(error))
-    fputs("with no exact value to compare", page);
-  else if (isinf(error))
-    fputs("where the exact value is 0", page);
-  else if (error == 0)
-    fputs("exactly", page);
-  else if (fabs(error) >= 1e-4)
-    fprintf(page, "%.3g %% off", 100 * fabs(error));
-  else
-    fprintf(page, "off by %.2g of itself", fabs(error));
+  if (error == 0)
+    fputs(", the same", page);
+  else if (isfinite(error) && fabs(error) >= 1e-4)
+    fprintf(page, ", %.3g %% off", 100 * fabs(error));
+  else if (isfinite(error))
+    fprintf(page, ", off by %.2g of itself", fabs(error));
 }
 
 /* "O(T)", "O(T^4)" */
@@ -127,12 +123,12 @@ static void write_reach(FILE *page, const struct summary *s, const struct summar
 static void write_formula(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
 {
   const struct scallop_formula *formula = f->item.formula;
-  fprintf(page, "  %s %s = ", *formula->equation ? formula->equation : formula->name, name_of(f));
+  fprintf(page, "  %s %s ", *formula->equation ? formula->equation : formula->name, name_of(f));
   if (isnan(f->value)) {
-    fprintf(page, "nothing: it divides by l'', which is 0 at an end of a phase [%s]\n", formula->name);
+    fprintf(page, "has no value: it divides by l'', which is 0 at an end of a phase [%s]\n", formula->name);
     return;
   }
-  fprintf(page, "%.*g, ", digits, f->value);
+  fprintf(page, "= %.*g, exact %.*g", digits, f->value, digits, value(s, f->item.quantity));
   write_error(page, f->error);
   fprintf(page, " [%s]\n       ", formula->name);
   write_verdict(page, &f->claim);

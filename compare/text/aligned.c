@@ -50,6 +50,21 @@ static const char *unit_of(column_meaning *meaning, const char *name)
   return m ? m->unit : "";
 }
 
+/* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
+static void print_text(FILE *file, const char *text, int left)
+{
+  enum { LONGEST = 60 };
+  bool is_long = strlen(text) > LONGEST;
+  for (; *text; text++) {
+    bool ends = is_long && text[1] == ' ' && (*text == ';' || *text == '|');
+    fputc(*text, file);
+    if (ends) {
+      fprintf(file, "\n%*s", left, "");
+      text++;
+    }
+  }
+}
+
 /* One a line: name, value and unit, and what it is */
 static void print_upright(const struct aligned *a, FILE *file, column_meaning *meaning)
 {
@@ -63,7 +78,9 @@ static void print_upright(const struct aligned *a, FILE *file, column_meaning *m
   for (int i = 0; i < a->columns; i++) {
     const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
     const char *value = a->cells[i + a->columns], *unit = m ? m->unit : "";
-    fprintf(file, "%-*s  %s%s%s", widest, a->cells[i], value, *unit ? " " : "", unit);
+    fprintf(file, "%-*s  ", widest, a->cells[i]);
+    print_text(file, value, widest + 2);
+    fprintf(file, "%s%s", *unit ? " " : "", unit);
     if (m)
       fprintf(file, "%*s  %s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence);
     fputc('\n', file);
@@ -108,6 +125,11 @@ static void print_columns(const struct aligned *a, FILE *file, column_meaning *m
     print_row(a, file, (const char *const *)(a->cells + k), width, numbers);
     if (k == 0 && has_units)
       print_row(a, file, units, width, numbers);
+  }
+  for (int i = 0; i < a->columns; i++) {
+    const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
+    if (m && m->has_symbols)
+      fprintf(file, "%s: %s\n", a->cells[i], m->sentence);
   }
 }
 

@@ -1,13 +1,16 @@
-/* A table for people: cells are kept, and printed in columns of equal width; a single row is printed upright. */
+/* A table for people: cells are kept, and printed in columns of equal width; a single row is printed upright, its long texts in
+ * several lines. */
 #ifndef SCALLOP_ALIGNED_H
 #define SCALLOP_ALIGNED_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-/* What a column is, for people: its unit, "" where there is none, and a sentence. NULL: nothing is known of it. */
+/* What a column is, for people: its unit, "" where there is none, and a sentence, which is the legend below columns of symbols. NULL: nothing
+ * is known of it. */
 struct column_meaning {
   const char *unit, *sentence;
+  bool has_symbols;
 };
 typedef const struct column_meaning *column_meaning(const char *name);
 

@@ -90,6 +90,7 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
 }
 
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
+bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
 
 /* The first error is the one to tell of. */
 static void note_error(struct table *t, bool failed)

@@ -79,6 +79,8 @@ struct table {
 /* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are kept in TSV too,
  * beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
+/* Will the table be an aligned one? */
+bool table_is_for_people(const struct style *style);
 /* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */

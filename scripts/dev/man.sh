@@ -3,7 +3,7 @@
 set -eu
 rm -rf "$3" "$3.part"
 mkdir -p "$3.part"
-for command in '' $("$1" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+for command in '' $("$1" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   page=scallop${command:+-$command}
   # shellcheck disable=SC2086
   "$1" --help $command | awk -v page="$page" -v version="scallop $2" -f scripts/dev/man.awk >"$3.part/$page.1"

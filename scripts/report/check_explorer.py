@@ -7,6 +7,7 @@ Exit codes: 0 all is well, 1 something is not (a line for each), 3 there is no b
 """
 import argparse
 import json
+import random
 import re
 import shlex
 import statistics
@@ -123,6 +124,11 @@ class Check:
         buttons = {"mousePressed": 1, "mouseMoved": 1, "mouseReleased": 0}[kind]
         self.page.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=buttons, clickCount=1)
 
+    def key(self, key, code, number, text=""):
+        for kind in ("keyDown", "keyUp"):
+            more = {"text": text} if kind == "keyDown" and text else {}
+            self.page.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, windowsVirtualKeyCode=number, **more)
+
     def drag(self, selector, path):
         """Presses at the first of the places, parts of a box, and lets go at the last."""
         x, y, width, height = self.box(selector)
@@ -173,15 +179,15 @@ class Check:
         for focus, field in (("slider-T", "T"), ("map", "F1")):
             before = self.state()
             self.page.run(f"document.getElementById('{focus}').focus()")
-            self.page.type_key("ArrowRight", "ArrowRight", 39)
+            self.key("ArrowRight", "ArrowRight", 39)
             self.settle()
             self.expect(float(self.state()[field]) > float(before[field]), f"the right arrow in #{focus} does not change {field}")
         self.same_as_command("after keys")
         self.page.run("document.activeElement.blur()")
         self.expect(self.page.run("document.getElementById('play').textContent") == "Pause", "the crawler does not move at first")
-        self.page.type_key(" ", "Space", 32, " ")
+        self.key(" ", "Space", 32, " ")
         self.expect(self.page.run("document.getElementById('play').textContent") == "Play", "the space bar does not pause")
-        self.page.ask("Emulation.setEmulatedMedia", media="screen", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
+        self.page.prefer(reduced_motion="reduce")
         self.page.ask("Page.reload")
         self.settle(1)
         self.expect(self.page.run("document.getElementById('play').textContent") == "Play", "the crawler moves where no motion is wanted")
@@ -277,6 +283,25 @@ class Check:
             self.command(*shlex.split(self.page.run("explorer.commandOf(explorer.state())"))[1:])
         self.reports("what is taken along")
 
+    def extremes(self):
+        """Parameters of any size, gaits of all kinds and every choice: nothing breaks, and what is shown are the command's numbers."""
+        self.load()
+        choices = self.page.run("Object.fromEntries(['map-x', 'map-y', 'map-show', 'curve-of', 'start', 'gait-family'].map((id) => [id, [...document.getElementById(id).options].map((o) => o.value)]))")
+        pick, shown = random.Random(11), 0
+        for _ in range(20):
+            state = {name: repr(10 ** pick.uniform(-30, 30)) for name in ("m1", "m2", "F1", "F2", "L", "T") if pick.random() < 0.6}
+            state.update(alpha=repr(pick.choice((1e-9, 0.5, 0.999999, pick.random()))), start=pick.choice(choices["start"]), v0=repr(pick.gauss(0, 100)))
+            state.update(gait=pick.choice(("quadratic", "sinusoidal", "trapezoidal:0.1,0.9", "skewed:0.01", "constant:0", "minimum-jerk", "polynomial:0,3,-2")))
+            state.update(show=pick.choice(choices["map-show"]), of=pick.choice(choices["curve-of"]), x=pick.choice(("F1/F2", "m1/m2", "alpha")), y=pick.choice(("T", "froude")))
+            self.page.run(f"explorer.change({{ ...explorer.usual, ...{json.dumps(state)} }})")
+            self.settle(0.2)
+            if not self.page.run("document.body.classList.contains('kept')"):
+                shown += 1
+                if state["gait"] not in ("minimum-jerk", "polynomial:0,3,-2"):  # evaluated in double, to 8 units
+                    self.same_as_command(f"extremes {state}")
+            self.reports(f"extremes {state}")
+        self.expect(shown >= 10, f"{shown} of 20 extreme states are shown")
+
     def tables(self):
         """The curve as a table, of a crawler whose displacements cancel; and the picture as PNG."""
         self.load("#F1=79.8&x=alpha&y=T&of=displacement")
@@ -325,6 +350,7 @@ class Check:
         self.refused()
         self.taken_along()
         self.tables()
+        self.extremes()
         self.looks(folder)
 
 

@@ -11,13 +11,16 @@ enum { ORDER = 8, STEADY_ORDER = 14, PRECISION = 128, CRAWLERS = 300, NAMES = 8 
 
 static const struct series *numeric_of(const struct scallop_phase_expansion *e, int i)
 {
-  const struct series *const all[NAMES] = { &e->t1, &e->dT, &e->v_end, &e->dx1, &e->dx2, &e->dxC, &e->at_first, &e->at_last };
+  const struct series *const all[NAMES] = {
+    &e->t1, &e->dT, &e->v_end, &e->dx1, &e->dx2, &e->dxC, &e->at_first, &e->at_last
+  };
   return all[i];
 }
 
 static const struct symbolic_series *symbolic_of(const struct symbolic_phase *p, int i)
 {
-  const struct symbolic_series *const all[NAMES] = { &p->t1, &p->dT, &p->v_end, &p->dx1, &p->dx2, &p->dxC, &p->at_first, &p->at_last };
+  const struct symbolic_series *const all[NAMES] = { &p->t1,  &p->dT,  &p->v_end,    &p->dx1,
+                                                     &p->dx2, &p->dxC, &p->at_first, &p->at_last };
   return all[i];
 }
 

@@ -57,6 +57,7 @@ finish "T* and events can be pasted into series and steady"
 run 0 breakdown --only event --gait sinusoidal
 [ "$(rows out | wc -l)" = 7 ] || note "events: $(cells out T)"
 run 0 breakdown --phase contraction --only reach --quantity dT --tol 0.01
+grep -qx "# contraction from v0 = 0; T is its duration, not the period" out || note "the head does not say what T is"
 cells out series >names
 grep -q rest_dT names && grep -q derived names && grep -q limit names || note "series of dT: $(cat names)"
 run 0 breakdown --v0 0.5 --only reach --quantity v_end --source derived --order 5 --tol 1e-3

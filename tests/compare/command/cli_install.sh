@@ -149,7 +149,7 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   finish "the Python module finds the library, and can be copied"
 fi
 run 0 --help
-for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p' out) ''; do
+for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/-\1/p' out) ''; do
   grep -q "^\.TH SCALLOP.* 1 .*scallop $version" "elsewhere/usr/share/man/man1/scallop$command.1" || note "no page scallop$command"
 done
 [ "$(find elsewhere/usr/share/man -name '*.1' | wc -l)" -gt 5 ] || note "$(find elsewhere/usr/share/man -name '*.1' | wc -l) pages"

@@ -21,7 +21,7 @@ help_options() { sed -n 's/^  --\([A-Za-z0-9-]*\) .*/\1/p' "$1"; } # FILE: as --
 
 # ---- the pages ----
 run 0 --help
-commands=$(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' out)
+commands=$(sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p' out)
 [ "$(echo "$commands" | wc -w)" -gt 8 ] || note "commands: $commands"
 for command in '' $commands; do
   page=scallop${command:+-$command}

@@ -417,7 +417,7 @@ if many.status.tolist() != ["interval of steady states", "ok"]:
 END
 finish "gaits live as long as they are needed, with the names of --gait"
 
-run 0 steady --help
+help_of steady >out
 python out <<'END'
 lines = open(sys.argv[1]).read().split("\nGaits")[1].split("\n\n")[0].split("\n")[1:]
 listed = {line.split()[0].split(":")[0].rstrip("["): line[2:].split("  ", 1)[1].strip() for line in lines}

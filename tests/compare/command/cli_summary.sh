@@ -75,6 +75,36 @@ verdicts --gait sinusoidal
 verdicts --gait quadratic --alpha 0.3
 verdicts --gait trapezoidal:0.2,0.3
 
+# ---- modes in words, in steady and phase ----
+words() { # COMMAND ARGUMENTS...: the column in each format, and not where nothing asks for it
+  run 0 "$@"
+  ! grep -q motion out || note "a column of modes in words that nothing asked for"
+  run 0 "$@" --columns motion
+  mv out words
+  run 0 "$@" --format table
+  sed -n '/^motion /,/^status /s/^[a-z]* *//p' out | sed '$d' | tr '\n' ' ' | sed 's/ $//' >upright
+  [ "$(tail -n 1 words)" = "$(cat upright)" ] || note "upright: $(cat upright), else: $(tail -n 1 words)"
+  finish "$*: the modes in words"
+}
+words steady
+words steady --gait sinusoidal --T 3 --alpha 0.4
+words steady --T 20
+words steady --certified
+words phase --phase contraction --v0 1
+run 0 steady --gait sinusoidal --T 3 --F1 2 --columns motion
+tail -n 1 out >words
+run 0 summary --gait sinusoidal --T 3 --F1 2 --format tsv --columns motion
+[ "$(tail -n 1 out)" = "$(cat words)" ] || note "summary: $(tail -n 1 out), steady: $(cat words)"
+run 0 steady --F1 1,2 --format table
+[ "$(grep -c '^modes: .*+ forward, - backward, 0 stuck' out)" -eq 1 ] || note "no legend"
+! grep -q 'both bodies' out || note "words in a table of many rows"
+run 0 trajectory --format table
+! grep -q 'forward, - backward' out || note "a legend without modes"
+printf 'T\n-1\n1\n' >refused.tsv
+run 3 steady --points refused.tsv --columns motion
+[ "$(sed -n 4p out)" = - ] || note "refused: $(sed -n 4p out)"
+finish "modes in words agree, and symbols have a legend"
+
 # ---- the page ----
 says() { # TEXT...: the page holds each
   for text in "$@"; do
@@ -83,14 +113,16 @@ says() { # TEXT...: the page holds each
 }
 run 0 summary
 says 'It crawls forward (towards body 2), by 3.24121' 'body 1 backward, body 2 forward from 0.0792689 to 0.646789' \
-  '(28) displacement = 3.24324, 0.0627 % off' 'proven: the error is O(T^4), as claimed' \
+  '(28) displacement = 3.24324, exact 3.24121, 0.0627 % off' 'proven: the error is O(T^4), as claimed' \
   'by 1 % at T = 1.98596 (Froude 1.01)' 'T = 2.78894 (Froude 0.514): start velocity changes sign' 'T = 1 is below the first event'
 [ "$(awk 'length > 130' out | wc -l)" -eq 0 ] || note "long lines"
 finish "the page of the default crawler"
 run 0 summary --gait sinusoidal
 says 'refuted: O(T^4) is claimed, but the error does not vanish as T -> 0'
+run 0 summary --alpha 0.3
+says 'It crawls backward (towards body 1), by 2.925 in each period'
 run 0 summary --T 20
-says 'one body never moves' 'where the exact value is 0' 'from there on the series does not describe the motion'
+says 'one body never moves' 'exact 0 [' 'from there on the series does not describe the motion'
 run 0 summary --gait constant:0
 says 'it divides by l'"''"', which is 0 at an end of a phase' 'There is no derived series'
 run 0 summary --F1 1

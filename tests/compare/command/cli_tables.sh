@@ -89,7 +89,15 @@ cells = [re.split(r" (?<!\\)\| ", l[2:-2]) for l in lines]
 if cells[1] != ["---"] * len(names) or [[c.replace("\\|", "|") for c in r] for r in cells[2:]] != rows or cells[0] != names:
     bad("markdown differs")
 kept = [l.rstrip("\n") for l in open(sys.argv[4], encoding="utf-8") if not l.startswith("#")]
+legend = [l for l in kept[1:] if l.startswith("modes: ")] if len(rows) > 1 else []
+if len(legend) != (len(rows) > 1 and "modes" in names) or legend != kept[len(kept) - len(legend):]:
+    bad("legend of the modes:", kept)
+kept = kept[:len(kept) - len(legend)]
 if len(rows) == 1:
+    upright = [l for l in kept if not l.startswith(" ")]  # a long text goes on in lines that begin with blanks
+    kept = [l for l in upright if l.split()[0] != "motion"]
+    if len(upright) - len(kept) != ("regime" in names and "modes" in names):
+        bad("no modes in words:", upright)
     kept = [list(c) for c in zip(*(l.split(None, 1) for l in kept))]
     values = [v.split("  ")[0] for v in kept[1]]
     if kept[0] != names or [v for v, w in zip(values, rows[0]) if v.split(" ")[0] != w.split(" ")[0]

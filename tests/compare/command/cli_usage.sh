@@ -83,6 +83,8 @@ for command in $commands; do
   cp out "help_$command"
   run 0 $command -h
   cmp -s out "help_$command" || note "-h prints something else"
+  awk 'length > 100' out >wide
+  [ ! -s wide ] || note "wider than 100: $(head -n 1 wide)"
   finish "$command --help"
   cp "help_$command" out
   example "the example of $command --help runs"
@@ -470,7 +472,7 @@ says 'dangling' err
 [ ! -e nowhere.tsv ] || note "a file appeared behind the link"
 finish "-o through a link to nothing"
 # One table of quantities: what --help prints of them stands in the documents and in the Python module word for word
-quantities() { "$tool" "$1" --help | sed -n '/^Quantities/,/^$/s/^  \([A-Za-z0-9_]*\)  *\(.*\) \[\(.*\)\]$/\1\t\2\t\3/p'; }
+quantities() { help_of "$1" | sed -n '/^Quantities/,/^$/s/^  \([A-Za-z0-9_]*\)  *\(.*\) \[\(.*\)\]$/\1\t\2\t\3/p'; }
 tab=$(printf '\t')
 quantities run >all
 [ "$(wc -l <all)" -eq 14 ] || note "run --help lists $(wc -l <all) quantities"

@@ -1,0 +1,68 @@
+#!/bin/sh
+# The documents as pages: their length, their links, and what they repeat of the tool. Usage: sh tests/compare/command/cli_docs.sh build/scallop
+# shellcheck disable=SC2154
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+. "$(dirname "$0")/../../support/common.sh"
+cd "$root" || exit 1
+
+# Lines of a document of more than 120 characters; tables, blocks of console and code, and pictures may be longer.
+cat >"$scratch/long.py" <<'END'
+import sys
+
+for path in sys.argv[1:]:
+    fenced = False
+    for number, line in enumerate(open(path, encoding="utf-8"), 1):
+        line = line.rstrip("\n")
+        if line.startswith("```"):
+            fenced = not fenced
+        elif not fenced and len(line) > 120 and not line.lstrip().startswith(("|", "![")) and not line.startswith("    "):
+            print(f"{path}:{number} has {len(line)} characters")
+END
+# Links to files that do not exist, or to headings that the document does not have
+cat >"$scratch/links.py" <<'END'
+import os
+import re
+import sys
+
+
+def prose(path):
+    return re.sub(r"^```.*?^```", "", open(path, encoding="utf-8").read(), flags=re.S | re.M)
+
+
+def anchors(path):
+    headings = re.findall(r"^#+ (.*)", prose(path), flags=re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+for path in sys.argv[1:]:
+    for target in re.findall(r"\]\(([^)\s]+)\)", prose(path)):
+        if re.match(r"[a-z]+:", target):
+            continue
+        name, _, anchor = target.partition("#")
+        file = os.path.normpath(os.path.join(os.path.dirname(path), name)) if name else path
+        if not os.path.exists(file):
+            print(f"{path}: no {target}")
+        elif anchor and anchor not in anchors(file):
+            print(f"{path}: {file} has no heading for #{anchor}")
+END
+
+[ "$(wc -l <README.md)" -le 150 ] || note "$(wc -l <README.md) lines"
+finish "README.md has at most 150 lines"
+long=$(/usr/bin/python3 "$scratch/long.py" README.md docs/*.md)
+[ -z "$long" ] || note "$long"
+finish "lines of documents have at most 120 characters"
+broken=$(/usr/bin/python3 "$scratch/links.py" README.md docs/*.md)
+[ -z "$broken" ] || note "$broken"
+finish "links between documents resolve"
+for page in docs/*.md; do
+  [ "$page" = docs/README.md ] || grep -q -F "]($(basename "$page"))" docs/README.md || note "docs/README.md has no link to $page"
+done
+finish "the index has every document"
+sh scripts/dev/commands.sh "$tool" >"$scratch/commands.md"
+cmp -s "$scratch/commands.md" docs/commands.md || note "$(diff docs/commands.md "$scratch/commands.md" | head -n 5); make docs writes it anew"
+finish "docs/commands.md is what --help prints"
+counts=$(cells data/claims.tsv source inside verdict | awk '$1 == "paper" && $2 == "yes" { n[$3]++; all++ }
+  END { print n["holds"] " of " all " ledger rows hold, " n["sharper"] " errors fall faster than claimed, and " n["refuted"] " rows are refuted" }')
+tr '\n' ' ' <README.md | tr -d '*' | tr -s ' ' | grep -q -F "$counts" || note "README.md does not have: $counts"
+finish "README.md counts the ledger"
+exit $failed
