@@ -140,3 +140,39 @@ const char *scallop_formula_expand(struct series *value, const struct scallop_fo
   scallop_symbols_clear(&meant);
   return wrong;
 }
+
+/* The balls that a formula takes for its names. exchanged: for the other phase, with the bodies exchanged */
+static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb_srcptr given, bool exchanged,
+                      slong precision)
+{
+  for (int i = 0, sign = 1; i < SCALLOP_SYMBOLS; i++) {
+    int meant = exchanged ? (int)scallop_symbol_exchanged((enum scallop_symbol)i, &sign) : i;
+    series_coefficient(values + i, &symbols->value[meant], 0, precision);
+    arb_mul_si(values + i, values + i, sign, precision);
+  }
+  for (int i = 0; i < 3; i++)
+    if (given)
+      arb_set(values + SCALLOP_SYMBOL_t1 + i, given + i);
+    else
+      arb_indeterminate(values + SCALLOP_SYMBOL_t1 + i);
+  if (arb_is_zero(values + SCALLOP_SYMBOL_l0) && arb_is_zero(values + SCALLOP_SYMBOL_lT))
+    arb_indeterminate(values + SCALLOP_SYMBOL_L_kin);
+}
+
+void scallop_formula_in_balls(arb_t value, const struct formula *read, const struct scallop_formula *formula,
+                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
+                              const fmpq_t T, arb_srcptr given, slong precision)
+{
+  const bool is_steady = formula->setting == SCALLOP_STEADY;
+  const enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : kind;
+  const struct ring ring = { 1, precision };
+  struct scallop_symbols symbols;
+  arb_ptr values = _arb_vec_init(SCALLOP_SYMBOLS);
+  scallop_symbols_init(&symbols);
+  scallop_symbols_set(&symbols, crawler, phase, is_steady ? NULL : v0, NULL, &ring);
+  series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], T);
+  set_names(values, &symbols, given, scallop_formula_is_exchanged(formula, phase), precision);
+  formula_ball(value, read, values, precision);
+  scallop_symbols_clear(&symbols);
+  _arb_vec_clear(values, SCALLOP_SYMBOLS);
+}

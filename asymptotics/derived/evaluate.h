@@ -30,4 +30,11 @@ const char *scallop_formula_expand(struct series *value, const struct scallop_fo
                                    const struct scallop_symbols *s, enum scallop_phase_kind kind, const struct ring *ring,
                                    char message[FORMULA_MESSAGE]);
 
+/* The value of a formula that was read, of the setting of `formula`, in balls: for the phase of this kind and duration T, from v0, or for the period
+ * T of the steady state, where v0 is not looked at. given: t1, dT and x_switch, or NULL. Not finite: it may have none there (arb_is_finite), or takes what is not
+ * given, or L_kin where l'' = 0 at both ends of the phase. */
+void scallop_formula_in_balls(arb_t value, const struct formula *read, const struct scallop_formula *formula,
+                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
+                              const fmpq_t T, arb_srcptr given, slong precision);
+
 #endif

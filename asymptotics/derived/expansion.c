@@ -3,7 +3,6 @@
 
 #include "asymptotics/derived/derived.h"
 #include "asymptotics/derived/evaluate.h"
-#include "asymptotics/derived/formula_flint.h"
 #include "asymptotics/published/read.h"
 
 struct scallop_series {
@@ -123,46 +122,20 @@ slong scallop_series_first(const struct scallop_series *s, enum scallop_quantity
 
 const char *scallop_series_modes(const struct scallop_series *s) { return s->is_steady ? s->steady.modes : s->phase.modes; }
 
-/* The balls that a formula takes for its names. exchanged: for the other phase, with the bodies exchanged */
-static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb_srcptr given, bool exchanged,
-                      slong precision)
-{
-  for (int i = 0, sign = 1; i < SCALLOP_SYMBOLS; i++) {
-    int meant = exchanged ? (int)scallop_symbol_exchanged((enum scallop_symbol)i, &sign) : i;
-    series_coefficient(values + i, &symbols->value[meant], 0, precision);
-    arb_mul_si(values + i, values + i, sign, precision);
-  }
-  for (int i = 0; i < 3; i++)
-    if (given)
-      arb_set(values + SCALLOP_SYMBOL_t1 + i, given + i);
-    else
-      arb_indeterminate(values + SCALLOP_SYMBOL_t1 + i);
-  if (arb_is_zero(values + SCALLOP_SYMBOL_l0) && arb_is_zero(values + SCALLOP_SYMBOL_lT))
-    arb_indeterminate(values + SCALLOP_SYMBOL_L_kin);
-}
-
 enum scallop_status scallop_formula_ball(arb_t value, const struct scallop_read_formula *read,
                                          const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, arb_srcptr given, slong precision)
 {
   const bool is_steady = read->formula.setting == SCALLOP_STEADY;
-  const enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : kind;
-  const struct ring ring = { 1, precision };
   if (!scallop_rational_is_valid(crawler) || fmpq_sgn(crawler->T) <= 0 || !scallop_gait_is_exact(crawler->gait)
       || precision < 2)
     return SCALLOP_EDOMAIN;
-  struct scallop_symbols symbols;
-  arb_ptr values = _arb_vec_init(SCALLOP_SYMBOLS);
   fmpq_t T;
   fmpq_init(T);
-  scallop_symbols_init(&symbols);
-  scallop_symbols_set(&symbols, crawler, phase, is_steady ? NULL : v0, NULL, &ring);
-  scallop_rational_duration(T, crawler, phase);
-  series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], is_steady ? crawler->T : T);
-  set_names(values, &symbols, given, scallop_formula_is_exchanged(&read->formula, phase), precision);
-  formula_ball(value, &read->operations, values, precision);
-  scallop_symbols_clear(&symbols);
+  fmpq_set(T, crawler->T);
+  if (!is_steady)
+    scallop_rational_duration(T, crawler, kind);
+  scallop_formula_in_balls(value, &read->operations, &read->formula, crawler, kind, v0, T, given, precision);
   fmpq_clear(T);
-  _arb_vec_clear(values, SCALLOP_SYMBOLS);
   return SCALLOP_OK;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "asymptotics/derived/evaluate.h"
+#include "asymptotics/published/read.h"
 #include "compare/answers/point_flint.h"
 
 void ball_answer_init(struct ball_answer *a)
@@ -153,27 +154,19 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
                         enum scallop_phase_kind phase, const fmpq_t v0, const fmpq_t T, const struct ball_answer *given,
                         slong precision)
 {
-  const struct ring ring = { 1, precision };
-  const bool steady = f->setting == SCALLOP_STEADY;
-  const enum scallop_phase_kind kind = steady ? SCALLOP_EXTENSION : phase;
-  struct scallop_symbols symbols;
-  struct series sum;
-  scallop_symbols_init(&symbols);
-  series_init(&sum);
-  scallop_symbols_set(&symbols, crawler, kind, steady ? NULL : v0, NULL, &ring);
-  series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], T);
-  if (given) {
-    series_set_ball(&symbols.value[SCALLOP_SYMBOL_t1], given->phase.t1);
-    series_set_ball(&symbols.value[SCALLOP_SYMBOL_dT], given->phase.dT);
-    series_set_ball(&symbols.value[SCALLOP_SYMBOL_x_switch], given->phase.at_last);
-  }
+  struct formula read;
   char message[FORMULA_MESSAGE];
-  bool found = !scallop_formula_expand(&sum, f, &symbols, kind, &ring, message);
-  if (found)
-    series_coefficient(value, &sum, 0, precision);
-  series_clear(&sum);
-  scallop_symbols_clear(&symbols);
-  return found;
+  if (scallop_formula_text(&read, f, NULL, message))
+    return false;
+  arb_ptr balls = _arb_vec_init(3);
+  if (given) {
+    arb_set(balls, given->phase.t1);
+    arb_set(balls + 1, given->phase.dT);
+    arb_set(balls + 2, given->phase.at_last);
+  }
+  scallop_formula_in_balls(value, &read, f, crawler, phase, v0, T, given ? balls : NULL, precision);
+  _arb_vec_clear(balls, 3);
+  return arb_is_finite(value);
 }
 
 void series_answer_init(struct series_answer *a)
