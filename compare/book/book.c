@@ -68,6 +68,15 @@ const struct scallop_formula *formula_at(int i)
   return f ? f : in_list(scallop_corrected, &i);
 }
 
+const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula)
+{
+  *text = '\0';
+  for (int i = 0; i < count; i++)
+    if (&entries[i]->formula == formula && entries[i]->group)
+      snprintf(text, FORMULA_PLACE, "%s:%d: ", entries[i]->path, config_setting_source_line(entries[i]->group));
+  return text;
+}
+
 const struct scallop_formula *formula_named(const char *name)
 {
   for (int i = 0; book_formula(i); i++)

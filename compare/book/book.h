@@ -45,6 +45,10 @@ enum { BOOK_MOST = 24 };
 typedef bool formula_is_for(const void *context, const struct scallop_formula *formula);
 bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what);
 
+/* Where the formula stands, "FILE:LINE: ", in text, which is returned; "" where it is in no file. */
+enum { FORMULA_PLACE = 200 };
+const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula);
+
 /* Its text, read when it is first asked for. NULL: out of memory. */
 const struct formula *formula_read_once(const struct scallop_formula *formula);
 /* Does its text, or a part of it, use the symbol? */

@@ -122,7 +122,9 @@ static void add_formula(struct ledger *ledger, const struct scallop_rational_cra
     why = proof.why;
   if (why) {
     row.verdict = CLAIM_UNDECIDED;
-    snprintf(row.reason, sizeof row.reason, "%s", why);
+    char place[FORMULA_PLACE]; /* of what is wrong with the text */
+    bool in_text = strncmp(why, "character", 9) == 0;
+    snprintf(row.reason, sizeof row.reason, "%s%s", in_text ? formula_place(place, f) : "", why);
   } else {
     samples_measure(&row, &trial, f);
     ledger_judge(&row, &proof);

@@ -140,6 +140,8 @@ static enum exit_code write_breakdown(const struct request *request, const struc
 enum exit_code summary_of_breakdown(const struct request *request)
 {
   struct summary s;
+  if (!summary_serves(request))
+    return EXIT_USAGE;
   const char *why = summary_make(&s, &request->point, false);
   if (why)
     complain(request->style.command, "%s", why);
