@@ -109,7 +109,9 @@ bool read_member(struct config *c, const config_setting_t *at, const struct memb
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
   switch (m->kind) {
   case MEMBER_OTHER: return true;
-  case MEMBER_TEXT: *(const char **)field = text; return text || refuse_at(c, at, "%s takes a text in quotes, which is not empty", m->name);
+  case MEMBER_TEXT:
+    *(const char **)field = text;
+    return text || refuse_at(c, at, "%s takes a text in quotes, which is not empty", m->name);
   case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(c, at, m, field);
   case MEMBER_WORD: return read_word(c, at, m, field);
   case MEMBER_FLAG:
