@@ -137,6 +137,7 @@ check-report:
 include explorer/rules.mk
 ## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server
 explorer: $(B)/explorer/index.html
+	@echo "open $<"
 ## check-explorer: that page in headless Chromium: its numbers, drags, presets, links, and what is refused
 check-explorer: explorer $(B)/scallop
 	@/usr/bin/python3 scripts/report/check_explorer.py $(B)/explorer/index.html $(B)/scallop --screenshots $(B)/explorer/screenshots

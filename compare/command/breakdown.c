@@ -41,7 +41,7 @@ static const struct option options_of_breakdown[] = {
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
-#define NARROWS "all only quantity source order tol phase v0 format columns"
+#define NARROWS "all only quantity source order tol phase v0 format columns plot"
 static const struct option_rule rules[] = { { "all only phase v0", RULE_WITH, "map", NULL },
                                             { "x y boundaries T", RULE_WITHOUT, "map", NULL },
                                             { "source order quantity tol book", RULE_WITH, "boundaries", NULL },
@@ -72,7 +72,7 @@ const struct command command_breakdown = {
            "duration. Without options other than the crawler's: a page of at most 25 lines, of the events and of\n"
            "the T up to which each formula, and the terms below T^8, are off by less than 1 % and 5 %. With\n"
            "--all, or where something is asked for (--only, --quantity, --source, --tol, --order, --phase, --v0,\n"
-           "--format or --columns): a table of four kinds of rows (column what):\n"
+           "--format, --columns or --plot): a table of four kinds of rows (column what):\n"
            "  event   where the sequence of modes changes as T grows, or a body turns in another piece of l': T,\n"
            "          note (what happens), modes (from there on). The first row is the limit T -> 0, with the T\n"
            "          up to which its modes are proven. Above the first event the series is still computed, but\n"

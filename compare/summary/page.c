@@ -160,7 +160,6 @@ void page_of_events(FILE *page, const struct summary *s, int digits)
 {
   enum { SHOWN = 8 };
   const struct events *e = &s->study.events;
-  double T = s->motion.crawler.T;
   fputs("\nWhere the expansion ends\n", page);
   if (e->count == 0 && s->series == 0)
     fputs("  There is no expansion.\n", page);
@@ -171,7 +170,12 @@ void page_of_events(FILE *page, const struct summary *s, int digits)
             e->event[i].what);
   if (e->count > SHOWN)
     fprintf(page, "  and %ld more events at larger T\n", e->count - SHOWN);
-  if (e->count > 0)
+}
+
+void page_of_place(FILE *page, const struct summary *s, int digits)
+{
+  double T = s->motion.crawler.T;
+  if (s->study.events.count > 0)
     fprintf(page, "  T = %.*g is %s.\n", digits, T, study_where(&s->study, T));
 }
 

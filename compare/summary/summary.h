@@ -47,6 +47,7 @@ enum exit_code summary_of_breakdown(const struct request *request);
 void page_of_motion(FILE *page, const struct summary *summary, int digits);
 void page_of_formulas(FILE *page, const struct summary *summary, int digits);
 void page_of_events(FILE *page, const struct summary *summary, int digits);
+void page_of_place(FILE *page, const struct summary *summary, int digits); /* of T among the events */
 void page_of_reaches(FILE *page, const struct summary *summary, int digits);
 
 #endif

@@ -75,6 +75,7 @@ static void write_page(FILE *page, const struct point *point, const struct summa
   page_of_motion(page, s, digits);
   page_of_formulas(page, s, digits);
   page_of_events(page, s, digits);
+  page_of_place(page, s, digits);
   fputs("\nMore: `scallop steady --certified` (proven digits), `claims` (every claim of the paper),\n"
         "`series --source derived` (the expansion), `breakdown --all` (every event and reach).\n",
         page);
