@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 static const char *const phase_names[] = { "extension", "contraction" };
 
@@ -161,7 +162,7 @@ const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode)
 
 /* The stretches so far, while the intervals of a phase are visited */
 struct stretching {
-  struct stretch *stretch;
+  struct stretch stretch[MOST_STRETCHES];
   int count;
   const struct scallop_crawler *crawler;
   enum scallop_phase_kind phase;
@@ -182,17 +183,16 @@ static void stretch_on(void *context, const struct scallop_interval *interval)
 
 int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *m, const struct answer *answer)
 {
-  struct stretching s = { stretches, 0, &m->crawler, m->phase, 0 };
-  if (m->of == OF_PHASE) {
-    scallop_phase_intervals(s.crawler, s.phase, m->v0, stretch_on, &s);
-    return s.count;
-  }
+  struct stretching s = { .crawler = &m->crawler, .phase = m->phase };
   const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
-  for (int kind = 0; kind < 2; kind++) {
+  if (m->of == OF_PHASE)
+    scallop_phase_intervals(s.crawler, s.phase, m->v0, stretch_on, &s);
+  for (int kind = 0; kind < 2 && m->of == OF_STEADY; kind++) {
     s.phase = (enum scallop_phase_kind)kind;
     scallop_phase_intervals(s.crawler, s.phase, v0[kind], stretch_on, &s);
     s.since = scallop_phase_duration(s.crawler, SCALLOP_EXTENSION);
   }
+  memcpy(stretches, s.stretch, sizeof s.stretch);
   return s.count;
 }
 
