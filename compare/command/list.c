@@ -94,10 +94,10 @@ void help_program(FILE *to)
 enum { HELP_OPTION = 320 };
 static void describe(const struct arguments *initial, const struct option *o, char text[HELP_OPTION])
 {
-  const char *otherwise = o->otherwise ? o->otherwise : o->kind->show ? "%s" : NULL;
   char value[OPTION_VALUE] = "";
   if (o->kind->show)
     o->kind->show(&initial->options, o, value);
+  const char *otherwise = o->otherwise ? o->otherwise : *value ? "%s" : NULL;
   int used = snprintf(text, HELP_OPTION, "%s", o->help);
   if (!otherwise)
     return;

@@ -86,7 +86,8 @@ static const char *read_word(void *options, const struct option *o, const char *
 
 static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
-  snprintf(text, OPTION_VALUE, "%s", ((const struct given_word *)value_of(options, o))->value);
+  const char *word = ((const struct given_word *)value_of(options, o))->value;
+  snprintf(text, OPTION_VALUE, "%s", word ? word : "");
 }
 
 static const char *read_text(void *options, const struct option *o, const char *text)

@@ -80,6 +80,7 @@ for command in $commands; do
   [ ! -s err ] || note "it prints to standard error"
   says "^scallop $command" out
   for option in --format --output --quiet --help; do says "^  $option" out; done
+  ! grep -q "(null)\| ()$" out || note "a default that is no value"
   cp out "help_$command"
   run 0 $command -h
   cmp -s out "help_$command" || note "-h prints something else"
