@@ -208,7 +208,8 @@ const char *columns_read(struct table_choice **choice, const char *text)
   struct columns *c = calloc(1, sizeof *c);
   const char *wrong = c ? NULL : "out of memory", *end;
   if (c)
-    c->choice = (struct table_choice){ .begin = begin, .keep = keep, .write = write_row, .names = c->names };
+    c->choice =
+        (struct table_choice){ .begin = begin, .keep = keep, .write = write_row, .names = c->names, .used = c->used };
   for (; c && !wrong; text = end + 1) {
     end = end_of_item(text);
     wrong = add_item(c, text, end);

@@ -96,11 +96,13 @@ const struct command command_breakdown = {
            "alpha, T, froude (--x, --y FROM:TO:N, with :log or :linear). One row for each point, x running\n"
            "fastest: the crawler, its steady state, and for each series (the formulas of the book by their\n"
            "names, the paper's (27) or (28), the derived one, the limit) the relative error at this T and the T\n"
-           "it reaches to for 1e-2 and 1e-6. With -o FILE the rows done are kept in FILE.rows; if the run is\n"
-           "interrupted, the same command goes on from there. --boundaries: the curves between regions with the\n"
-           "same modes instead, each point to 1e-12 of the axis (its logarithm, if it is a log axis), followed\n"
-           "from where the grid of the map shows them; the regions on both sides, what changes, and at a\n"
-           "junction which third region meets. Columns: curve, point along it, the two axes, region_1 (on the\n"
-           "left), region_2, what, end (of the first and last point: open, closed, junction), meets, status.",
+           "it reaches to for 1e-2 and 1e-6. What no column needs is not computed: --columns\n"
+           "F1/F2,alpha,modes,regime is enough for a picture of the regions, and takes milliseconds. With -o\n"
+           "FILE the rows done are kept in FILE.rows; if the run is interrupted, the same command goes on from\n"
+           "there. --boundaries: the curves between regions with the same modes instead, each point to 1e-12 of\n"
+           "the axis (its logarithm, if it is a log axis), followed from where the grid of the map shows them;\n"
+           "the regions on both sides, what changes, and at a junction which third region meets. Columns: curve,\n"
+           "point along it, the two axes, region_1 (on the left), region_2, what, end (of the first and last\n"
+           "point: open, closed, junction), meets, status.",
   .run = run,
 };

@@ -26,6 +26,7 @@ struct measure {
   enum breakdown_source source;
   const struct scallop_formula *formula; /* of a book, else NULL */
   double tolerance;                      /* 0: the error */
+  bool used;                             /* by what is written; else it is not computed */
   char name[NAME];
 };
 
@@ -49,7 +50,7 @@ static void add_measure(struct grid *g, enum breakdown_source source, const stru
     snprintf(what, sizeof what, power == rint(power) ? "T_1e%.0f" : "T_%g", power == rint(power) ? power : tolerance);
   if (source == FROM_DERIVED)
     snprintf(order, sizeof order, "_%ld", g->options->order.value);
-  *m = (struct measure){ source, formula, tolerance, "" };
+  *m = (struct measure){ source, formula, tolerance, .name = "" };
   snprintf(m->name, NAME, "%s_%s%s", what, formula ? formula->name : breakdown_sources[source], order);
 }
 
@@ -100,6 +101,15 @@ static long first_of(const struct grid *g, long row)
   return sets_T(&g->axes[0]) ? row - row % columns_of(g) : sets_T(&g->axes[1]) ? row % columns_of(g) : row;
 }
 
+/* The measures that are used, of any tolerance or of the error at T */
+static int used_of(const struct grid *g, bool of_tolerance)
+{
+  int count = 0;
+  for (int i = 0; i < g->width; i++)
+    count += g->measures[i].used && (g->measures[i].tolerance > 0) == of_tolerance;
+  return count;
+}
+
 static void compute(const struct grid *g, long row, double values[MOST_MEASURES])
 {
   const struct motion at = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
@@ -109,9 +119,10 @@ static void compute(const struct grid *g, long row, double values[MOST_MEASURES]
   struct comparison c = { .expansions = &e };
   for (int i = 0; i < g->width; i++)
     values[i] = NAN;
-  if (scallop_crawler_check(&at.crawler, NULL) != SCALLOP_OK)
+  bool reaches = first_of(g, row) == row && used_of(g, true) > 0;
+  if (scallop_crawler_check(&at.crawler, NULL) != SCALLOP_OK || !(reaches || used_of(g, false) > 0))
     return;
-  c.cache = first_of(g, row) == row ? exact_cache_new(&at) : NULL;
+  c.cache = reaches ? exact_cache_new(&at) : NULL;
   expansions_init(&e, &at, order > least ? order : least, BREAKDOWN_BITS);
   int count = series_items(items, &e, g->quantity, order);
   for (int i = 0; i < g->width; i++) {
@@ -120,7 +131,7 @@ static void compute(const struct grid *g, long row, double values[MOST_MEASURES]
     for (int k = 0; k < count; k++) /* of two formulas of the paper the last one, (27), is the simpler */
       if (items[k].source == m->source && (!m->formula || items[k].formula == m->formula))
         item = &items[k];
-    if (!item || (m->tolerance > 0 && !c.cache))
+    if (!item || !m->used || (m->tolerance > 0 && !c.cache))
       continue;
     c.item = *item;
     c.tolerance = m->tolerance;
@@ -182,9 +193,9 @@ static void make_title(const struct grid *g, char title[TITLE])
     fprintf(f, " %s %a:%a:%ld:%d", g->axes[i].name, g->axes[i].from, g->axes[i].to, g->axes[i].count, g->axes[i].log);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     fprintf(f, " %a", numbers[i]);
-  for (int i = 0; i < g->width; i++)
-    fprintf(f, " %s %08lx %d %a", g->measures[i].name, (unsigned long)formula_checksum(g->measures[i].formula),
-            (int)g->quantity, g->measures[i].tolerance);
+  for (const struct measure *m = g->measures; m < g->measures + g->width; m++)
+    if (m->used)
+      fprintf(f, " %s %08lx %d %a", m->name, (unsigned long)formula_checksum(m->formula), (int)g->quantity, m->tolerance);
   fclose(f);
 }
 
@@ -233,15 +244,23 @@ static bool write_row(const struct grid *g, struct table *t, bool is_head, long 
   return solved;
 }
 
-static enum exit_code write_table(const struct grid *g, struct table *t)
+/* The head, which tells what is used of a row. False: the table has failed. */
+static bool begin_table(struct grid *g, struct table *t)
 {
-  long unsolved = 0;
   axes_head(t, g->options, g->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
       quantity_rows[g->quantity].name);
   write_row(g, t, true, 0);
   table_begin_rows(t);
+  for (int i = 0; i < g->width; i++)
+    g->measures[i].used = table_uses(t, g->measures[i].name);
+  return !table_failed(t);
+}
+
+static enum exit_code write_rows(const struct grid *g, struct table *t)
+{
+  long unsolved = 0;
   for (long row = 0; row < g->journal.rows && !table_failed(t); row++)
     unsolved += !write_row(g, t, false, row);
   if (!table_close(t))
@@ -259,8 +278,9 @@ static enum exit_code run(struct grid *g)
   char title[TITLE] = "";
   if (!table_open(&t, style))
     return EXIT_FILE;
+  bool begun = begin_table(g, &t);
   make_title(g, title);
-  bool kept = !t.out.target || journal_open(j, style->output, title);
+  bool kept = begun && (!t.out.target || journal_open(j, style->output, title));
   if (kept && j->done_count > 0 && !style->quiet)
     complain("breakdown", "going on from %s: %ld of %ld are done", j->path, j->done_count, j->rows);
   if (kept)
@@ -268,7 +288,7 @@ static enum exit_code run(struct grid *g)
   if (j->error != 0)
     complain("breakdown", "cannot write %s: %s", j->path, strerror(j->error));
   if (kept && j->error == 0)
-    return write_table(g, &t);
+    return write_rows(g, &t);
   table_abandon(&t);
   return EXIT_FILE;
 }

@@ -12,8 +12,6 @@
 
 #define PARAMETERS "T", "alpha", "F1", "F2", "m1", "m2", "L", "gait"
 
-#define AXES "F1/F2", "F1_over_F2", "m1/m2", "m1_over_m2", "alpha", "T", "froude"
-
 /* The first row all of whose columns a table has is its kind. Lists end with NULL. */
 static const struct drawing {
   const char *has[6];
@@ -23,7 +21,7 @@ static const struct drawing {
   const char *y[PLOT_COLUMNS + 1];   /* columns                                                             */
   const char *by[PLOT_COLUMNS + 1];  /* a curve is of each of their values                                  */
   enum { AS_IS, LOG_Y, LOG_XY } log; /* as the values ask for it, or logarithmic whatever they are          */
-  bool is_map;                       /* of vary the first two columns are the axes, and the head says which is logarithmic */
+  const char *map;                   /* a map: the head has this command, and the axes; else NULL                          */
   bool magnitudes;                   /* are drawn                                                                          */
   const char *over;                  /* the column that y is divided by                                                    */
   const char *limit;                 /* the head has this text, and behind it a number that is a limit                    */
@@ -50,9 +48,8 @@ static const struct drawing {
     .over = "exact" },
   { .has = { "quantity", "C", "T0", "bound" }, .program = "dots", .y = { "bound" }, .by = { "quantity" } },
   { .has = { "what", "series", "tolerance", "T" }, .program = "reach", .x = "T" },
-  { .has = { "region_1", "region_2", "curve" }, .program = "boundaries", .vary = { AXES }, .is_map = true },
-  { .has = { "modes", "regime", "error_published" }, .program = "map", .vary = { AXES }, .y = { "modes" }, .is_map = true },
-  { .has = { "modes", "regime", "T_1e-2_limit" }, .program = "map", .vary = { AXES }, .y = { "modes" }, .is_map = true },
+  { .has = { "region_1", "region_2", "curve" }, .map = "breakdown --map", .program = "boundaries" },
+  { .has = { "modes", "regime" }, .map = "breakdown --map", .program = "map", .y = { "modes" } },
   { .has = { "method", "kind", "gait", "quantity", "time_median" },
     .program = "workprec",
     .x = "time_median",
@@ -100,8 +97,7 @@ struct seen {
   const char *command;
   struct tsv tsv;
   struct content *content; /* one for each column */
-  bool log[2];             /* what the head says of the axes of a map */
-  double limit;            /* what it says of limits */
+  double limit;            /* what the head says of limits */
 };
 
 static bool refuse(const struct seen *s, const char *what, const char *name)
@@ -150,34 +146,47 @@ static bool has_all(const struct seen *s, const char *const *columns)
   return !*columns;
 }
 
+/* What stands behind begin in the '#' line of the head that begins so, until the next call; NULL: no line does. */
+static const char *in_head(const struct seen *s, const char *begin)
+{
+  static char line[1024];
+  size_t length = strlen(begin);
+  bool found = false;
+  FILE *table = fopen(s->plot->table, "r");
+  while (table && !found && fgets(line, sizeof line, table) && *line == '#')
+    found = strncmp(line + 2, begin, length) == 0;
+  if (table)
+    fclose(table);
+  line[strcspn(line, "\n")] = '\0';
+  return found ? line + 2 + length : NULL;
+}
+
+static bool is_drawn_by(const struct seen *s, const struct drawing *d)
+{
+  const char *command = d->map ? in_head(s, "command: ") : NULL;
+  return has_all(s, d->has) && (!d->map || (command && strncmp(command, d->map, strlen(d->map)) == 0));
+}
+
 static const struct drawing *drawing_of(const struct seen *s)
 {
   const struct drawing *d = drawings;
-  while (!has_all(s, d->has))
+  while (!is_drawn_by(s, d))
     d++;
   return d;
 }
 
-/* What the '#' lines say: which axes are logarithmic, a limit, and the parameters, which are the title where none is given. */
+/* A limit, and the parameters that hold, which are the title where none is given */
 static void read_head(struct seen *s, const struct drawing *d)
 {
   static char title[TITLE];
-  char line[1024];
-  FILE *table = fopen(s->plot->table, "r");
-  while (table && fgets(line, sizeof line, table) && *line == '#') {
-    line[strcspn(line, "\n")] = '\0';
-    for (int i = 0; i < 2; i++)
-      if (strncmp(line, i == 0 ? "# x: " : "# y: ", 5) == 0)
-        s->log[i] = strlen(line) > 5 && strcmp(line + strlen(line) - 5, ", log") == 0;
-    if (d->limit && strncmp(line + 2, d->limit, strlen(d->limit)) == 0)
-      s->limit = strtod(line + 2 + strlen(d->limit), NULL);
-    if (!s->plot->title && strncmp(line, "# parameters: ", 14) == 0) {
-      snprintf(title, sizeof title, "%.*s", TITLE - 1, line + 14);
-      s->plot->title = title;
-    }
+  const char *limit = d->limit ? in_head(s, d->limit) : NULL;
+  if (limit)
+    s->limit = strtod(limit, NULL);
+  const char *parameters = s->plot->title ? NULL : in_head(s, "parameters: ");
+  if (parameters) {
+    snprintf(title, sizeof title, "%.*s", TITLE - 1, parameters);
+    s->plot->title = title;
   }
-  if (table)
-    fclose(table);
 }
 
 /* The parameters that are the same in all rows, as a title */
@@ -193,13 +202,6 @@ static void title_of_held(const struct seen *s)
   }
   if (used > 0 && !s->plot->title)
     s->plot->title = title;
-}
-
-static const char *in_list(const char *const *list, const char *name)
-{
-  while (*list && strcmp(*list, name) != 0)
-    list++;
-  return *list;
 }
 
 static void choose_varied(const struct seen *s, const struct drawing *d)
@@ -222,13 +224,16 @@ static void choose_varied(const struct seen *s, const struct drawing *d)
 
 static bool is_wide(const struct content *c, double factor) { return c && c->least > 0 && c->most >= factor * c->least; }
 
-static void choose_map(const struct seen *s, const struct drawing *d)
+/* "# x: F1/F2 from 0.01 to 100, 41 values, log", and y: the axes of a map */
+static void choose_map(const struct seen *s)
 {
-  int found = 0;
-  for (int i = 0; i < s->tsv.columns && found < 2; i++) {
-    const char *name = in_list(d->vary, s->tsv.column[i]);
-    if (name)
-      *(found++ == 0 ? &s->plot->x : &s->plot->by[0]) = name;
+  static char axis[2][TITLE];
+  struct plot *p = s->plot;
+  for (int i = 0; i < 2; i++) {
+    const char *line = in_head(s, i == 0 ? "x: " : "y: ");
+    snprintf(axis[i], sizeof axis[i], "%.*s", line ? (int)strcspn(line, " ") : 0, line ? line : "");
+    *(i == 0 ? &p->x : &p->by[0]) = axis[i];
+    *(i == 0 ? &p->log_x : &p->log_y) = line && strlen(line) > 5 && strcmp(line + strlen(line) - 5, ", log") == 0;
   }
 }
 
@@ -239,11 +244,6 @@ static void choose_axes(const struct seen *s, const struct drawing *d)
   bool wide = p->y[0] != NULL;
   for (const char *const *y = p->y; *y; y++)
     wide = wide && is_wide(content_of(s, *y), OF_Y);
-  if (d->is_map) {
-    p->log_x = s->log[0];
-    p->log_y = s->log[1];
-    return;
-  }
   p->log_x = p->x_range.is_given ? p->x_range.is_log : d->log == LOG_XY || is_wide(content_of(s, p->x), OF_X);
   p->log_y = p->y_range.is_given ? p->y_range.is_log : d->log != AS_IS || wide;
 }
@@ -272,7 +272,7 @@ static bool choose(struct seen *s)
 {
   struct plot *p = s->plot;
   const struct drawing *d = drawing_of(s);
-  if (d->is_map && (p->x || p->by[0]))
+  if (d->map && (p->x || p->by[0]))
     return refuse(s, "the axes of a map are those of --map", "");
   p->program = shipped_text(shipped_scripts, d->program);
   p->x = p->x ? p->x : d->x;
@@ -281,15 +281,16 @@ static bool choose(struct seen *s)
   choose_names(s, d);
   read_head(s, d);
   title_of_held(s);
-  if (d->is_map)
-    choose_map(s, d);
+  if (d->map)
+    choose_map(s);
   else
     choose_varied(s, d);
   if (!p->x && d->vary[0])
     return refuse(s, "no parameter varies: a curve needs several points: --T 0.1:1:20, or --points FILE", "");
   if (!d->has[0] && (!p->x || !p->y[0]))
     return refuse(s, "--plot-x and --plot-y name the columns of such a table", "");
-  choose_axes(s, d);
+  if (!d->map)
+    choose_axes(s, d);
   p->magnitudes = d->magnitudes && p->log_y;
   p->over = d->over;
   p->limit = s->limit;

@@ -340,6 +340,14 @@ void table_begin_rows(struct table *t)
     write_heads(t);
 }
 
+bool table_uses(const struct table *t, const char *column)
+{
+  bool used = !t->choice;
+  for (int i = 0; i < t->count && !used; i++)
+    used = t->choice->used[i] && strcmp(t->columns[i], column) == 0;
+  return used;
+}
+
 void table_digits(struct table *t, const char *number)
 {
   if (is_taken(t, CELL_DIGITS, 0, number))

@@ -38,6 +38,7 @@ struct table_choice {
   /* Writes the cells that are shown of the row. */
   void (*write)(struct table_choice *choice, struct table *table);
   const char *const *names; /* of the columns that are shown, after begin */
+  const bool *used;         /* of each column that the table has: does one that is shown take it? After begin */
   int count;
   bool refused; /* it names what the table has not: the command ends with EXIT_USAGE */
 };
@@ -89,6 +90,8 @@ void table_note(struct table *table, const char *format, ...) __attribute__((for
 void table_columns(struct table *table, const char *const *names);
 /* A choice of columns that are not there is refused on stderr, with nothing else written: the table has then failed. */
 void table_begin_rows(struct table *table);
+/* Once the rows have begun: does anything that is written take the column of this name? A cell that is not used may hold anything. */
+bool table_uses(const struct table *table, const char *column);
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */

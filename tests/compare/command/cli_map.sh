@@ -84,6 +84,25 @@ held m1/m2 T "m2=1 F1=4 F2=1 L=10 alpha=0.75 gait=quadratic"
 held alpha F1/F2 "m1=1 m2=1 F2=1 L=10 T=1 gait=quadratic"
 finish "a grid: rows in order, what steady gives, T from what it depends on, and a head without what varies"
 
+# ---- what no column asks for is not computed: a point takes 13 ms with all of it ----
+large="--x 0.1:10:101 --y 0.1:0.9:100"
+# shellcheck disable=SC2086
+quick() { (keep_counts_apart && exec timeout --foreground 60 "$tool" breakdown --map F1/F2 alpha $large --quiet "$@") >out 2>err; }
+quick --columns F1/F2,alpha,modes,regime || note "exit code $?: $(cat err)"
+[ "$(rows out | wc -l)" = 10100 ] || note "not all rows"
+quick --columns T_1e-2_publishd
+[ $? = 2 ] || note "a column that is not there is refused late: $(cat err)"
+grid="breakdown --map F1/F2 froude --x 2:200:3 --y 0.05:20:2 --alpha 0.8 --L 3 --quiet"
+# shellcheck disable=SC2086
+run 0 $grid --columns 'modes,twice = 2*error_limit,T_1e-2_published'
+cp out some
+# shellcheck disable=SC2086
+run 0 $grid
+[ "$(cells out modes)" = "$(cells some modes)" ] && [ "$(cells out T_1e-2_published)" = "$(cells some T_1e-2_published)" ] &&
+  [ "$(cells out error_limit | awk '{ printf "%.12g\n", 2 * $1 }')" = "$(cells some twice | awk '{ printf "%.12g\n", $1 }')" ] ||
+  note "chosen columns have other numbers"
+finish "a map computes what its columns ask for, and refuses others first"
+
 # ---- interrupted ----
 map() { # CODE FILE [ARGUMENT...]
   wanted=$1 file=$2

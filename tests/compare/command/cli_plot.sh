@@ -69,6 +69,12 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
   grid='--x 0.1:10:7 --y 0.1:0.9:5'
   of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
+  grid="$grid --columns modes,regime,alpha,F1/F2"
+  of_map "a map of few columns" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
+  grid='--x 0.1:10:3 --y 0.1:0.9:3 --gait sinusoidal --columns modes,regime,F1/F2'
+  # shellcheck disable=SC2086
+  run 4 breakdown --map F1/F2 alpha $grid --plot heat.svg
+  grep -q 'the table has no column alpha' err || note "$(cat err)"
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal'
   of_map "a map over other axes" 'α^T (time)^1' alpha,T
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --boundaries'
