@@ -14,7 +14,8 @@ static bool is_source(const struct breakdown_options *o, enum breakdown_source s
 /* The option that has no effect on the rows of --only, or NULL */
 static const char *idle_with_only(const struct breakdown_options *o)
 {
-  bool events = strcmp(o->only.value, "event") == 0, of_derived = !o->source.given || is_source(o, FROM_DERIVED);
+  bool events = strcmp(o->only.value, "event") == 0 || strcmp(o->only.value, "reversal") == 0,
+       of_derived = !o->source.given || is_source(o, FROM_DERIVED);
   return strcmp(o->only.value, "reach") == 0          ? NULL
          : o->tolerance.given                         ? "tol"
          : o->request.book                            ? "book"

@@ -125,16 +125,29 @@ static bool is_certified(const struct motion *m, double T, const struct signatur
   return proven;
 }
 
+/* A body turns, stops or starts in another part than before */
+static void describe_move(struct event *e, const struct motion *m, const struct signature *before,
+                          const struct signature *after)
+{
+  int place = moved(m, before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
+  enum scallop_phase_kind kind = kind_of(m, phase);
+  const struct scallop_shape *shape = &m->crawler.gait->phase[kind];
+  const struct scallop_mode *to = &after->answer.modes[phase].kept[i], *from = to - (i > 0);
+  int body = to->s1 != from->s1 ? 1 : 2, was = body == 1 ? from->s1 : from->s2, is = body == 1 ? to->s1 : to->s2;
+  snprintf(e->what, sizeof e->what, "body %d %s in the %s during piece %d of the gait, no longer during piece %d", body,
+           is == 0    ? "stops"
+           : was == 0 ? "starts"
+                      : "turns",
+           kind == SCALLOP_EXTENSION ? "extension" : "contraction", part_of(shape, after->piece[phase][i]) + 1,
+           part_of(shape, before->piece[phase][i]) + 1);
+}
+
 static void describe(struct event *e, const struct motion *m, const struct signature *before, const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
-  if (same_modes(was.modes, is.modes) && was.regime == is.regime) { /* a body turns in another part */
-    int place = moved(m, before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
-    enum scallop_phase_kind kind = kind_of(m, phase);
-    const struct scallop_shape *shape = &m->crawler.gait->phase[kind];
-    snprintf(e->what, sizeof e->what, "switching time %d of the %s moves from piece %d of l' to piece %d", i,
-             kind == SCALLOP_EXTENSION ? "extension" : "contraction", part_of(shape, before->piece[phase][i]) + 1,
-             part_of(shape, after->piece[phase][i]) + 1);
+  e->of_modes = !same_modes(was.modes, is.modes) || was.regime != is.regime;
+  if (!e->of_modes) {
+    describe_move(e, m, before, after);
     return;
   }
   if (kind_of(m, 0) == SCALLOP_CONTRACTION) { /* the extension has no modes */
@@ -187,6 +200,48 @@ static void search(struct events *events, const struct motion *m, double low, do
   search(events, m, T, high, &middle, at_high);
 }
 
+/* The sign of the displacement, or 0 */
+static int way(const struct answer *a)
+{
+  double x = a->value[Q_DISPLACEMENT].high;
+  return (x > 0) - (x < 0);
+}
+
+static int way_in_wide(const struct motion *m, double T)
+{
+  struct answer a;
+  return motion_in_wide(m, T, &a) ? way(&a) : 0;
+}
+
+static bool is_way_certified(const struct motion *m, double T, int sign)
+{
+  enum { DIGITS = 20 };
+  const struct motion at = motion_at(m, T);
+  struct ball_answer a;
+  ball_answer_init(&a);
+  bool solved = answer_of_doubles(&a, &at, DIGITS) && a.value[Q_DISPLACEMENT];
+  bool proven = solved && (sign > 0 ? arb_is_positive : arb_is_negative)(a.value[Q_DISPLACEMENT]);
+  ball_answer_clear(&a);
+  return proven;
+}
+
+/* Where the crawler turns back between low and high, if it does */
+static void find_reversal(struct events *events, const struct motion *m, double low, double high,
+                          const struct signature *at_low, const struct signature *at_high)
+{
+  int before = m->of == OF_STEADY ? way(&at_low->answer) : 0, after = way(&at_high->answer);
+  if (before * after >= 0 || way_in_wide(m, low) != before || way_in_wide(m, high) != after)
+    return;
+  struct reversal *larger = with_room(events->reversal, events->reversals, sizeof *larger);
+  if (!larger)
+    return;
+  events->reversal = larger;
+  for (double T; halfway(&T, low, high);)
+    *(way_in_wide(m, T) == before ? &low : &high) = T;
+  bool proven = is_way_certified(m, low * (1 - PROVEN), before) && is_way_certified(m, low * (1 + PROVEN), after);
+  events->reversal[events->reversals++] = (struct reversal){ low, after, proven ? "certified" : "binary128" };
+}
+
 /* From where the modes are those of T -> 0; false: there is nothing there. */
 static bool begin(struct events *events, const struct motion *m, const char *limit_modes, struct signature *low)
 {
@@ -213,13 +268,18 @@ void events_find(struct events *events, const struct motion *m, const char *limi
   for (long i = 1; going && i <= steps; i++) {
     double T = events->from * exp2((double)i / PER_OCTAVE);
     going = signature_at(&high, m, T);
-    if (going)
+    if (going) {
       search(events, m, before, T, &low, &high);
-    else
+      find_reversal(events, m, before, T, &low, &high);
+    } else
       events->until = before;
     low = high;
     before = T;
   }
 }
 
-void events_clear(struct events *events) { free(events->event); }
+void events_clear(struct events *events)
+{
+  free(events->event);
+  free(events->reversal);
+}

@@ -36,9 +36,6 @@ const char *study_why_none(const struct study *s)
   return a->why ? a->why : scallop_status_text(a->status);
 }
 
-/* A switching time leaves its piece; the modes stay. */
-static bool is_piece_change(const struct event *e) { return strncmp(e->what, "switching time", 14) == 0; }
-
 const struct scallop_modes *study_modes_at(const struct study *s, double T)
 {
   const struct scallop_modes *modes = s->events.first;
@@ -53,16 +50,17 @@ const char *study_where(const struct study *s, double T)
   const struct event *e = s->events.event, *modes = e;
   if (s->events.count == 0 || T <= e->T)
     return "below the first event";
-  while (modes < e + s->events.count - 1 && is_piece_change(modes))
+  while (modes < e + s->events.count - 1 && !modes->of_modes)
     modes++;
   if (modes == e)
     snprintf(text, sizeof text, "above the first event, T = %.6g: from there on the series does not describe the motion",
              e->T);
   else
-    snprintf(text, sizeof text,
-             "above T = %.6g, where a body turns in another piece of l' and the series is not exact any more; the modes "
-             "change at T = %.6g",
-             e->T, modes->T);
+    snprintf(
+        text, sizeof text,
+        "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; the modes "
+        "change at T = %.6g",
+        e->T, modes->T);
   return text;
 }
 

@@ -89,6 +89,15 @@ static void write_events(struct report *r)
                                .status = e->status });
 }
 
+static void write_reversals(struct report *r)
+{
+  for (const struct reversal *v = r->study.events.reversal; v < r->study.events.reversal + r->study.events.reversals; v++)
+    write_row(r, (struct row){ "reversal", quantity_rows[Q_DISPLACEMENT].name, .order = NAN, .T = v->T, .error = NAN,
+                               .modes = study_modes_at(&r->study, v->T), .status = v->status,
+                               .note = v->sign > 0 ? "the direction of crawling reverses: from here on forward"
+                                                   : "the direction of crawling reverses: from here on backward" });
+}
+
 /* The error is proven to be below the tolerance just below T, and not just above. Of gaits with many pieces a proof takes seconds, and
  * there would be hundreds. */
 static bool is_proven(const struct comparison *c, double T)
@@ -228,6 +237,8 @@ static void write_rows(struct report *r, enum quantity_id only)
   }
   if (is_wanted(r, "event") && !r->options->quantity)
     write_events(r);
+  if (is_wanted(r, "reversal") && (!r->options->quantity || only == Q_DISPLACEMENT))
+    write_reversals(r);
   for (int i = 0; i < QUANTITIES; i++) {
     enum quantity_id q = (enum quantity_id)i;
     if (!motion_has(&r->study.motion, q) || (r->options->quantity && q != only))
@@ -290,7 +301,9 @@ static enum exit_code report(struct report *r, enum quantity_id only)
     code = !table_close(&r->table) ? EXIT_FILE : r->rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
     if (code == EXIT_UNSOLVED)
       complain("breakdown", "no row: %s",
-               derived ? "there is no such series of this quantity, or all of it is 0" : study_why_none(&r->study));
+               is_wanted(r, "reversal") ? "the displacement has the same sign at every T"
+               : derived                ? "there is no such series of this quantity, or all of it is 0"
+                                        : study_why_none(&r->study));
   }
   return code;
 }

@@ -14,7 +14,7 @@
 
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
-static const char *const kinds[] = { "event", "reach", "radius", "best", NULL };
+static const char *const kinds[] = { "event", "reversal", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, NULL),
@@ -30,7 +30,8 @@ static const struct option options_of_breakdown[] = {
                 TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), breakdown_options,
                 tolerance, POSITIVE),
   OPTION_FLAG("all", "a table of all that is known, instead of a page about events and reach", breakdown_options, all),
-  OPTION_WORD("only", "WHAT", "rows of this kind only: event, reach, radius or best", "all", breakdown_options, only, kinds),
+  OPTION_WORD("only", "WHAT", "rows of this kind only: event, reversal, reach, radius or best", "all", breakdown_options,
+              only, kinds),
   OPTION_TEXT("map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, breakdown_options, map,
               "the name of what varies"),
   OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES, breakdown_options,
@@ -72,11 +73,12 @@ const struct command command_breakdown = {
            "duration. Without options other than the crawler's: a page of at most 25 lines, of the events and of\n"
            "the T up to which each formula, and the terms below T^8, are off by less than 1 % and 5 %. With\n"
            "--all, or where something is asked for (--only, --quantity, --source, --tol, --order, --phase, --v0,\n"
-           "--format, --columns or --plot): a table of four kinds of rows (column what):\n"
+           "--format, --columns or --plot): a table of five kinds of rows (column what):\n"
            "  event   where the sequence of modes changes as T grows, or a body turns in another piece of l': T,\n"
            "          note (what happens), modes (from there on). The first row is the limit T -> 0, with the T\n"
            "          up to which its modes are proven. Above the first event the series is still computed, but\n"
            "          is not about the motion any more.\n"
+           "  reversal  T: where the displacement changes its sign, so that the crawler turns back\n"
            "  reach   T: the largest up to which |series/exact - 1| stays below tolerance, for the paper's\n"
            "          formulas (series: their names), the derived terms below T^order and the limit. inf: the\n"
            "          error stays below the tolerance at every T; 0: as T -> 0 the error tends to a limit (in\n"

@@ -43,8 +43,9 @@ const struct command command_summary = {
            "--help` has the names), motion (the modes in words, with times since the start of the extension),\n"
            "and for each formula NAME its value NAME, NAME_error (NAME/exact - 1), NAME_reach_1 and NAME_reach_5\n"
            "(the largest T up to which |error| stays below 1 % and 5 %; 0: it does not as T -> 0; inf: at every\n"
-           "T), NAME_verdict and NAME_order (of its error, proven; inf: exact). first_event, with its T and\n"
-           "Froude number, is where the modes change first as T grows; best_order: of the derived displacement,\n"
-           "that the terms below T^best_order have the least error at this T, best_error.",
+           "T), NAME_limit (what |error| tends to as T -> 0, if not to 0), NAME_verdict and NAME_order (of its\n"
+           "error, proven; inf: exact). first_event, with its T and Froude number, is where the modes change\n"
+           "first as T grows; reversals: the T at which the direction of crawling reverses; best_order: of the\n"
+           "derived displacement, that the terms below T^best_order have the least error at this T, best_error.",
   .run = run,
 };

@@ -66,10 +66,10 @@ static void write_error(FILE *page, double error)
 {
   if (error == 0)
     fputs(", the same", page);
-  else if (isfinite(error) && fabs(error) >= 1e-4)
-    fprintf(page, ", %.3g %% off", 100 * fabs(error));
+  else if (error < -1)
+    fputs(", wrong sign", page);
   else if (isfinite(error))
-    fprintf(page, ", off by %.2g of itself", fabs(error));
+    fprintf(page, ", %.3g %% off", 100 * fabs(error));
 }
 
 /* "O(T)", "O(T^4)" */
@@ -79,8 +79,9 @@ static const char *order_text(char text[24], double order)
   return text;
 }
 
-static void write_verdict(FILE *page, const struct claim_row *c)
+static void write_verdict(FILE *page, const struct summary_series *f)
 {
+  const struct claim_row *c = &f->claim;
   char claimed[24], derived[24];
   order_text(claimed, c->claimed_order);
   order_text(derived, (double)c->derived_order);
@@ -88,6 +89,8 @@ static void write_verdict(FILE *page, const struct claim_row *c)
     fprintf(page, "undecided: %s", c->reason);
   else if (c->exact)
     fputs("proven: it is exact", page);
+  else if (c->verdict == CLAIM_REFUTED && isfinite(f->limit))
+    fprintf(page, "refuted: %s is claimed, but the relative error tends to %.3g %% as T -> 0", claimed, 100 * f->limit);
   else if (c->verdict == CLAIM_REFUTED && c->derived_order <= 0)
     fprintf(page, "refuted: %s is claimed, but the error does not vanish as T -> 0", claimed);
   else if (c->verdict == CLAIM_REFUTED)
@@ -114,24 +117,62 @@ static void write_reach(FILE *page, const struct summary *s, const struct summar
     else if (isnan(f->limit))
       fprintf(page, "by more than %g %% at every small T", percent);
     else
-      fprintf(page, "by more than %g %% however small T is (%.3g %% as T -> 0)", percent, 100 * fabs(f->limit));
+      fprintf(page, "by more than %g %% however small T is (%.3g %% as T -> 0)", percent, 100 * f->limit);
     if (isinf(T) || !(T > 0))
       break; /* the same holds for the levels above, or nothing more is known */
   }
 }
 
-static void write_formula(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
+static bool agree(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
+
+/* Formulas that agree in all that is told of them are told once. */
+static bool is_same(const struct summary_series *a, const struct summary_series *b)
+{
+  bool same = a->item.quantity == b->item.quantity && agree(a->value, b->value) && agree(a->error, b->error)
+              && agree(a->limit, b->limit) && a->claim.verdict == b->claim.verdict
+              && agree(a->claim.claimed_order, b->claim.claimed_order)
+              && strcmp(a->claim.coefficient, b->claim.coefficient) == 0;
+  for (int i = 0; i < SUMMARY_LEVELS && same; i++)
+    same = agree(a->reach[i], b->reach[i]);
+  return same;
+}
+
+static const char *equation_of(const struct summary_series *f)
 {
   const struct scallop_formula *formula = f->item.formula;
-  fprintf(page, "  %s %s ", *formula->equation ? formula->equation : formula->name, name_of(f));
+  return *formula->equation && strcmp(formula->equation, "-") != 0 ? formula->equation : formula->name;
+}
+
+/* The equations, or the names, of a formula and of those behind it that are the same */
+static void write_names(FILE *page, const struct summary_series *f, const struct summary_series *end, bool of_names)
+{
+  for (const struct summary_series *k = f; k < end; k++)
+    if (is_same(f, k))
+      fprintf(page, "%s%s", k == f ? "" : ", ", of_names ? k->item.name : equation_of(k));
+}
+
+static void write_formula(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
+{
+  const struct summary_series *end = s->formula + s->formulas;
+  for (const struct summary_series *before = s->formula; before < f; before++)
+    if (is_same(before, f))
+      return;
+  fputs("  ", page);
+  write_names(page, f, end, false);
+  fprintf(page, " %s ", name_of(f));
   if (isnan(f->value)) {
-    fprintf(page, "has no value: it divides by l'', which is 0 at an end of a phase [%s]\n", formula->name);
-    return;
+    fputs("has no value: it divides by l'', which is 0 at an end of a phase [", page);
+  } else {
+    fprintf(page, "= %.*g, exact %.*g", digits, f->value, digits, value(s, f->item.quantity));
+    write_error(page, f->error);
+    fputs(" [", page);
   }
-  fprintf(page, "= %.*g, exact %.*g", digits, f->value, digits, value(s, f->item.quantity));
-  write_error(page, f->error);
-  fprintf(page, " [%s]\n       ", formula->name);
-  write_verdict(page, &f->claim);
+  write_names(page, f, end, true);
+  fputs("]\n", page);
+  if (isnan(f->value))
+    return;
+  fputs("       ", page);
+  write_verdict(page, f);
   fputs("\n       ", page);
   write_reach(page, s, f, digits);
   fputc('\n', page);
@@ -140,8 +181,10 @@ static void write_formula(FILE *page, const struct summary *s, const struct summ
 static void write_best(FILE *page, const struct summary *s, int i)
 {
   bool more = study_gains_from_more(&s->study, s->derived[i].item.quantity, s->best_order[i]);
-  fprintf(page, "  derived %s: %s below T^%ld; with these off by %.2g of itself\n", name_of(&s->derived[i]),
-          more ? "better with every term, here all" : "best with the terms", (long)s->best_order[i], fabs(s->best_error[i]));
+  fprintf(page, "  derived %s: %s below T^%ld", name_of(&s->derived[i]),
+          more ? "better with every term, here all" : "best with the terms", (long)s->best_order[i]);
+  write_error(page, s->best_error[i]);
+  fputc('\n', page);
 }
 
 void page_of_formulas(FILE *page, const struct summary *s, int digits)
@@ -170,6 +213,14 @@ void page_of_events(FILE *page, const struct summary *s, int digits)
             e->event[i].what);
   if (e->count > SHOWN)
     fprintf(page, "  and %ld more events at larger T\n", e->count - SHOWN);
+}
+
+void page_of_reversals(FILE *page, const struct summary *s, int digits)
+{
+  const struct events *e = &s->study.events;
+  for (long i = 0; i < e->reversals; i++)
+    fprintf(page, "%s T = %.*g", i == 0 ? "  The direction of crawling reverses at" : ",", digits, e->reversal[i].T);
+  fputs(e->reversals > 0 ? ".\n" : "", page);
 }
 
 void page_of_place(FILE *page, const struct summary *s, int digits)

@@ -37,7 +37,7 @@ int summary_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
 
 static struct summary_series examine(const struct summary *s, const struct series_item *item)
 {
-  struct summary_series made = { .item = *item, .limit = NAN };
+  struct summary_series made = { .item = *item };
   struct comparison c = { &s->study.expansions, *item, s->study.cache, .tolerance = 0 };
   double T = s->motion.crawler.T;
   arb_t value;
@@ -49,8 +49,7 @@ static struct summary_series examine(const struct summary *s, const struct serie
     c.tolerance = summary_levels[i];
     made.reach[i] = comparison_reach(&c);
   }
-  if (made.reach[0] == 0)
-    made.limit = comparison_limit(&c);
+  made.limit = comparison_limit(&c);
   arb_clear(value);
   return made;
 }

@@ -15,7 +15,7 @@ struct summary_series {
   struct series_item item;
   double value, error;          /* at the point's T; error: value/exact - 1, nan where there is none */
   double reach[SUMMARY_LEVELS]; /* comparison_reach */
-  double limit;                 /* comparison_limit, where a reach is 0; else nan */
+  double limit;                 /* comparison_limit: what |error| tends to as T -> 0; nan: to 0, or to nothing */
   struct claim_row claim;       /* of a formula                                   */
 };
 
@@ -47,6 +47,7 @@ enum exit_code summary_of_breakdown(const struct request *request);
 void page_of_motion(FILE *page, const struct summary *summary, int digits);
 void page_of_formulas(FILE *page, const struct summary *summary, int digits);
 void page_of_events(FILE *page, const struct summary *summary, int digits);
+void page_of_reversals(FILE *page, const struct summary *summary, int digits);
 void page_of_place(FILE *page, const struct summary *summary, int digits); /* of T among the events */
 void page_of_reaches(FILE *page, const struct summary *summary, int digits);
 

@@ -1,17 +1,18 @@
 /* Summaries as pages or as the rows of a table. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "compare/summary/summary.h"
 
-enum { COLUMN = 96, PER_FORMULA = 6, MOST_COLUMNS = 32 + PER_FORMULA * SUMMARY_FORMULAS, DIGITS = 6 };
+enum { COLUMN = 96, PER_FORMULA = 7, MOST_COLUMNS = 32 + PER_FORMULA * SUMMARY_FORMULAS, DIGITS = 6 };
 
 static const char *const of_motion[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                          "multiplier", "regime",  "modes", "motion",       NULL };
-static const char *const of_formula[PER_FORMULA] = { "", "_error", "_reach_1", "_reach_5", "_verdict", "_order" };
-static const char *const of_expansion[] = { "first_event", "first_event_T", "first_event_froude",
-                                            "best_order",  "best_error",    "status",
-                                            NULL };
+static const char *const of_formula[PER_FORMULA] = { "", "_error", "_reach_1", "_reach_5", "_limit", "_verdict", "_order" };
+static const char *const of_expansion[] = {
+  "first_event", "first_event_T", "first_event_froude", "reversals", "best_order", "best_error", "status", NULL
+};
 
 static void write_motion(struct table *t, const struct summary *s)
 {
@@ -29,17 +30,33 @@ static void write_formula(struct table *t, const struct summary_series *f)
   table_number(t, f->error);
   for (int i = 0; i < SUMMARY_LEVELS; i++)
     table_number(t, f->reach[i]);
+  table_number(t, f->limit);
   table_text(t, claim_verdict_text(f->claim.verdict));
   table_number(t, !f->claim.proven ? NAN : f->claim.exact ? INFINITY : (double)f->claim.derived_order);
+}
+
+/* The T at which the crawler turns back, separated by blanks; "-": none */
+enum { REVERSALS_TEXT = 8 * NUMBER_TEXT };
+static const char *reversals_text(char text[REVERSALS_TEXT], const struct summary *s)
+{
+  const struct events *e = &s->study.events;
+  size_t used = (size_t)snprintf(text, REVERSALS_TEXT, "%s", e->reversals == 0 ? "-" : "");
+  for (long i = 0; i < e->reversals && used < REVERSALS_TEXT - NUMBER_TEXT; i++) {
+    char number[NUMBER_TEXT];
+    number_text(number, e->reversal[i].T, 0);
+    used += (size_t)snprintf(text + used, REVERSALS_TEXT - used, "%s%s", i > 0 ? " " : "", number);
+  }
+  return text;
 }
 
 static void write_expansion(struct table *t, const struct summary *s)
 {
   const struct event *first = s->study.events.count > 0 ? s->study.events.event : NULL;
-  char status[ANSWER_STATUS];
+  char status[ANSWER_STATUS], reversals[REVERSALS_TEXT];
   table_text(t, first ? first->what : "-");
   table_number(t, first ? first->T : NAN);
   table_number(t, first ? motion_froude(&s->motion, first->T) : NAN);
+  table_text(t, reversals_text(reversals, s));
   int last = s->series - 1; /* the displacement */
   table_number(t, last >= 0 && s->best_order[last] > 0 ? (double)s->best_order[last] : NAN);
   table_number(t, last >= 0 && s->best_order[last] > 0 ? s->best_error[last] : NAN);
@@ -52,10 +69,9 @@ static void write_blank(struct table *t, int formulas, const char *why)
     (i < Q_MULTIPLIER + 1 ? table_number(t, NAN) : table_text(t, "-"));
   for (int i = 0; i < formulas; i++)
     for (int k = 0; k < PER_FORMULA; k++)
-      (k == 4 ? table_text(t, "-") : table_number(t, NAN));
-  table_text(t, "-");
-  for (int i = 0; i < 4; i++)
-    table_number(t, NAN);
+      (strcmp(of_formula[k], "_verdict") == 0 ? table_text(t, "-") : table_number(t, NAN));
+  for (int i = 0; of_expansion[i + 1]; i++)
+    (i == 0 || strcmp(of_expansion[i], "reversals") == 0 ? table_text(t, "-") : table_number(t, NAN));
   table_text(t, why);
 }
 
@@ -75,6 +91,7 @@ static void write_page(FILE *page, const struct point *point, const struct summa
   page_of_motion(page, s, digits);
   page_of_formulas(page, s, digits);
   page_of_events(page, s, digits);
+  page_of_reversals(page, s, digits);
   page_of_place(page, s, digits);
   fputs("\nMore: `scallop steady --certified` (proven digits), `claims` (every claim of the paper),\n"
         "`series --source derived` (the expansion), `breakdown --all` (every event and reach).\n",
@@ -133,8 +150,9 @@ static enum exit_code write_breakdown(const struct request *request, const struc
   parameters_text(parameters, &request->point, of_T, true);
   fprintf(t.file, "Crawler:%s\n", parameters);
   page_of_events(t.file, s, digits);
+  page_of_reversals(t.file, s, digits);
   page_of_reaches(t.file, s, digits);
-  fputs("\nMore: --all, or --only event, reach, radius or best, gives the table with every row.\n", t.file);
+  fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", t.file);
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 

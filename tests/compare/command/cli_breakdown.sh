@@ -108,7 +108,7 @@ refused() { # WHAT ARGUMENT...
 }
 refused "did you mean 'displacement'" --quantity displacment
 refused "takes t1, dT, v_end" --v0 1 --quantity v_mid
-refused "event, reach, radius or best" --only events,reach
+refused "event, reversal, reach, radius or best" --only events,reach
 refused 'from 1e-20 on' --tol 1e-21
 refused 'a finite number > 0' --tol 0
 refused 'order needs the derived series' --order 4 --source limit
