@@ -316,3 +316,10 @@ bool digits_read(const char *text, double *x)
   *x = negative ? -size : size;
   return true;
 }
+
+size_t number_text(char text[NUMBER_TEXT], double x, long digits)
+{
+  if (digits == 0 || isnan(x))
+    return digits_write(text, x);
+  return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
+}

@@ -15,7 +15,11 @@ enum { DIGITS_TEXT = 40 };
  * for DIGITS_TEXT bytes, all of which may be written. Returns the length. */
 size_t digits_write(char *text, double x);
 
-/* The same by trying 15, 16 and 17 digits in turn. */
+/* x with so many significant digits, or, for digits = 0, as digits_write writes it. Returns the length. */
+enum { NUMBER_TEXT = DIGITS_TEXT };
+size_t number_text(char text[NUMBER_TEXT], double x, long digits);
+
+/* The same as digits_write by trying 15, 16 and 17 digits in turn. */
 size_t digits_write_plainly(char *text, double x);
 
 /* The quick form alone. 0: left to the other; so are subnormal numbers, nan and the infinities. */

@@ -157,9 +157,7 @@ static void put_note(struct table *t, const char *format, va_list arguments)
   if (t->format == FORMAT_TABLE)
     print_aligned(t);
   hand_on(t);
-  note_error(t, fputs("# ", t->file) < 0);
-  note_error(t, vfprintf(t->file, format, arguments) < 0);
-  note_error(t, fputc('\n', t->file) < 0);
+  note_error(t, fputs("# ", t->file) < 0 || vfprintf(t->file, format, arguments) < 0 || fputc('\n', t->file) < 0);
 }
 
 void table_note(struct table *t, const char *format, ...)
@@ -172,13 +170,6 @@ void table_note(struct table *t, const char *format, ...)
     put_note(&t->pictured->copy, format, again);
   va_end(again);
   va_end(arguments);
-}
-
-size_t number_text(char text[NUMBER_TEXT], double x, long digits)
-{
-  if (digits == 0 || isnan(x))
-    return digits_write(text, x);
-  return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
 }
 
 void table_columns(struct table *t, const char *const *names)
@@ -342,10 +333,10 @@ void table_begin_rows(struct table *t)
 
 bool table_uses(const struct table *t, const char *column)
 {
-  bool used = !t->choice;
-  for (int i = 0; i < t->count && !used; i++)
-    used = t->choice->used[i] && strcmp(t->columns[i], column) == 0;
-  return used;
+  int i = 0;
+  while (i < t->count - 1 && strcmp(t->columns[i], column) != 0)
+    i++;
+  return !t->choice || t->choice->used[i];
 }
 
 void table_digits(struct table *t, const char *number)

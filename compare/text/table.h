@@ -11,10 +11,7 @@
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
 
-enum { TABLE_COLUMNS = 384, TABLE_PART = 4096, NUMBER_TEXT = DIGITS_TEXT };
-
-/* x with so many significant digits, or, for digits = 0, with as few of 15 to 17 as read back exactly. Returns the length. */
-size_t number_text(char text[NUMBER_TEXT], double x, long digits);
+enum { TABLE_COLUMNS = 384, TABLE_PART = 4096 };
 
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
