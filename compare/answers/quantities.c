@@ -160,7 +160,8 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
   for (int i = 0; (other = name_at(all, i, q)); i++)
     if (strcmp(other, name) == 0)
       return true;
-  return false;
+  q->formula = formula_named(name); /* by its equation */
+  return q->formula != NULL;
 }
 
 bool quantity_is_other(const char *name)

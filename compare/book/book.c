@@ -77,12 +77,55 @@ const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula
   return text;
 }
 
+/* The formula of the books and of the paper at place i that has the equation, alone or beside others, or NULL */
+static const struct scallop_formula *of_equation(const char *equation, int i)
+{
+  const struct scallop_formula *f;
+  bool is_equation = *equation == '(' && equation[strcspn(equation, ")")] == ')';
+  for (int k = 0, place; is_equation; k++) {
+    place = k;
+    f = in_books(&place);
+    f = f ? f : in_list(scallop_published, &place);
+    if (!f || (strstr(f->equation, equation) && i-- == 0))
+      return f;
+  }
+  return NULL;
+}
+
 const struct scallop_formula *formula_named(const char *name)
 {
   for (int i = 0; book_formula(i); i++)
     if (strcmp(book_formula(i)->name, name) == 0)
       return book_formula(i);
-  return scallop_formula_named(name);
+  const struct scallop_formula *f = scallop_formula_named(name);
+  return f || of_equation(name, 1) ? f : of_equation(name, 0);
+}
+
+bool formula_is_listed(const char *list, const char *name)
+{
+  bool is = strcmp(list, "all") == 0;
+  for (const char *end; !is && *list; list = end + (*end == ',')) {
+    end = list + strcspn(list, ",");
+    char item[FORMULA_PLACE];
+    snprintf(item, sizeof item, "%.*s", (int)(end - list), list);
+    const struct scallop_formula *f = *item == '(' ? formula_named(item) : NULL;
+    is = strcmp(f ? f->name : item, name) == 0;
+  }
+  return is;
+}
+
+const char *formula_instead(const char *name)
+{
+  enum { MOST = 400 };
+  static char text[MOST];
+  const char *names[MOST + 1] = { NULL };
+  const struct scallop_formula *f;
+  size_t used = 0;
+  for (int i = 0; (f = of_equation(name, i)) && used < sizeof text; i++)
+    used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",", f->name);
+  for (int i = 0; i < MOST && formula_at(i); i++)
+    names[i] = formula_at(i)->name;
+  return used > 0 ? text : did_you_mean(nearest(name, names));
 }
 
 bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what)

@@ -36,8 +36,13 @@ enum exit_code book_add(const char *command, const struct formula_given *given);
 const struct scallop_formula *book_formula(int i);
 const struct scallop_formula *listed_formula(int i);
 const struct scallop_formula *formula_at(int i);
-/* The first of this name, or NULL. */
+/* The first of this name, or the only one of the books and of the paper that has this equation, "(28)"; else NULL. */
 const struct scallop_formula *formula_named(const char *name);
+/* Is the formula called name one of a list, separated by commas, of such names and equations, or is the list "all"? */
+bool formula_is_listed(const char *list, const char *name);
+/* What is wrong with a name by which there is no formula, behind "there is no formula 'NAME'": which ones have the equation, or which name is
+ * near. Until the next call. */
+const char *formula_instead(const char *name);
 
 /* Are formulas of the books for this, of which a command takes BOOK_MOST? False: none is, so that --book FILE would have no effect, or more are, and
  * the message is on stderr. file: NULL, there is no --book. */

@@ -168,12 +168,9 @@ bool check_texts(const struct config *c, const struct entry *e)
 
 bool check_corrected(const struct config *c, const struct entry *e)
 {
-  enum { MOST = 400 };
-  const char *names[MOST + 1] = { NULL }, *corrected = e->formula.corrected;
+  const char *corrected = e->formula.corrected;
   if (!corrected || formula_named(corrected))
     return true;
-  for (int i = 0; i < MOST && formula_at(i); i++)
-    names[i] = formula_at(i)->name;
   return refuse_at(c, member_of(e, "corrected"), "%s: there is no formula '%s'%s", e->formula.name, corrected,
-                   did_you_mean(nearest(corrected, names)));
+                   formula_instead(corrected));
 }

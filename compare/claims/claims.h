@@ -67,7 +67,7 @@ void ledger_free(struct ledger *ledger);
 
 /* Adds the claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold where one of
  * the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). gait: only that one, or NULL
- * for all. only: the names of the requested rows (see claim_is_listed), or NULL. */
+ * for all. only: the names of the requested rows (see formula_is_listed), or NULL. */
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
@@ -81,9 +81,6 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
 
 /* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
 void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait);
-
-/* Is the name one of a list, separated by commas, or the list "all"? */
-bool claim_is_listed(const char *list, const char *name);
 
 /* `scallop claims` */
 struct claims_options {

@@ -19,17 +19,6 @@ const char *claim_verdict_text(enum claim_verdict verdict)
   return text[verdict];
 }
 
-bool claim_is_listed(const char *list, const char *name)
-{
-  size_t length = strlen(name);
-  if (strcmp(list, "all") == 0)
-    return true;
-  for (const char *at = strstr(list, name); at; at = strstr(at + 1, name))
-    if ((at == list || at[-1] == ',') && (at[length] == ',' || at[length] == '\0'))
-      return true;
-  return false;
-}
-
 void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
   struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);

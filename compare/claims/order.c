@@ -169,7 +169,7 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
   claimed.of_contraction = claimed.ours && !steady && contraction;
   snprintf(row.conditions, sizeof row.conditions, "%s", condition->text);
   name_row(row.claim, &claimed);
-  if (part->only && !claim_is_listed(part->only, row.claim))
+  if (part->only && !formula_is_listed(part->only, row.claim))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
@@ -302,7 +302,7 @@ static void add_ends(struct part *part)
                              .claimed_order = claim->order };
     snprintf(row.claim, sizeof row.claim, "%s", claim->name);
     snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);
-    if (part->only && !claim_is_listed(part->only, claim->name))
+    if (part->only && !formula_is_listed(part->only, claim->name))
       continue;
     proof_init(&proof);
     prove_end(&proof, claim, last);

@@ -187,8 +187,9 @@ static enum exit_code write_ledger(const struct claims_options *o)
   enum exit_code code = EXIT_FILE;
   fill(&ledger, o);
   if (o->errors && ledger.count == 0) {
-    complain("claims", "--errors: no claim about an order is called '%s': the first column of the ledger has the names",
-             o->errors);
+    const char *instead = formula_instead(o->errors);
+    complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
+             *instead ? instead : ": the first column of the ledger has the names");
     code = EXIT_USAGE;
   } else if (is_of_book(o) && ledger.count == 0) {
     complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);

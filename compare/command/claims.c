@@ -11,7 +11,8 @@ static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecide
 static const struct option options_of_claims[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
-  OPTION_TEXT("errors", "CLAIM", "print the errors behind a claim instead: names separated by commas, or all", NULL,
+  OPTION_TEXT("errors", "CLAIM",
+              "print the errors behind a claim instead: names or equations, \"(28)\", separated by commas, or all", NULL,
               claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
               claims_options, check),

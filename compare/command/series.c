@@ -28,6 +28,8 @@ static const struct option options_of_series[] = {
               languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
+  OPTION_TEXT("only", "LIST", "these published formulas only: names or equations, \"(28)\", separated by commas", "all",
+              series_options, only, "names or equations of formulas, separated by commas"),
   OPTION_POINTS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
@@ -48,12 +50,14 @@ struct use {
   int of;
 };
 
-/* Each formula once for each motion that it is about. Returns how many. */
-static int list_uses(struct use uses[MOST_FORMULAS])
+/* Each formula that is asked for, once for each motion that it is about. Returns how many. */
+static int list_uses(struct use uses[MOST_FORMULAS], const struct series_options *o)
 {
   int n = 0;
   const struct scallop_formula *f;
   for (int i = 0; (f = listed_formula(i)) && n <= MOST_FORMULAS - 2; i++) {
+    if (o->only && !formula_is_listed(o->only, f->name))
+      continue;
     if (f->setting == SCALLOP_STEADY)
       uses[n++] = (struct use){ f, PERIOD };
     if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)
@@ -68,15 +72,15 @@ static double finite(double x) { return isfinite(x) ? x : NAN; }
 
 /* What the formulas and the exact motion have at a point. Where v0 is not given, the formulas with a start velocity take the exact
  * steady one of their phase. */
-static enum scallop_status solve(const struct point *p, double published[MOST_FORMULAS], double exact[MOST_FORMULAS])
+static enum scallop_status solve(const struct point *p, const struct use *uses, int count, double published[MOST_FORMULAS],
+                                 double exact[MOST_FORMULAS])
 {
   const struct scallop_crawler *c = &p->crawler;
   const struct motion period = motion_of(p, OF_STEADY);
-  struct use uses[MOST_FORMULAS];
   struct answer steady, phase;
   if (!answer_in_double(&steady, &period))
     return steady.status;
-  for (int i = 0, n = list_uses(uses); i < n; i++) {
+  for (int i = 0; i < count; i++) {
     const struct scallop_formula *f = uses[i].formula;
     if (uses[i].of == PERIOD) {
       published[i] = finite(published_value(f, &period, NULL));
@@ -113,44 +117,57 @@ static void write_formula(struct table *table, const struct use *use, double pub
 /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
 static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
 
-/* One row for a point: every formula in a column of its own, "name" or "name:contraction". */
+/* What a row for a point has of each formula, "name" or "name:contraction": its value; of those of --only the exact value and the relative
+ * error too, called as in scenes. */
+static const char *const parts[] = { "", "exact.", "relative." };
+static int parts_of(const struct series_options *o) { return o->only ? (int)(sizeof parts / sizeof *parts) : 1; }
+
 static const char *row(struct table *table, const struct point *point, const void *context, const char *refused)
 {
+  const struct series_options *o = context;
+  struct use uses[MOST_FORMULAS];
   double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, published, exact);
+  int count = list_uses(uses, o);
+  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, uses, count, published, exact);
   const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
-  (void)context;
-  for (int i = 0, n = table->count - table->at - 1; i < n; i++)
-    table_number(table, why ? NAN : published[i]);
+  for (int i = 0; i < count; i++) {
+    const double values[] = { published[i], exact[i], finite((published[i] - exact[i]) / exact[i]) };
+    for (int k = 0; k < parts_of(o); k++)
+      table_number(table, why ? NAN : values[k]);
+  }
   table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
   return why;
 }
 
-static enum exit_code run_points(const struct request *request)
+static enum exit_code run_points(const struct series_options *o)
 {
-  enum { LONGEST = 64 };
+  enum { LONGEST = 96, MOST = 3 * MOST_FORMULAS };
   struct use uses[MOST_FORMULAS];
-  char names[MOST_FORMULAS][LONGEST];
-  const char *list[MOST_FORMULAS + 2];
-  int n = list_uses(uses);
-  for (int i = 0; i < n; i++) {
-    bool again = i > 0 && uses[i].formula == uses[i - 1].formula;
-    snprintf(names[i], LONGEST, "%s%s", uses[i].formula->name, again ? ":contraction" : "");
-    list[i] = names[i];
-  }
+  char names[MOST][LONGEST];
+  const char *list[MOST + 2];
+  int n = 0;
+  for (int i = 0, count = list_uses(uses, o); i < count; i++)
+    for (int k = 0; k < parts_of(o); k++) {
+      bool again = i > 0 && uses[i].formula == uses[i - 1].formula;
+      snprintf(names[n], LONGEST, "%s%s%s", parts[k], uses[i].formula->name, again ? ":contraction" : "");
+      list[n] = names[n];
+      n++;
+    }
   list[n] = "status";
   list[n + 1] = NULL;
-  const struct point_table table = { .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row };
-  return for_each_point(request, &table);
+  const struct point_table table = { .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row, .context = o };
+  return for_each_point(&o->request, &table);
 }
 
-static enum exit_code run_point(const struct request *request)
+static enum exit_code run_point(const struct series_options *o)
 {
+  const struct request *request = &o->request;
   struct table table;
   struct use uses[MOST_FORMULAS];
+  int count = list_uses(uses, o);
   double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
   char v0[80] = "the exact steady velocity at the start of each phase";
-  enum scallop_status status = solve(&request->point, published, exact);
+  enum scallop_status status = solve(&request->point, uses, count, published, exact);
   if (status < 0) {
     complain("series", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
@@ -170,7 +187,7 @@ static enum exit_code run_point(const struct request *request)
   }
   table_columns(&table, columns);
   table_begin_rows(&table);
-  for (int i = 0, n = list_uses(uses); i < n; i++)
+  for (int i = 0; i < count; i++)
     write_formula(&table, &uses[i], published[i], exact[i]);
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
@@ -180,7 +197,7 @@ enum { MOST_ORDER_OF_FORMULAS = 16, MOST_ORDER_OF_LIMITS = 10 };
 
 static const struct option_rule rules[] = {
   { "digits", RULE_WITH, "bound", "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
-  { "bound digits points book", RULE_WITH, "symbolic",
+  { "bound digits points book only", RULE_WITH, "symbolic",
     "and --symbolic exclude each other: formulas are exact, and of one motion" },
   { NULL, RULE_WITH, NULL, NULL },
 };
@@ -223,6 +240,8 @@ static const char *excluded(const struct series_options *o)
     return "--bound is for the derived series: leave --source out";
   if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
     return "--bound takes an --order from 1 to 60";
+  if (o->only && (o->bound || !published))
+    return "--only is for the published formulas: leave --source and --bound out";
   if (o->request.book && (o->bound || !published))
     return "--book is for the published formulas: --source derived, limit and --bound have none";
   if (o->order.given && !o->bound && !derived)
@@ -245,13 +264,32 @@ static bool is_sound(const void *options)
   return !wrong && digits_hold(&o->request.style, !published, DIGITS);
 }
 
+/* Is each item of --only a formula? Books have been read. False: the message is on stderr. */
+static bool only_holds(const char *only)
+{
+  const char *end = only;
+  for (; only && *end; only = end + (*end == ',')) {
+    char item[FORMULA_PLACE];
+    end = only + strcspn(only, ",");
+    snprintf(item, sizeof item, "%.*s", (int)(end - only), only);
+    const struct scallop_formula *f = formula_named(item), *listed = NULL;
+    for (int i = 0; f && (listed = listed_formula(i)) && listed != f; i++)
+      ;
+    if (!listed)
+      return complain("series", "--only: there is no formula '%s' here%s", item, formula_instead(item));
+  }
+  return true;
+}
+
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
+  if (o->only && !only_holds(o->only))
+    return EXIT_USAGE;
   if (o->symbolic)
     return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
   if (!o->bound && strcmp(o->source.value, "published") == 0)
-    return (has_many_points(&o->request) ? run_points : run_point)(&o->request);
+    return (has_many_points(&o->request) ? run_points : run_point)(o);
   return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
 }
 
@@ -271,7 +309,8 @@ const struct command command_series = {
            "exact and error = published - exact. v(t1) and v(T-dT) are the velocity of the body that turns then,\n"
            "and 0; equations (A.4) and (12) print the remainders O(t1^2) and O(dT^2).\n"
            "With --points, a list or a range: one row for each point, the published value of every formula in a\n"
-           "column of its own.\n"
+           "column of its own; with --only the value NAME, exact.NAME and relative.NAME = NAME/exact.NAME - 1 of\n"
+           "each formula, and --plot draws the relative errors.\n"
            "" ABOUT_MANY_POINTS ".\n"
            "\n"
            "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it\n"

@@ -30,7 +30,8 @@ static const char *read_formula(const struct reading *r, struct formula *formula
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
 {
   const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r->config, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name, did_you_mean(near));
+  return refuse_at(r->config, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name,
+                   *name == '(' ? formula_instead(name) : did_you_mean(near));
 }
 
 bool has_column(const struct scene_want *w, const char *name)

@@ -238,8 +238,10 @@ void page_of_reaches(FILE *page, const struct summary *s, int digits)
   for (int k = 0; k < 2; k++)
     for (int i = 0; i < counts[k]; i++) {
       const struct summary_series *f = &lists[k][i];
-      if (f->item.formula)
-        fprintf(page, "  %s %s\n       ", f->item.name, name_of(f));
+      if (f->item.formula && equation_of(f) != f->item.name)
+        fprintf(page, "  %s %s, %s\n       ", equation_of(f), f->item.name, name_of(f));
+      else if (f->item.formula)
+        fprintf(page, "  %s, %s\n       ", f->item.name, name_of(f));
       else
         fprintf(page, "  derived terms below T^%d, %s\n       ", SUMMARY_ORDER, name_of(f));
       write_reach(page, s, f, digits);

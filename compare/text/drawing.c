@@ -12,7 +12,7 @@
 
 #define PARAMETERS "T", "alpha", "F1", "F2", "m1", "m2", "L", "gait"
 
-/* The first row all of whose columns a table has is its kind. Lists end with NULL. */
+/* The first row all of whose columns a table has is its kind. Lists end with NULL. A name that ends in '.' stands for the columns that begin so. */
 static const struct drawing {
   const char *has[6];
   const char *program;               /* a script of scripts/plots/                                          */
@@ -80,6 +80,12 @@ static const struct drawing {
     .by = { "scene", "gait", "stepper", "quantity" } },
   { .has = { "m1", "phase", "v0", "dxC" }, .program = "curves", .vary = { PARAMETERS, "phase", "v0" }, .y = { "dxC" } },
   { .has = { "m1", "froude", "mean_velocity" }, .program = "curves", .vary = { PARAMETERS }, .y = { "mean_velocity" } },
+  { .has = { "m1", "v0", "relative." },
+    .program = "curves",
+    .vary = { PARAMETERS, "v0" },
+    .y = { "relative." },
+    .log = LOG_XY,
+    .magnitudes = true },
   { .has = { "m1", "v0", "text_steady_xC" }, .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
   { .has = { NULL }, .program = "curves" }, /* any other: x and y are named */
 };
@@ -139,11 +145,25 @@ static const struct content *content_of(const struct seen *s, const char *column
   return place < 0 ? NULL : &s->content[place];
 }
 
-static bool has_all(const struct seen *s, const char *const *columns)
+/* The columns that a name stands for, at most PLOT_COLUMNS; NULL-terminated. Returns how many. */
+static int columns_of(const struct seen *s, const char *name, const char *columns[PLOT_COLUMNS + 1])
 {
-  while (*columns && content_of(s, *columns))
-    columns++;
-  return !*columns;
+  size_t length = strlen(name);
+  bool many = length > 0 && name[length - 1] == '.';
+  int count = 0;
+  for (int i = 0; i < s->tsv.columns && count < PLOT_COLUMNS; i++)
+    if (many ? strncmp(s->tsv.column[i], name, length) == 0 : strcmp(s->tsv.column[i], name) == 0)
+      columns[count++] = s->tsv.column[i];
+  columns[count] = NULL;
+  return count;
+}
+
+static bool has_all(const struct seen *s, const char *const *names)
+{
+  const char *columns[PLOT_COLUMNS + 1];
+  while (*names && columns_of(s, *names, columns) > 0)
+    names++;
+  return !*names;
 }
 
 /* What stands behind begin in the '#' line of the head that begins so, until the next call; NULL: no line does. */
@@ -248,6 +268,18 @@ static void choose_axes(const struct seen *s, const struct drawing *d)
   p->log_y = p->y_range.is_given ? p->y_range.is_log : d->log != AS_IS || wide;
 }
 
+/* The columns that are drawn; where a name of a drawing stands for some of the table, copies of theirs */
+static void choose_y(const struct seen *s, const struct drawing *d)
+{
+  static char copies[PLOT_COLUMNS][TITLE];
+  const char *columns[PLOT_COLUMNS + 1];
+  struct plot *p = s->plot;
+  memcpy(p->y, d->y, sizeof p->y);
+  if (d->y[0] && d->y[0][strlen(d->y[0]) - 1] == '.')
+    for (int i = columns_of(s, d->y[0], columns); i-- > 0; p->y[i] = copies[i])
+      snprintf(copies[i], TITLE, "%s", columns[i]);
+}
+
 /* Of columns that only name a curve those count that are not the same in all rows. */
 static void choose_names(const struct seen *s, const struct drawing *d)
 {
@@ -277,7 +309,7 @@ static bool choose(struct seen *s)
   p->program = shipped_text(shipped_scripts, d->program);
   p->x = p->x ? p->x : d->x;
   if (!p->y[0])
-    memcpy(p->y, d->y, sizeof p->y);
+    choose_y(s, d);
   choose_names(s, d);
   read_head(s, d);
   title_of_held(s);

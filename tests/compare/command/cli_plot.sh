@@ -42,6 +42,7 @@ shown_in wide.svg '0.02^0.05^0.2'
 finish "a wide axis is logarithmic"
 drawn "a sweep of phases" "T (time)^Δx_C (length)^F₁ = 4" phase --points points.tsv --v0 0.5
 drawn "the published formulas" "|error / exact|^text_steady_xC  period  displacement" series --gait sinusoidal
+drawn "errors of formulas" "T (time)^|relative.text_steady_xC|^10-6" series --only '(28),(27)' --T 0.05:2:20:log
 drawn "formulas of a sweep" "T (time)^text_steady_xC^F₁ = 2" series --points points.tsv
 for n in 2 3 4 5; do
   case $n in

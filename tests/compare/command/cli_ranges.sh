@@ -51,6 +51,27 @@ printf 'T\n0.1\n1\n' >two.tsv
 run 0 series --points two.tsv
 cmp -s out series.tsv || note "series: other rows"
 finish "series: the rows of --points"
+run 0 series --T 0.1,1 --only '(28),rest_dT'
+cp out chosen.tsv
+printf 'vary = ( { T = [ 0.1, 1.0 ]; } );\nwant = ( { what = "steady"; columns = [ "(28)", "exact.(28)", "relative.text_steady_xC" ]; } );\n' >numbered.cfg
+run 0 run numbered.cfg
+python chosen.tsv out series.tsv <<'END'
+mine, scene, all = (read(f) for f in sys.argv[1:])
+formulas = ["rest_dT", "rest_dT:contraction", "text_steady_xC"]
+if list(mine[0])[9:] != [p + f for f in formulas for p in ("", "exact.", "relative.")] + ["status"]:
+    bad(list(mine[0]))
+for m, s, a in zip(mine, scene, all):
+    if any(m[f] != a[f] for f in formulas) or [m["text_steady_xC"], m["exact.text_steady_xC"]] != [s["(28)"], s["exact.(28)"]]:
+        bad(m, s)
+    if abs(number(m, "relative.text_steady_xC") - number(s, "relative.text_steady_xC")) > 4e-15:  # of doubles, and of more
+        bad("relative", m, s)
+END
+run 0 series --only '(26)' --columns formula
+[ "$(rows out)" = text_steady_velocity_l0_lT ] || note "(26): $(cat out)"
+refuse "there is no formula 'text_steady_xc' here: did you mean 'text_steady_xC'" series --only '(28),text_steady_xc'
+refuse "'(A.17)' here: of this equation there are A_x1_switch_from_times, A_x1_switch_collected" series --only '(A.17)'
+refuse 'only is for the published formulas' series --only '(28)' --source derived
+finish "series --only: formulas by name and by equation, with their exact values and errors"
 run 3 steady --T 1e-170,1 --m1 1e300,1
 [ "$(cells out status | grep -c '^ok$')" = 2 ] || note "$(cells out T m1 status)"
 grep -q '2 of 4 points could not be solved' err || note "$(cat err)"

@@ -506,6 +506,11 @@ refused "claims --errors of nothing" 2 'no claim about an order' claims --errors
 run 0 claims --errors rest_dT --gait quadratic
 [ "$(sed '/^#/d' out | sed 1d | cut -f 1,4 | sort -u)" = "$(printf 'rest_dT\tquadratic')" ] || note "other rows: $(head -n 5 out)"
 finish "claims --errors rest_dT --gait quadratic"
+cp out named
+run 0 claims --errors '(14)' --gait quadratic
+[ "$(rows out)" = "$(rows named)" ] || note "(14) is not rest_dT: $(head -n 5 out)"
+refuse 2 'of this equation there are A_x1_switch_from_times, A_x1_switch_collected' claims --errors '(A.17)'
+finish "claims --errors of an equation"
 run 3 claims --m1 1e-300 --m2 1e300
 says 'out of range' err
 finish "claims of a crawler that cannot be scaled"
