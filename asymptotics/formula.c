@@ -21,7 +21,7 @@ struct parser {
 
 static const char *const texts[] = { "a number", "a name", "pi", "-", "abs", "sqrt", "exp", "log", "log10", "sin",
                                      "cos",      "asin",   "+",  "-", "*",   "/",    "^",   "min", "max" };
-static const char functions[] = "abs sqrt exp log log10 sin cos asin min max";
+static const char *const functions[] = { "abs", "sqrt", "exp", "log", "log10", "sin", "cos", "asin", "min", "max", NULL };
 
 const char *formula_operation_text(enum formula_operation operation) { return texts[operation]; }
 
@@ -152,13 +152,15 @@ static bool read_arguments(struct parser *p, enum formula_operation function, co
   return of_many || add(p, start, function);
 }
 
-static bool fail_name(const struct parser *p, const char *start, const char *name)
+/* A name that is no quantity or, where some are given, none of these functions */
+static bool fail_name(const struct parser *p, const char *start, const char *name, const char *const *of)
 {
-  const char *near = p->names->nearest ? p->names->nearest(p->names->context, name) : NULL;
-  if (function_named(name) != FORMULA_NUMBER)
+  static const char no_function[] = "function: there are abs sqrt exp log log10 sin cos asin min max";
+  const char *near = p->names->nearest ? p->names->nearest(p->names->context, name, of) : NULL;
+  if (!of && function_named(name) != FORMULA_NUMBER)
     return fail(p, start, "'%s' is no quantity but a function: '(' is missing after it", name);
-  return fail(p, start, "'%s' is no quantity known here%s%s%s", name, near ? ": did you mean '" : "", near ? near : "",
-              near ? "'?" : "");
+  return fail(p, start, "'%s' is no %s%s%s%s", name, of ? no_function : "quantity known here",
+              near ? ": did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
 
 static bool read_all(struct parser *p);
@@ -190,15 +192,14 @@ static bool read_name(struct parser *p)
   p->at += length;
   enum formula_operation function = function_named(name);
   if (next(p) == '(')
-    return function != FORMULA_NUMBER ? read_arguments(p, function, start)
-                                      : fail(p, start, "'%s' is no function: there are %s", name, functions);
+    return function != FORMULA_NUMBER ? read_arguments(p, function, start) : fail_name(p, start, name, functions);
   int place = p->names->place(p->names->context, name);
   if (place >= 0)
     return add_step(p, start, (struct formula_step){ .operation = FORMULA_QUANTITY, .place = place });
   const char *text = p->names->part ? p->names->part(p->names->context, name) : NULL;
   if (text)
     return read_part(p, name, text);
-  return strcmp(name, "pi") == 0 ? add(p, start, FORMULA_PI) : fail_name(p, start, name);
+  return strcmp(name, "pi") == 0 ? add(p, start, FORMULA_PI) : fail_name(p, start, name, NULL);
 }
 
 static bool read_value(struct parser *p)

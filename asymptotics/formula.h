@@ -93,8 +93,8 @@ struct formula {
 /* What names mean. */
 struct formula_names {
   int (*place)(void *context, const char *name); /* of a quantity among the values, or < 0 where the name is unknown  */
-  const char *(*nearest)(void *context,
-                         const char *name); /* the known name that an unknown one resembles, or NULL; may be NULL */
+  /* The known name that an unknown one resembles, or, where functions (NULL-terminated) is not NULL, the one of these; or NULL. May be NULL */
+  const char *(*nearest)(void *context, const char *name, const char *const *functions);
   const char *(*part)(void *context, const char *name); /* the text of a part, or NULL; may be NULL                       */
   void *context;
 };

@@ -38,10 +38,10 @@ static const char *part_of(void *context, const char *name)
   return NULL;
 }
 
-static const char *nearest_to(void *context, const char *name)
+static const char *nearest_to(void *context, const char *name, const char *const *functions)
 {
   const struct asked *asked = context;
-  return asked->near_to ? asked->near_to(asked->formula, name) : NULL;
+  return asked->near_to ? asked->near_to(asked->formula, name, functions) : NULL;
 }
 
 static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,

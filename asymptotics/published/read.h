@@ -6,8 +6,8 @@
 #include "asymptotics/formula.h"
 
 /* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to, which may be NULL: the name
- * that an unknown one resembles, or NULL. Returns NULL, or `message` (formula_read). */
-typedef const char *near_name(const struct scallop_formula *formula, const char *name);
+ * that an unknown one resembles, as formula_names has it. Returns NULL, or `message` (formula_read). */
+typedef const char *near_name(const struct scallop_formula *formula, const char *name, const char *const *functions);
 const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
                                  char message[FORMULA_MESSAGE]);
 

@@ -122,7 +122,8 @@ const char *formula_instead(const char *name)
   const struct scallop_formula *f;
   size_t used = 0;
   for (int i = 0; (f = of_equation(name, i)) && used < sizeof text; i++)
-    used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",", f->name);
+    used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",",
+                             f->name);
   for (int i = 0; i < MOST && formula_at(i); i++)
     names[i] = formula_at(i)->name;
   return used > 0 ? text : did_you_mean(nearest(name, names));

@@ -102,7 +102,7 @@ bool check_entry(const struct config *c, const struct entry *e, name_is_taken *t
 }
 
 /* The name that an unknown one in a formula resembles */
-static const char *near_to(const struct scallop_formula *formula, const char *name)
+static const char *near_to(const struct scallop_formula *formula, const char *name, const char *const *functions)
 {
   const char *names[SCALLOP_SYMBOLS + MOST_PARTS + 1] = { NULL };
   int n = 0;
@@ -110,7 +110,7 @@ static const char *near_to(const struct scallop_formula *formula, const char *na
     names[n] = scallop_symbol_names[n];
   for (const struct scallop_part *p = formula->parts; p->name; p++)
     names[n++] = p->name;
-  return nearest(name, names);
+  return nearest(name, functions ? functions : names);
 }
 
 /* Symbols that have no value there */

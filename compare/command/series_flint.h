@@ -10,7 +10,7 @@ struct series_options {
   struct given_word source; /* published, derived, limit or closed */
   struct given_count order; /* of the derived series: terms below T^order */
   bool bound, symbolic;
-  const char *only; /* of the published formulas: their names and equations, or NULL: all */
+  const char *only;       /* of the published formulas: their names and equations, or NULL: all */
   struct given_word emit; /* text: a table */
 };
 

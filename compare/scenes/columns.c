@@ -14,9 +14,9 @@ const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi
                                       "state",  "expect", "tolerance", "verdict",  NULL };
 
 static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
-static const char *near_to(void *scene, const char *name)
+static const char *near_to(void *scene, const char *name, const char *const *functions)
 {
-  return quantity_near(&((struct scene *)scene)->quantities, name);
+  return functions ? nearest(name, functions) : quantity_near(&((struct scene *)scene)->quantities, name);
 }
 
 /* NULL, or what is wrong with the formula: it lives until the next call. */

@@ -18,10 +18,12 @@ static int place_of(void *context, const char *name)
   return -1;
 }
 
-/* Only one name has a near one. */
-static const char *near_to(void *context, const char *name)
+/* Only one name, and one function, has a near one. */
+static const char *near_to(void *context, const char *name, const char *const *functions)
 {
   (void)context;
+  if (functions)
+    return strcmp(name, "cosine") == 0 ? functions[6] : NULL;
   return strcmp(name, "serie:dT.15") == 0 ? "series:dT.15" : NULL;
 }
 
@@ -175,6 +177,8 @@ static const struct {
   { "pi(2)", "character 1: 'pi' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
   { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
   { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
+  { "1+cosine(x)",
+    "character 3: 'cosine' is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'cos'?", "" },
   { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
   { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
   { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },

@@ -151,6 +151,7 @@ option() { # MESSAGE ARGUMENT...
   run 2 claims "$@"
   [ "$(cat err)" = "scallop claims: $said" ] || note "$*: $(cat err)"
 }
+option "--formula: character 1: 'sqr' is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'sqrt'?" --formula "sqr(T)" --of v_end --claimed 3
 option "--formula: character 3: 'F3' is no quantity known here: did you mean 'F1'?" --formula "T+F3" --of v_end --claimed 3
 option "--formula: character 1: this '(' is not closed" --formula "(T" --of v_end --claimed 3
 option "--formula: the steady state has no v0" --formula "v0" --of v_start --claimed 3
