@@ -44,6 +44,19 @@ hy = half(uy(ys_[1]), uy(ys_[ny]), ny)
 px(i) = vx(ux(xs[1]) + (i - 1) * 2 * hx)
 py(j) = vy(uy(ys_[1]) + (j - 1) * 2 * hy)
 
+# At F1 = F2 and at alpha = 1/2 the bodies, or the phases, are alike, and modes are others than on both sides, on that line alone: such a node
+# is thin, and its region a line there. Seen from a side (dx, dy) a thin node is of the region there.
+alike(name, value) = abs(value - (name eq "alpha" ? 0.5 : name eq "F1/F2" ? 1 : 1e999)) < 1e-9
+array across[n] # 1: alone in its row, 2: in its column, 3: in both
+of(i, j) = region[at(i, j)]
+do for [j=1:ny] { do for [i=1:nx] {
+  across[at(i, j)] = (alike(x_column, xs[i]) && i > 1 && i < nx && of(i - 1, j) != of(i, j) && of(i + 1, j) != of(i, j) ? 1 : 0) \
+                     + (alike(y_column, ys_[j]) && j > 1 && j < ny && of(i, j - 1) != of(i, j) && of(i, j + 1) != of(i, j) ? 2 : 0)
+} }
+thin(i, j) = across[at(i, j)] > 0
+seen(i, j, dx, dy, far) = far == 0 || !thin(i, j) ? of(i, j) : \
+                          seen(i + (across[at(i, j)] == 2 ? 0 : dx), j + (across[at(i, j)] == 1 ? 0 : dy), dx, dy, far - 1)
+
 # Parts of a region that hang together along rows and columns: a part is called by its least node.
 array part[n]
 do for [c=1:n] { part[c] = c }
@@ -77,24 +90,31 @@ do for [j=1:ny] { do for [i=1:nx] {
 colours = "#cfe2f7 #fbe0ae #d5ecd0 #f6cfd3 #dcd3ee #e3e3e3 #c4ebea #f3ecb4 #e9d2bd #d9e3f0 #f9d9ec #cbd9b0"
 fill(k) = int(sprintf("0x%s", word(colours, (k - 1) % 12 + 1)[2:7]))
 seam = 0.52 # half of a cell, and a little more
+over = seam - 0.5
+cell(i, j, left, right, low, high, k) = sprintf("%.10g %.10g %.10g %.10g %.10g %.10g %d %.10g", px(i), py(j), px(i + left), px(i + right), \
+                                                py(j + low), py(j + high), fill(k), z[at(i, j)])
 set print $cells
 do for [j=1:ny] { do for [i=1:nx] {
-  print sprintf("%.10g %.10g %.10g %.10g %.10g %.10g %d %.10g", px(i), py(j), px(i - seam), px(i + seam), py(j - seam), py(j + seam), \
-                fill(region[at(i, j)]), z[at(i, j)])
+  if (!thin(i, j)) {
+    print cell(i, j, -seam, seam, -seam, seam, of(i, j))
+  } else {
+    do for [dx=-1:1:2] { do for [dy=-1:1:2] {
+      print cell(i, j, dx < 0 ? -seam : -over, dx < 0 ? over : seam, dy < 0 ? -seam : -over, dy < 0 ? over : seam, seen(i, j, dx, dy, 3))
+    } }
+  }
 } }
 
 # Squares between four nodes. Where one corner is of another region than the three others, that region is cut off there; a boundary goes
 # from the middle of an edge to that of the next. Else it goes through the centre.
-corner(i, j) = region[at(i, j)]
 point(x, y) = sprintf("%.10g %.10g", px(x), py(y))
-over = seam - 0.5
 set print $corners
 print "NaN NaN 0"
+corner(i, j, c) = seen(i + c % 2, j + c / 2, 1 - 2 * (c % 2), 1 - 2 * (c / 2), 3) # c: 0 south-west, 1 south-east, 2 and 3 north
 do for [j=1:ny-1] { do for [i=1:nx-1] { do for [c=0:3] {
   oi = i + c % 2
   oj = j + c / 2
-  next = corner(2 * i + 1 - oi, oj)
-  if (next != corner(oi, oj) && next == corner(oi, 2 * j + 1 - oj) && next == corner(2 * i + 1 - oi, 2 * j + 1 - oj)) {
+  next = corner(i, j, 3 - c)
+  if (next != corner(i, j, c) && next == corner(i, j, (c + 2) % 4) && next == corner(i, j, c + 1 - 2 * (c % 2))) {
     sx = oi == i ? over : -over
     sy = oj == j ? over : -over
     print sprintf("\n%s %d\n%s %d\n%s %d\n%s %d\n%s %d\n", point(i + 0.5, oj), fill(next), point(i + 0.5 + sx, oj), fill(next), \
@@ -105,10 +125,10 @@ set print $lines
 print "NaN NaN"
 half_way(x, y, i, j) = sprintf("\n%s\n%s\n", point(x, y), point(i, j))
 do for [j=1:ny-1] { do for [i=1:nx-1] {
-  south = corner(i, j) != corner(i + 1, j)
-  north = corner(i, j + 1) != corner(i + 1, j + 1)
-  west = corner(i, j) != corner(i, j + 1)
-  east = corner(i + 1, j) != corner(i + 1, j + 1)
+  south = corner(i, j, 0) != corner(i, j, 1)
+  north = corner(i, j, 2) != corner(i, j, 3)
+  west = corner(i, j, 0) != corner(i, j, 2)
+  east = corner(i, j, 1) != corner(i, j, 3)
   if (south + north + west + east == 2 && south != north) {
     print half_way(i + 0.5, south ? j : j + 1, west ? i : i + 1, j + 0.5)
   } else {
@@ -118,7 +138,25 @@ do for [j=1:ny-1] { do for [i=1:nx-1] {
     if (east) { print half_way(i + 1, j + 0.5, i + 0.5, j + 0.5) }
   }
 } }
+# From a thin node half-way to each node of its region beside it, with corners only where no side is of the region; and all the way to a
+# thin one of another region that the line runs into
+set print $thin
+print "NaN NaN 0"
+inside(i, j) = i > 0 && j > 0 && i <= nx && j <= ny
+same(i, j, k) = inside(i, j) ? of(i, j) == k : 0
+do for [j=1:ny] { do for [i=1:nx] { if (thin(i, j)) { do for [dx=-1:1] { do for [dy=-1:1] {
+  k = of(i, j)
+  if ((dx != 0 || dy != 0) && same(i + dx, j + dy, k) && (dx * dy == 0 || !(same(i + dx, j, k) || same(i, j + dy, k)))) {
+    print sprintf("\n%s %d\n%s %d\n", point(i, j), fill(k), point(i + 0.5 * dx, j + 0.5 * dy), fill(k))
+  } else { if (dx * dy == 0 && across[at(i, j)] == (dx == 0 ? 1 : 2) && inside(i + dx, j + dy) && thin(i + dx, j + dy)) {
+    print sprintf("\n%s %d\n%s %d\n", point(i, j), fill(k), point(i + dx, j + dy), fill(k))
+  } }
+} } } } }
 unset print
+# Regions that are thin throughout
+array is_line[regions]
+do for [k=1:regions] { is_line[k] = 1 }
+do for [c=1:n] { if (across[c] == 0) { is_line[region[c]] = 0 } }
 
 rows = (regions + 1) / 2
 eval picture(900, 640 + 20 * (is_regions ? rows : 0), 13)
@@ -139,6 +177,7 @@ array largest[regions]
 do for [k=1:regions] { largest[k] = 0 }
 do for [c=1:n] { if (size[c] > 0 && (largest[region[c]] == 0 || size[c] > size[largest[region[c]]])) { largest[region[c]] = c } }
 set print $numbers
+print "NaN NaN 0"
 do for [c=1:n] { if (size[c] > NOT_SMALL * n || largest[region[c]] == c) {
   print sprintf("%.10g %.10g %d", px(best_i[c]), py(best_j[c]), region[c])
 } }
@@ -148,10 +187,14 @@ if (is_regions) {
   set bmargin at screen (17.0 * rows + 62) / (height > 0 ? height : 640 + 20 * rows)
   entry(k) = sprintf("%2d  %s%s", k, name[k], z_column eq "modes" && note[k] ne name[k] ? "  " . note[k] : "")
   set style fill solid noborder
+  set style textbox opaque border lc rgb "black"
   plot $cells using 1:2:3:4:5:6:7 with boxxyerror lc rgb variable fs solid notitle, \
        $corners using 1:2:3 with filledcurves closed lc rgb variable fs solid notitle, \
        $lines using 1:2 with lines lw 1.6 lc rgb "black" notitle, \
-       $numbers using 1:2:3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 17 : 13) notitle, \
+       $thin using 1:2 with lines lw 5 lc rgb "black" notitle, \
+       $thin using 1:2:3 with lines lw 3 lc rgb variable notitle, \
+       $numbers using (is_line[$3 > 0 ? $3 : 1] ? $1 : NaN):2:3 with labels boxed font "DejaVu Sans Bold,".(kind eq "png" ? 17 : 13) notitle, \
+       $numbers using (is_line[$3 > 0 ? $3 : 1] ? NaN : $1):2:3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 17 : 13) notitle, \
        for [k=1:regions] keyentry with boxes lc rgb fill(k) fs solid border lc rgb "#555555" title entry(k)
 } else {
   unset key
@@ -164,5 +207,6 @@ if (is_regions) {
   set colorbox user origin screen 0.85,0.2 size 0.025,0.6
   plot $cells using 1:2:3:4:5:6:($8 - $8 == 0 ? $8 : NaN) with boxxyerror fs solid noborder fc palette notitle, \
        $cells using ($8 - $8 == 0 ? NaN : $1):2:3:4:5:6 with boxxyerror lc rgb "#dddddd" fs solid notitle, \
-       $lines using 1:2 with lines lw 1.2 lc rgb "white" notitle
+       $lines using 1:2 with lines lw 1.2 lc rgb "white" notitle, \
+       $thin using 1:2 with lines lw 1.2 lc rgb "white" notitle
 }

@@ -70,6 +70,11 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
   grid='--x 0.1:10:7 --y 0.1:0.9:5'
   of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
+  # F1 = F2 is a line: of its colour, that of the second region, only the box in the list is filled
+  # shellcheck disable=SC2086
+  run 0 breakdown --map F1/F2 alpha $grid --quiet --plot line.svg
+  [ "$(grep -c "fill = 'rgb(251, 224, 174)'" line.svg)" = 1 ] || note "$(grep -c "fill = 'rgb(251, 224, 174)'" line.svg) cells of F1 = F2"
+  finish "a region that is a line"
   grid="$grid --columns modes,regime,alpha,F1/F2"
   of_map "a map of few columns" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
   grid='--x 0.1:10:3 --y 0.1:0.9:3 --gait sinusoidal --columns modes,regime,F1/F2'
