@@ -4,6 +4,7 @@
 
 #include "compare/answers/gaits.h"
 #include "compare/command/commands.h"
+#include "compare/text/aligned.h"
 
 const struct command *const commands[] = { &command_phase,
                                            &command_steady,
@@ -49,14 +50,15 @@ static const char program_text[] =
     "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the\n"
     "new table is complete.\n";
 
+enum { HELP_WIDTH = 100 };
+
 /* A text that begins at a place of a line, and goes on in as many lines as it takes, each from that column on. */
 static void print_from(FILE *to, int at, int column, const char *text)
 {
-  enum { WIDTH = 100 };
   bool begins = true;
   for (int word; *text; text += word + (text[word] == ' '), begins = false) {
     word = (int)strcspn(text, " ");
-    if (!begins && at + 1 + word > WIDTH)
+    if (!begins && at + 1 + word > HELP_WIDTH)
       at = fprintf(to, "\n%*s", column, "") - 1;
     else if (!begins)
       at += fprintf(to, " ");
@@ -78,7 +80,7 @@ static void option_line(FILE *to, const char *name, const char *placeholder, con
   print_item(to, left, 22, help);
 }
 
-void help_program(FILE *to)
+static void write_program(FILE *to)
 {
   fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
         "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
@@ -136,7 +138,7 @@ static void list_gaits(FILE *to, const struct command *command)
   }
 }
 
-void help_command(FILE *to, const struct command *command)
+static void write_command(FILE *to, const struct command *command)
 {
   char summary[HELP_OPTION];
   snprintf(summary, sizeof summary, "%s.", command->summary);
@@ -160,4 +162,15 @@ void help_command(FILE *to, const struct command *command)
     option_line(to, o->name, o->argument, text);
   }
   option_line(to, "help", NULL, "this text");
+}
+
+void help_of(FILE *to, const struct command *command)
+{
+  struct wrapped kept;
+  FILE *file = wrap_begin(&kept);
+  if (file && command)
+    write_command(file, command);
+  else if (file)
+    write_program(file);
+  wrap_end(&kept, to, HELP_WIDTH);
 }

@@ -16,7 +16,7 @@ const struct command *command_named(const char *name);
 /* The name nearest to a mistyped one, or NULL if none is near. */
 const char *nearest_command(const char *word);
 
-void help_program(FILE *to);
-void help_command(FILE *to, const struct command *command);
+/* The help of a command, or, for NULL, of the program: for a narrower terminal in its columns. */
+void help_of(FILE *to, const struct command *command);
 
 #endif

@@ -55,10 +55,7 @@ static int give_help(const char *name)
   const struct command *command = name ? command_named(name) : NULL;
   if (name && !command && !is_help(name))
     return unknown_command(name);
-  if (command)
-    help_command(stdout, command);
-  else
-    help_program(stdout);
+  help_of(stdout, command);
   return flushed();
 }
 
@@ -164,7 +161,7 @@ int main(int count, char **arguments)
   if (!isatty(STDOUT_FILENO))
     setvbuf(stdout, rows, _IOFBF, sizeof rows);
   if (count < 2) {
-    help_program(stderr);
+    help_of(stderr, NULL);
     return EXIT_USAGE;
   }
   const struct command *command = command_named(arguments[1]);
@@ -174,7 +171,7 @@ int main(int count, char **arguments)
   enum exit_code code;
   enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   if (reading == READ_HELP) {
-    help_command(stdout, command);
+    help_of(stdout, command);
     code = flushed();
   } else if (reading == READ_RUN && !begin_paging(&read.options.request.style)) {
     code = EXIT_USAGE;

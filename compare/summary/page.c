@@ -38,7 +38,7 @@ static void write_stretches(FILE *page, const struct summary *s, int digits)
 
 static void write_velocities(FILE *page, const struct summary *s, int digits)
 {
-  fprintf(page, "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the\n  contraction starts.\n",
+  fprintf(page, "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
           digits, value(s, Q_V_START), digits, value(s, Q_V_MID));
   if (value(s, Q_MULTIPLIER) == 0)
     fputs("  Whatever velocity it starts with, it moves like this after a period.\n", page);

@@ -93,8 +93,10 @@ static void write_page(FILE *page, const struct point *point, const struct summa
   page_of_events(page, s, digits);
   page_of_reversals(page, s, digits);
   page_of_place(page, s, digits);
-  fputs("\nMore: `scallop steady --certified` (proven digits), `claims` (every claim of the paper),\n"
-        "`series --source derived` (the expansion), `breakdown --all` (every event and reach).\n",
+  fputs("\nMore: scallop steady --certified       proven digits\n"
+        "      scallop claims                   every claim of the paper\n"
+        "      scallop series --source derived  the expansion\n"
+        "      scallop breakdown --all          every event and reach\n",
         page);
 }
 
@@ -103,8 +105,9 @@ static const char *row(struct table *t, const struct point *point, const void *c
   const struct request *request = context;
   const struct scallop_formula *formulas[SUMMARY_FORMULAS];
   struct summary s;
+  struct wrapped kept;
   const char *why = refused ? refused : summary_make(&s, point, true);
-  FILE *page = table_page(t);
+  FILE *file = table_page(t), *page = file ? wrap_begin(&kept) : NULL;
   if (why && page)
     fprintf(page, "\nThis crawler has no page: %s.\n", why);
   else if (why)
@@ -113,6 +116,8 @@ static const char *row(struct table *t, const struct point *point, const void *c
     write_page(page, point, &s, request->style.digits > 0 ? (int)request->style.digits : DIGITS);
   else
     write_cells(t, &s);
+  if (page)
+    wrap_end(&kept, file, 0);
   if (!refused)
     summary_clear(&s);
   return why;
@@ -145,14 +150,17 @@ static enum exit_code write_breakdown(const struct request *request, const struc
   int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
   char parameters[PARAMETERS_TEXT];
   struct table t;
-  if (!table_open(&t, &request->style))
+  struct wrapped kept;
+  FILE *page = table_open(&t, &request->style) ? wrap_begin(&kept) : NULL;
+  if (!page)
     return EXIT_FILE;
   parameters_text(parameters, &request->point, of_T, true);
-  fprintf(t.file, "Crawler:%s\n", parameters);
-  page_of_events(t.file, s, digits);
-  page_of_reversals(t.file, s, digits);
-  page_of_reaches(t.file, s, digits);
-  fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", t.file);
+  fprintf(page, "Crawler:%s\n", parameters);
+  page_of_events(page, s, digits);
+  page_of_reversals(page, s, digits);
+  page_of_reaches(page, s, digits);
+  fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", page);
+  wrap_end(&kept, t.file, 0);
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 

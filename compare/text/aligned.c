@@ -1,7 +1,10 @@
 #include "compare/text/aligned.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "compare/text/memory.h"
 
@@ -42,6 +45,94 @@ void aligned_free(struct aligned *a)
     free(a->cells[i]);
   free(a->cells);
   *a = (struct aligned){ .columns = a->columns };
+}
+
+int wrap_width(FILE *file)
+{
+  struct winsize size;
+  int place = fileno(file);
+  return place >= 0 && isatty(place) && ioctl(place, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/* Where a line goes on */
+static int below(const char *line, int length, int width)
+{
+  int first = (int)strspn(line, "# "), column = first;
+  for (int i = first + 1; i < length - 1; i++)
+    if (line[i] == ' ' && line[i - 1] == ' ' && line[i + 1] != ' ')
+      column = i + 1;
+  return 3 * column <= 2 * width ? column : first;
+}
+
+/* One line, whose words may be those of several of the text */
+struct line {
+  FILE *to;
+  int width, at, column; /* where the next word stands, and the first of the next line */
+};
+
+/* Words of the text, with the blanks between them as they are; joined: behind others, from which one blank parts them */
+static void put_words(struct line *l, const char *text, int length, bool joined)
+{
+  for (int i = 0, next; i < length; i = next) {
+    int blanks = (int)strspn(text + i, " "), word = (int)strcspn(text + i + blanks, " \n");
+    next = i + blanks + word;
+    blanks = joined && i == 0 ? 1 : blanks;
+    if ((joined || i > 0) && l->width > 0 && l->at + blanks + word > l->width) {
+      fprintf(l->to, "\n%*s", l->column, "");
+      l->at = l->column;
+      blanks = 0;
+    }
+    l->at += fprintf(l->to, "%*s%.*s", blanks, "", word, text + next - word);
+  }
+}
+
+/* Is the line behind this one a part of it? */
+static bool goes_on(const char *line, int length, int full)
+{
+  const char *next = line + length + (line[length] == '\n');
+  int blanks = (int)strspn(next, " "), word = (int)strcspn(next + blanks, " \n");
+  return full > 0 && length > 0 && word > 0 && length + 1 + word > full && blanks == below(line, length, full)
+         && below(next, (int)strcspn(next, "\n"), full) == blanks;
+}
+
+bool wrap_lines(FILE *to, const char *text, int width, int full)
+{
+  while (*text) {
+    int length = (int)strcspn(text, "\n");
+    struct line l = { to, width, 0, below(text, length, width > 0 ? width : full) };
+    put_words(&l, text, length, false);
+    for (; width > 0 && goes_on(text, length, full); length = (int)strcspn(text, "\n")) {
+      text += length + 1;
+      put_words(&l, text, (int)strcspn(text, "\n"), true);
+    }
+    text += length;
+    if (*text == '\n')
+      fputc(*text++, to);
+  }
+  return !ferror(to);
+}
+
+FILE *wrap_begin(struct wrapped *w)
+{
+  *w = (struct wrapped){ .text = NULL };
+  return w->file = open_memstream(&w->text, &w->size);
+}
+
+bool wrap_end(struct wrapped *w, FILE *to, int full)
+{
+  bool kept = w->file && fclose(w->file) == 0;
+  int width = wrap_width(to);
+  bool written = kept && wrap_lines(to, w->text, full > 0 && width > full ? 0 : width, full);
+  free(w->text);
+  return written;
+}
+
+bool wrap_note(FILE *to, const char *format, va_list arguments)
+{
+  struct wrapped kept;
+  FILE *line = wrap_begin(&kept);
+  bool made = line && fputs("# ", line) >= 0 && vfprintf(line, format, arguments) >= 0 && fputc('\n', line) >= 0;
+  return wrap_end(&kept, to, 0) && made;
 }
 
 static const char *unit_of(column_meaning *meaning, const char *name)
@@ -85,6 +176,15 @@ static void print_upright(const struct aligned *a, FILE *file, column_meaning *m
       fprintf(file, "%*s  %s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence);
     fputc('\n', file);
   }
+}
+
+static bool print_wrapped(const struct aligned *a, FILE *file, column_meaning *meaning)
+{
+  struct wrapped kept;
+  FILE *lines = wrap_begin(&kept);
+  if (lines)
+    print_upright(a, lines, meaning);
+  return wrap_end(&kept, file, 0);
 }
 
 /* Numbers are on the right of their columns */
@@ -141,7 +241,7 @@ bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning)
   const char **units = calloc(columns, sizeof *units);
   if (!lost && width && numbers && units) {
     if (a->columns > 2 && a->count == 2L * a->columns)
-      print_upright(a, file, meaning);
+      lost = !print_wrapped(a, file, meaning);
     else
       print_columns(a, file, meaning, width, numbers, units);
   } else

@@ -1,8 +1,9 @@
-/* A table for people: cells are kept, and printed in columns of equal width; a single row is printed upright, its long texts in
- * several lines. */
+/* Text for people. A table: cells are kept, and printed in columns of equal width; a single row is printed upright, its long texts in
+ * several lines. And prose, in the columns of the terminal. */
 #ifndef SCALLOP_ALIGNED_H
 #define SCALLOP_ALIGNED_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -28,5 +29,24 @@ void aligned_end_cell(struct aligned *a);
 /* Prints what was kept: the names of the columns are its first row. Forgets it. meaning may be NULL. False: memory ran out. */
 bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning);
 void aligned_free(struct aligned *a);
+
+/* The columns of a terminal; 0: the file is none, or does not tell. */
+int wrap_width(FILE *file);
+
+/* Writes lines in so many columns (0: as they are), broken at blanks; a word that is longer stays whole. A line goes on below its last part that
+ * stands behind two blanks or more, or below its first word where little room is left there. full: of lines that were broken at this
+ * width already a line is joined with the one before, if that had no room for its first word; 0: none is. False: writing failed. */
+bool wrap_lines(FILE *to, const char *text, int width, int full);
+
+/* A stream that keeps what is written, until wrap_end writes it to a file in the columns of the terminal that the file is. NULL: out of memory. */
+struct wrapped {
+  FILE *file;
+  char *text;
+  size_t size;
+};
+FILE *wrap_begin(struct wrapped *wrapped);
+bool wrap_end(struct wrapped *wrapped, FILE *to, int full);
+/* "# NOTE" likewise */
+bool wrap_note(FILE *to, const char *format, va_list arguments);
 
 #endif

@@ -157,7 +157,7 @@ static void put_note(struct table *t, const char *format, va_list arguments)
   if (t->format == FORMAT_TABLE)
     print_aligned(t);
   hand_on(t);
-  note_error(t, fputs("# ", t->file) < 0 || vfprintf(t->file, format, arguments) < 0 || fputc('\n', t->file) < 0);
+  note_error(t, !wrap_note(t->file, format, arguments));
 }
 
 void table_note(struct table *t, const char *format, ...)

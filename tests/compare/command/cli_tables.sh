@@ -34,13 +34,14 @@ columns 'panel alpha F2 F1_over_F2 mean_velocity series_mean_velocity v_start re
 
 # ---- a terminal gets what people read, anything else TSV ----
 python "$tool" <<'END'
-import os, pty, subprocess
-def on_terminal(*arguments):
+import fcntl, os, pty, struct, subprocess, termios
+def on_terminal(*arguments, columns=0):
     try:
         master, slave = pty.openpty()
     except OSError:  # a container without /dev/pts
         sys.exit(0)
-    subprocess.run([sys.argv[1], *arguments], stdout=slave, stderr=subprocess.DEVNULL, check=True)
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
+    run = subprocess.Popen([sys.argv[1], *arguments], stdout=slave, stderr=subprocess.DEVNULL)
     os.close(slave)
     seen = b""
     try:
@@ -48,6 +49,8 @@ def on_terminal(*arguments):
             seen += os.read(master, 65536)
     except OSError:
         os.close(master)
+    if run.wait() != 0:
+        bad("exit code", run.returncode, arguments)
     return seen.decode().replace("\r\n", "\n")
 if "\ndisplacement   3.24121 length " not in on_terminal("steady"):
     bad("not upright:", on_terminal("steady"))
@@ -65,6 +68,13 @@ for command in (["steady"], ["steady", "--certified"]):  # the second is handed 
         bad("not paged:", on_terminal(*command, "--pager"))
 os.environ["PAGER"] = "true"
 on_terminal("claims", "--pager")  # a reader who leaves at once is no error
+words = lambda text: text.replace("# ", "").split()
+for command in ["steady"], ["summary"], ["breakdown"], ["--help"], *([c, "--help"] for c in ("steady", "series", "claims", "breakdown")):
+    plain, narrow = on_terminal(*command), on_terminal(*command, columns=80)
+    if words(plain) != words(narrow) or max(map(len, narrow.splitlines())) > 80 or len(max(plain.splitlines(), key=len)) <= 80:
+        bad("not in 80 columns:", command, max(narrow.splitlines(), key=len))
+    if command[-1] == "--help" and on_terminal(*command, columns=200) != plain:
+        bad("a wide terminal:", command)
 END
 run 2 steady --pager -o x.tsv
 finish "a terminal gets an aligned table, by a pager if asked"

@@ -14,6 +14,39 @@ static void write_row(struct table *t, double number, const char *text)
   table_text(t, text);
 }
 
+TEST(lines_are_wrapped_below_their_text)
+{
+  static const struct {
+    int width, full;
+    const char *text, *wanted;
+  } cases[] = {
+    { 0, 0, "one two three\n", "one two three\n" },
+    { 13, 0, "one two three\n", "one two three\n" },
+    { 12, 0, "one two three\n", "one two\nthree\n" },
+    { 12, 0, "  one two three\n\nend", "  one two\n  three\n\nend" },
+    { 4, 0, "indivisible it is\n", "indivisible\nit\nis\n" },
+    { 18, 0, "  --a  one two three\n", "  --a  one two\n       three\n" },
+    { 12, 0, "  a long name  one two\n", "  a long\n  name  one\n  two\n" }, /* no room is left below "one" */
+    { 12, 0, "# a note of it\n", "# a note of\n  it\n" },
+    { 12, 20, "one two three four\nfive six\n", "one two\nthree four\nfive six\n" }, /* "five" had no room */
+    { 12, 30, "one two three four\nfive six\n", "one two\nthree four\nfive six\n" }, /* it had */
+    { 14, 20, "  a  one two three\n     four five\n", "  a  one two\n     three\n     four five\n" },
+    { 14, 20, "  a  one two threes\n  b  four five\n", "  a  one two\n     threes\n  b  four five\n" },
+    { 16, 20, "one two three four\nfive six\n", "one two three\nfour five six\n" },
+    { 16, 30, "one two three four\nfive six\n", "one two three\nfour\nfive six\n" },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char *text = NULL;
+    size_t size;
+    FILE *to = open_memstream(&text, &size);
+    assert_true(wrap_lines(to, cases[i].text, cases[i].width, cases[i].full));
+    assert_int_equal(wrap_width(to), 0); /* is no terminal */
+    fclose(to);
+    assert_string_equal(text, cases[i].wanted);
+    free(text);
+  }
+}
+
 TEST(cells_follow_the_format)
 {
   static const char *const wanted[] = {
