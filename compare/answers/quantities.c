@@ -44,9 +44,8 @@ enum quantity_id quantity_of_name(const char *name)
 
 const struct column_meaning *quantity_meaning(const char *name)
 {
-  static const struct column_meaning modes = {
-    "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck; | ends the extension", true
-  };
+  static const struct column_meaning modes = { "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", true,
+                                               "| ends the extension" };
   static struct column_meaning meaning;
   if (strcmp(name, "modes") == 0)
     return &modes;
@@ -54,7 +53,7 @@ const struct column_meaning *quantity_meaning(const char *name)
   if (q == NAMED_QUANTITIES)
     return NULL;
   meaning = (struct column_meaning){ strcmp(quantity_rows[q].unit, "1") == 0 ? "" : quantity_rows[q].unit,
-                                     quantity_rows[q].sentence, false };
+                                     quantity_rows[q].sentence, false, NULL };
   return &meaning;
 }
 

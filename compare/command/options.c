@@ -192,14 +192,19 @@ bool takes_operands(const struct command *command)
 /* An option that the command does not take: another one's, a mistyped one, or none. */
 static bool complain_of_option(const struct arguments *a, const char *name, const char *argument)
 {
-  enum { MOST = 40 };
-  const char *names[MOST + 1] = { NULL }, *command = a->command->name;
+  enum { MOST = 80 };
+  const char *names[MOST + 2] = { NULL }, *command = a->command->name;
+  int count = 0;
   for (const struct command *const *c = a->commands; *c; c++)
     if (option_of(*c, name))
       return complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
-  for (int i = 0; i < MOST && a->command->options[i].name; i++)
-    names[i] = a->command->options[i].kind == &dropped_option ? "" : a->command->options[i].name;
+  for (const struct option *o = a->command->options; o->name && count < MOST; o++) {
+    names[count++] = o->kind == &dropped_option ? "" : o->name;
+    names[count++] = o->also ? o->also : "";
+  }
   const char *near = nearest(name + strspn(name, "-"), names);
+  for (const struct option *o = a->command->options; near && o->name; o++)
+    near = near == o->also ? o->name : near;
   return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument, near ? ": did you mean '--" : "",
                   near ? near : "", near ? "'?" : "", command);
 }

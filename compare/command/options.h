@@ -51,6 +51,7 @@ struct option {
   double least, most;
   const char *const *words; /* NULL-terminated */
   const char *allowed;
+  const char *also; /* what else it may be called by who does not know its name: "did you mean"; or NULL */
 };
 
 /* What two options have to do with each other: one that has no effect is refused. */
@@ -68,12 +69,15 @@ struct option_rule {
   }
 #define OPTION_FIELD(type, member) .field = offsetof(struct type, member)
 #define OPTION_POINT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &parameter_option)
+#define OPTION_NUMBER_OF(name, argument, also_called, help, otherwise) \
+  OPTION(name, argument, help, otherwise, .kind = &parameter_option, .also = also_called)
 #define OPTIONS_TO_L(numbers) \
-  OPTION_POINT("m1", "M", "mass of body 1", numbers), OPTION_POINT("m2", "M", "mass of body 2", numbers), \
-      OPTION_POINT("F1", "F", "Coulomb friction force of body 1", numbers), \
-      OPTION_POINT("F2", "F", "Coulomb friction force of body 2", numbers), \
-      OPTION_POINT("L", "L", "amplitude of the separation x2 - x1", numbers)
-#define OPTION_T(otherwise) OPTION_POINT("T", "T", "period", otherwise)
+  OPTION_NUMBER_OF("m1", "M", "mass1", "mass of body 1", numbers), \
+      OPTION_NUMBER_OF("m2", "M", "mass2", "mass of body 2", numbers), \
+      OPTION_NUMBER_OF("F1", "F", "friction1", "Coulomb friction force of body 1", numbers), \
+      OPTION_NUMBER_OF("F2", "F", "friction2", "Coulomb friction force of body 2", numbers), \
+      OPTION_NUMBER_OF("L", "L", "stroke", "amplitude of the separation x2 - x1", numbers)
+#define OPTION_T(otherwise) OPTION_NUMBER_OF("T", "T", "period", "period", otherwise)
 #define OPTIONS_ALPHA_GAIT(numbers, gait) \
   OPTION_POINT("alpha", "A", "fraction of the period that the extension takes", numbers), \
       OPTION_POINT("gait", "GAIT", "one of the gaits above", gait)

@@ -111,7 +111,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return false;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
-  w->has_plot = !given->has_format || given->format == FORMAT_TSV; /* of what the command line asks for there is none */
+  /* of a table in the format of the command line there is none */
+  w->has_plot = !given->has_format || r->options->explain || given->format == FORMAT_TSV;
   if (w->has_plot && (!w->file || w->format != FORMAT_TSV))
     return refuse_at(r->config, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
@@ -248,7 +249,7 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
   bool is_named = o->request.style.has_output && !o->explain; /* else -o names the plan's */
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
-  if (o->request.style.has_format)
+  if (o->request.style.has_format && !o->explain)
     w->format = o->request.style.format;
   if (w->file && plot_kind(w->file))
     return refuse_at(r->config, config_setting_get_member(at, "file"),

@@ -156,6 +156,15 @@ static void print_text(FILE *file, const char *text, int left)
   }
 }
 
+/* Has a text of the column several parts, and is there more to say of it? */
+static bool has_parts(const struct aligned *a, int column, const struct column_meaning *m)
+{
+  bool has = false;
+  for (long k = column + a->columns; k < a->count && m->between && !has; k += a->columns)
+    has = strstr(a->cells[k], " | ") != NULL;
+  return has;
+}
+
 /* One a line: name, value and unit, and what it is */
 static void print_upright(const struct aligned *a, FILE *file, column_meaning *meaning)
 {
@@ -173,7 +182,8 @@ static void print_upright(const struct aligned *a, FILE *file, column_meaning *m
     print_text(file, value, widest + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
     if (m)
-      fprintf(file, "%*s  %s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence);
+      fprintf(file, "%*s  %s%s%s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence,
+              has_parts(a, i, m) ? "; " : "", has_parts(a, i, m) ? m->between : "");
     fputc('\n', file);
   }
 }
@@ -229,7 +239,8 @@ static void print_columns(const struct aligned *a, FILE *file, column_meaning *m
   for (int i = 0; i < a->columns; i++) {
     const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
     if (m && m->has_symbols)
-      fprintf(file, "%s: %s\n", a->cells[i], m->sentence);
+      fprintf(file, "%s: %s%s%s\n", a->cells[i], m->sentence, has_parts(a, i, m) ? "; " : "",
+              has_parts(a, i, m) ? m->between : "");
   }
 }
 

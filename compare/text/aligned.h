@@ -12,6 +12,7 @@
 struct column_meaning {
   const char *unit, *sentence;
   bool has_symbols;
+  const char *between; /* of a text of parts with " | " between: what that stands for; else NULL */
 };
 typedef const struct column_meaning *column_meaning(const char *name);
 

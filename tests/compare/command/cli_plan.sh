@@ -144,4 +144,11 @@ if [ -r /proc/self/maps ]; then
   grep -q 'this scene needs FLINT' err || note "$(cat err)"
   finish "only what needs FLINT loads it"
 fi
+cat >drawn.cfg <<'END'
+vary = ( { T = [ 0.1, 0.2 ]; } );
+want = ( { what = "steady"; file = "drawn.tsv"; plot = { file = "drawn.svg"; x = "T"; y = "v_start"; }; } );
+END
+run 0 run drawn.cfg --explain --format table
+grep -q '^drawn  *plots  *1 ' out || note "no plot: $(grep plots out)"
+finish "--explain: the format is that of the plan"
 exit $failed

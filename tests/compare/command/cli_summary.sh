@@ -112,6 +112,8 @@ run 0 summary --gait sinusoidal --T 3 --F1 2 --format tsv --columns motion
 run 0 steady --F1 1,2 --format table
 [ "$(grep -c '^modes: .*+ forward, - backward, 0 stuck' out)" -eq 1 ] || note "no legend"
 ! grep -q 'both bodies' out || note "words in a table of many rows"
+run 0 phase --format table
+grep -q 'modes .*+ forward, - backward, 0 stuck$' out || note "phase: $(grep modes out)"
 run 0 trajectory --format table
 ! grep -q 'forward, - backward' out || note "a legend without modes"
 printf 'T\n-1\n1\n' >refused.tsv

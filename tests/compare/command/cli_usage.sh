@@ -106,6 +106,9 @@ refused "empty command" 2 "unknown command ''" ''
 refused "option before the command" 2 "the command comes first" --T 1
 refused "unknown option with a near one" 2 "unknown option '--alfa': did you mean '--alpha'" steady --alfa 0.5
 refused "unknown option with a near one, by =" 2 "did you mean '--points'" steady --poimts=x
+for pair in stroke:L mass1:m1 mass2:m2 friction1:F1 friction2:F2 period:T; do
+  refused "--${pair%:*}" 2 "unknown option '--${pair%:*}': did you mean '--${pair#*:}'" steady "--${pair%:*}" 1
+done
 refused "unknown option, nothing near" 2 "unknown option '--zzzzzzzzzz'.*steady --help" steady --zzzzzzzzzz 1
 refused "option of another command: --phase" 2 "does not take the option '--phase'" steady --phase extension
 refused "option of another command: --start" 2 "does not take the option '--start'" phase --start rest
