@@ -122,8 +122,11 @@ static const char *find_formula(struct columns *c, struct item *item)
     snprintf(message, WRONG, "'%.100s': %s", item->text, why);
     return message;
   }
-  for (int i = formula_places(formula, places); i-- > 0;)
-    c->used[places[i]] = true;
+  int used = formula_places(formula, places);
+  if (used == 0 && item->text == item->name) /* such as "(28)", an equation */
+    return not_allowed(item->text, "names of columns; NAME = FORMULA may be a number alone");
+  while (used-- > 0)
+    c->used[places[used]] = true;
   column_formula(item->name, &length);
   if (item->text > item->name)
     item->name[length] = '\0';

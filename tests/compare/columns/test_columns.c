@@ -56,6 +56,7 @@ TEST(columns_that_are_not_there)
                 { "foo_bar_baz_qux", "there is no column 'foo_bar_baz_qux': there are T v end status coefficient" },
                 { "c=4*S", "'4*S': character 3" },
                 { "c=4*", "'4*': character" },
+                { "T,(28)", "'(28)' is not allowed here: it takes names of columns" },
                 { "T,T", "the column 'T' is there twice" },
                 { "a=T,a=2*T", "the column 'a' is there twice" },
                 { "a\"b=T", "printable ASCII" } };
