@@ -39,11 +39,10 @@ export class Errors {
     const T = this.periods(crawler), phase = state.phase === "extension" ? 0 : 1;
     const shownOnes = all.filter(({ quantity }) => quantity === chosen.quantity).slice(0, 6);
     this.curves = shownOnes.map((formula) => this.curve(formula, phase, v0, T));
-    this.ofPhase = state.start !== "steady";
     const main = this.curves[shownOnes.indexOf(chosen)] ?? this.curves[0];
-    Object.assign(this, { T, main, crawlerT: crawler.T });
+    Object.assign(this, { T, main, crawlerT: crawler.T, ofPhase: state.start !== "steady", size: state.error });
     this.changes = [...T].filter((_, i) => i > 0 && main.modes[i] !== main.modes[i - 1]);
-    this.exceeds = firstAbove(T, main.relative);
+    this.exceeds = firstAbove(main, T);
     this.draw(state);
     this.formula.replaceChildren(mathOf(main.formula));
     this.tell(null);
@@ -54,34 +53,33 @@ export class Errors {
     return Float64Array.from({ length: COUNT }, (_, i) => middle * 10 ** (DECADES[0] + ((DECADES[1] - DECADES[0]) * i) / (COUNT - 1)));
   }
 
+  /** A formula, with along(T): what is exact, its value, and its errors, null where they are those of rounding. */
   curve(formula, phase, v0, T) {
-    const { exact, value, modes } = this.core.formulaAlong(formula, phase, v0, T);
-    const error = [...T].map((_, i) => {
-      const off = Math.abs(value[i] - exact[i]);
-      return off > ROUNDING * Math.abs(exact[i]) && Number.isFinite(off) ? off : null;
-    });
-    return { formula, exact, value, modes, error, relative: error.map((off, i) => (off === null ? 0 : off / Math.abs(exact[i]))) };
+    const along = (periods) => withErrors(this.core.formulaAlong(formula, phase, v0, periods));
+    const label = `${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`;
+    return { formula, label, along, ...along(T) };
   }
 
   draw(state) {
-    const series = this.curves.map(({ formula }, k) =>
-      line(`${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`, COLOURS[k], { width: formula === this.main.formula ? 3 : 1.5 }));
+    const { curves, main, size, T } = this, series = curves.map((curve, k) => line(curve.label, COLOURS[k], { width: curve === main ? 3 : 1.5 }));
+    series.push(line(size === "absolute" ? "1 % of the exact value" : "1 %", "wrong", { width: 1, dash: [2, 4] }));
+    const tolerated = [...main.exact].map((exact) => (exact === 0 || !Number.isFinite(exact) ? null : TOLERANCE * (size === "absolute" ? Math.abs(exact) : 1)));
     const hooks = {
       drawClear: [(u) => (drawMarks(u, this.changes), this.exceeds && drawMarks(u, [this.exceeds], "wrong"), drawMarks(u, [this.crawlerT], "point"))],
       setCursor: [(u) => this.tell(u.cursor.idx)],
     };
     const scales = { x: scale(true, () => [this.T[0], this.T.at(-1)]), y: scale(true, (u, low, high) => decades(low, high)) };
-    const key = `${series.map(({ label, width }) => label + width)} ${state.start} ${state.phase}`;
-    this.plot.show({ key, x: "T", y: "|error|", series, scales, hooks }, [[...this.T], ...this.curves.map(({ error }) => error)]);
+    const key = `${series.map(({ label, width }) => label + width)} ${state.start} ${state.phase} ${size}`;
+    this.plot.show({ key, x: "T", y: size === "absolute" ? "|formula − exact|" : "|formula/exact − 1|", series, scales, hooks }, [[...T], ...curves.map((curve) => curve[size]), tolerated]);
   }
 
   /** Slope at the cursor, or at the crawler's period, beside the claimed one. */
   tell(index) {
-    const { T, main } = this, i = index ?? nearest(T, this.crawlerT), { formula, error } = main;
+    const { T, main, size } = this, i = index ?? nearest(T, this.crawlerT), { formula, absolute } = main;
     const claim = formula.remainder > 0 ? `claimed: ${formula.remainder}` : "claimed: an equality";
-    const slope = slopeAt(T, error, i);
-    const measured = Number.isNaN(main.value[i]) ? "the formula has no value, as l″ = 0 where a phase of this gait begins or ends" : Number.isNaN(main.exact[i]) ? "no such event" : error[i] === null ? "the error is that of rounding" : Number.isNaN(slope) ? "no slope" : `slope ${slope.toFixed(2)}`;
-    const limit = this.exceeds === T[0] ? "It exceeds 1 % at every T shown." : this.exceeds ? `It exceeds 1 % from T = ${shown(Number(this.exceeds.toPrecision(3)))} on.` : error.every((off) => off === null) ? "" : "It stays below 1 %.";
+    const slope = slopeAt(T, absolute, i), other = size === "relative" ? ` (of the relative error ${slopeAt(T, main.relative, i).toFixed(2)})` : "";
+    const measured = Number.isNaN(main.value[i]) ? "the formula has no value, as l″ = 0 where a phase of this gait begins or ends" : Number.isNaN(main.exact[i]) ? "no such event" : absolute[i] === null ? "the error is that of rounding" : Number.isNaN(slope) ? "no slope" : `slope of the absolute error ${slope.toFixed(2)}${other}`;
+    const limit = this.exceeds === T[0] ? "The relative error exceeds 1 % at every T shown." : this.exceeds ? `The relative error exceeds 1 % from T = ${shown(this.exceeds)} on.` : absolute.every((off) => off === null) ? "" : "The relative error stays below 1 %.";
     const duration = this.ofPhase ? " T is the period; the phase is a part of it." : "";
     const derived = "Derived series are in the command (scallop series), not in this page.";
     this.note.textContent = `${formula.equation} at T = ${shown(Number(T[i].toPrecision(3)))}: ${measured}; ${claim}. ${limit} Dashed: the modes change.${duration} ${derived}`;
@@ -90,9 +88,9 @@ export class Errors {
   /** For a table: T, and exact, formula and error of each. */
   table() {
     const names = ["T"], rows = [[...this.T]];
-    for (const { formula, exact, value, error } of this.curves) {
-      names.push(`${formula.name}.exact`, formula.name, `${formula.name}.error`);
-      rows.push([...exact], [...value], error);
+    for (const { formula, exact, value, absolute, relative } of this.curves) {
+      names.push(`${formula.name}.exact`, formula.name, `${formula.name}.error`, `${formula.name}.relative`);
+      rows.push([...exact], [...value], absolute, relative);
     }
     return { names, rows };
   }
@@ -103,12 +101,27 @@ const decades = (low, high) => (low > 0 ? [10 ** Math.floor(Math.log10(low)), 10
 
 const nearest = (T, x) => T.reduce((best, t, i) => (Math.abs(Math.log(t / x)) < Math.abs(Math.log(T[best] / x)) ? i : best), 0);
 
+function withErrors({ exact, value, modes }) {
+  const off = (i) => Math.abs(value[i] - exact[i]);
+  const absolute = Array.from(exact, (x, i) => (off(i) > ROUNDING * Math.abs(x) && Number.isFinite(off(i)) ? off(i) : null));
+  return { exact, value, modes, absolute, relative: absolute.map((off, i) => (off === null ? null : off / Math.abs(exact[i]))) };
+}
+
 function slopeAt(T, error, i) {
   const a = Math.max(0, i - 2), b = Math.min(T.length - 1, i + 2);
   return error[a] > 0 && error[b] > 0 ? Math.log(error[b] / error[a]) / Math.log(T[b] / T[a]) : NaN;
 }
 
-function firstAbove(T, relative) {
-  const i = relative.findIndex((off) => off > TOLERANCE);
-  return i < 0 ? null : T[i];
+/** The T from which a relative error exceeds the tolerance, null where it never does: between two T of a list, and then ever closer. */
+function firstAbove(curve, T) {
+  let relative = curve.relative, i;
+  for (let round = 0; round < 7; round++) {
+    i = relative.findIndex((off) => off > TOLERANCE);
+    if (i < 0) return null;
+    if (i === 0) return T[0];
+    const low = T[i - 1], ratio = T[i] / low;
+    T = Float64Array.from({ length: 17 }, (_, k) => low * ratio ** (k / 16));
+    ({ relative } = curve.along(T));
+  }
+  return T[0];
 }

@@ -24,7 +24,7 @@ const curve = new Curve(core, find("curve"), find("curve-note"));
 const errors = new Errors(core, find("errors"), find("error-formula"), find("formula"), find("error-note"));
 const AMONG = {
   start: ["steady", "rest", "velocity"], x: Object.keys(AXES), y: Object.keys(AXES), show: Object.keys(SHOWN), along: ["x", "y"],
-  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"],
+  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"], error: ["absolute", "relative"],
 };
 let state = ofLink();
 const history = new History(state);
@@ -154,7 +154,7 @@ function showAnswers() {
   find("words").replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })));
 }
 
-const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase" };
+const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase", "error-size": "error" };
 const SPEEDS = { "1": "real time", "0.5": "1/2", "0.2": "1/5", "0.05": "1/20", "4s": "a period in 4 s", "12s": "a period in 12 s" };
 
 /** Seconds of the motion that pass in a second. */

@@ -17,6 +17,7 @@ import tempfile
 import time
 import xml.etree.ElementTree
 from pathlib import Path
+from urllib.parse import urlencode
 
 sys.dont_write_bytecode = True
 import browser  # noqa: E402  (nothing is written beside the sources)
@@ -283,6 +284,22 @@ class Check:
             self.command(*shlex.split(self.page.run("explorer.commandOf(explorer.state())"))[1:])
         self.reports("what is taken along")
 
+    def errors(self):
+        """The T from which a formula is off by 1 %, shown absolutely and relatively, beside that of the command."""
+        for state in ({}, {"formula": "text_steady_velocity"}, {"gait": "skewed:0.3", "F1": "2.385"}, {"alpha": "0.6", "m2": "3", "T": "0.3", "error": "relative"}):
+            self.load("#" + urlencode(state))
+            shown = self.page.run("(({ exceeds, main: { formula: { name }, exact, value, absolute, relative } }) =>"
+                                  " ({ exceeds, name, exact: [...exact], value: [...value], absolute, relative }))(explorer.errors)")
+            options = [f"--{name}={value}" for name, value in state.items() if name in ("gait", "F1", "m2", "alpha")]
+            rows = self.command("breakdown", "--only", "reach", "--source", "published", "--tol", "0.01", *options)
+            wanted = next(float(row["T"]) for row in rows if row["series"] == shown["name"])
+            self.expect(abs(shown["exceeds"] / wanted - 1) < 1e-6, f"{state}: an error of 1 % at T = {shown['exceeds']}, of the command {wanted}")
+            self.expect(f"exceeds 1 % from T = {wanted:.6g} on" in self.page.run("document.getElementById('error-note').textContent"), f"{state}: the note has not T = {wanted}")
+            drawn = shown[state.get("error", "absolute")]
+            kept = [(d * (abs(x) if "error" in state else 1), abs(v - x)) for d, v, x in zip(drawn, shown["value"], shown["exact"]) if d is not None]
+            self.expect(len(kept) > 50 and all(abs(d - off) <= 1e-12 * off for d, off in kept), f"{state}: other errors are drawn, {len(kept)}")
+        self.reports("errors")
+
     def extremes(self):
         """Parameters of any size, gaits of all kinds and every choice: nothing breaks, and what is shown are the command's numbers."""
         self.load()
@@ -350,6 +367,7 @@ class Check:
         self.refused()
         self.taken_along()
         self.tables()
+        self.errors()
         self.extremes()
         self.looks(folder)
 
