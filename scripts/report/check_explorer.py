@@ -285,19 +285,26 @@ class Check:
         self.reports("what is taken along")
 
     def errors(self):
-        """The T from which a formula is off by 1 %, shown absolutely and relatively, beside that of the command."""
-        for state in ({}, {"formula": "text_steady_velocity"}, {"gait": "skewed:0.3", "F1": "2.385"}, {"alpha": "0.6", "m2": "3", "T": "0.3", "error": "relative"}):
+        """The T from which a formula and the derived series are off by 1 %, drawn absolutely and relatively, beside those of the command."""
+        named = ("gait", "F1", "m2", "alpha", "order")
+        for state in ({}, {"formula": "text_steady_velocity", "order": "12"}, {"gait": "skewed:0.3", "F1": "2.385", "order": "6"},
+                      {"gait": "sinusoidal", "alpha": "0.6", "m2": "3", "T": "0.3", "error": "relative"}):
             self.load("#" + urlencode(state))
-            shown = self.page.run("(({ exceeds, main: { formula: { name }, exact, value, absolute, relative } }) =>"
-                                  " ({ exceeds, name, exact: [...exact], value: [...value], absolute, relative }))(explorer.errors)")
-            options = [f"--{name}={value}" for name, value in state.items() if name in ("gait", "F1", "m2", "alpha")]
-            rows = self.command("breakdown", "--only", "reach", "--source", "published", "--tol", "0.01", *options)
-            wanted = next(float(row["T"]) for row in rows if row["series"] == shown["name"])
-            self.expect(abs(shown["exceeds"] / wanted - 1) < 1e-6, f"{state}: an error of 1 % at T = {shown['exceeds']}, of the command {wanted}")
-            self.expect(f"exceeds 1 % from T = {wanted:.6g} on" in self.page.run("document.getElementById('error-note').textContent"), f"{state}: the note has not T = {wanted}")
-            drawn = shown[state.get("error", "absolute")]
-            kept = [(d * (abs(x) if "error" in state else 1), abs(v - x)) for d, v, x in zip(drawn, shown["value"], shown["exact"]) if d is not None]
-            self.expect(len(kept) > 50 and all(abs(d - off) <= 1e-12 * off for d, off in kept), f"{state}: other errors are drawn, {len(kept)}")
+            curves, quantity = self.page.run(
+                "[[explorer.errors.main, explorer.errors.derived].map(({ exceeds, name, exact, value, absolute, relative }) =>"
+                " ({ exceeds, name, exact: [...exact], value: [...value], absolute, relative })), explorer.errors.main.formula.quantity]"
+            )
+            rows = self.command("breakdown", "--only", "reach", "--quantity", quantity, "--tol", "0.01", *[f"--{n}={v}" for n, v in state.items() if n in named])
+            note = self.page.run("document.getElementById('error-note').textContent")
+            for curve in curves:
+                series = "derived" if curve["name"].startswith("derived") else curve["name"]
+                wanted = next(float(row["T"]) for row in rows if row["series"] == series)
+                where = f"{state}, {curve['name']}"
+                self.expect(wanted == 0 or abs(curve["exceeds"] / wanted - 1) < 1e-6, f"{where}: 1 % at T = {curve['exceeds']}, of the command {wanted}")
+                self.expect((f"exceeds 1 % from T = {wanted:.6g} on" if wanted else "exceeds 1 % at every T shown") in note, f"{where}: the note has not T = {wanted}: {note}")
+                drawn = curve[state.get("error", "absolute")]
+                kept = [(d * (abs(x) if "error" in state else 1), abs(v - x)) for d, v, x in zip(drawn, curve["value"], curve["exact"]) if d is not None]
+                self.expect(len(kept) > 50 and all(abs(d - off) <= 1e-12 * off for d, off in kept), f"{where}: other errors are drawn, {len(kept)}")
         self.reports("errors")
 
     def extremes(self):
