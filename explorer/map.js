@@ -9,6 +9,8 @@ export const SHOWN = {
 };
 const FULL = 100, COARSE = [100, 50, 32, 20], BUDGET = 9, SLICE = 30, PATIENCE = 150; // cells a side; milliseconds of a frame, of a part of a fine map, and until that is begun
 
+const NAMED = 12; // regions in the legend before the others
+
 export class CrawlerMap {
   constructor(core, host, legend, moved) {
     Object.assign(this, { core, host, legend, moved, perCell: {}, plot: new Plot(host, { height: 420 }), image: document.createElement("canvas") });
@@ -142,16 +144,27 @@ export class CrawlerMap {
   }
 
   explainModes() {
-    const places = widest(this.classes, this.n), n = this.n;
-    const known = [...places].sort((a, b) => b[1].cells - a[1].cells);
+    const n = this.n, known = [...widest(this.classes, n)].filter(([id]) => id >= 0).sort((a, b) => b[1].cells - a[1].cells);
     this.names_in = [];
-    this.legend.replaceChildren(...known.filter(([id]) => id >= 0).map(([id, place], i) => {
+    const items = known.map(([id, place], i) => {
       const name = this.core.className(id), item = document.createElement("span"), swatch = document.createElement("i");
       this.names_in.push({ number: i + 1, regime: name.split(":")[0], x: (place.i % n + 0.5) / n, y: (Math.floor(place.i / n) + 0.5) / n, size: (2 * place.reach) / n });
       swatch.style.background = css(classColour(name, id));
       item.append(swatch, `${i + 1} ${name}`);
       return item;
-    }));
+    });
+    const others = known.slice(NAMED).reduce((sum, [, { cells }]) => sum + cells, 0) / (n * n);
+    const folded = items.length > NAMED + 1 ? [this.folded(items.splice(NAMED), others)] : [];
+    this.legend.replaceChildren(...items, ...folded);
+  }
+
+  /** The smaller regions, to be opened; they stay open. */
+  folded(items, part) {
+    const made = document.createElement("details"), head = document.createElement("summary");
+    head.textContent = `others (${items.length}), ${Number((100 * part).toPrecision(2))} % of the map`;
+    made.open = this.legend.querySelector("details")?.open ?? false;
+    made.append(head, ...items);
+    return made;
   }
 
   explainHeat() {

@@ -284,6 +284,18 @@ class Check:
             self.command(*shlex.split(self.page.run("explorer.commandOf(explorer.state())"))[1:])
         self.reports("what is taken along")
 
+    def legend(self):
+        """Every region of a map is in its legend, the smaller ones under a heading that opens and stays open."""
+        self.load("#gait=trapezoidal:0.1,0.3&F1=20&alpha=0.6&m2=3")
+        self.settle(1)
+        count = "new Set(explorer.map.classes.filter((id) => id >= 0)).size"
+        regions, listed, head = self.page.run(f"[{count}, document.querySelectorAll('#legend span').length, document.querySelector('#legend summary')?.textContent]")
+        self.expect(regions == listed > 13 and head.startswith(f"others ({regions - 12}), "), f"{regions} regions, {listed} in the legend, {head}")
+        self.page.run("document.querySelector('#legend summary').click(); explorer.change({ F1: '30' })")
+        self.settle(1)
+        self.expect(self.page.run(f"document.querySelector('#legend details').open && {count} === document.querySelectorAll('#legend span').length"), "the others do not stay open")
+        self.reports("legend")
+
     def errors(self):
         """The T from which a formula and the derived series are off by 1 %, drawn absolutely and relatively, beside those of the command."""
         named = ("gait", "F1", "m2", "alpha", "order")
@@ -374,6 +386,7 @@ class Check:
         self.refused()
         self.taken_along()
         self.tables()
+        self.legend()
         self.errors()
         self.extremes()
         self.looks(folder)
