@@ -157,10 +157,10 @@ class Check:
         self.expect(self.state()["F1"] == before["F1"], "a drag in the map cannot be undone")
         self.reports("drags")
 
-    def frames(self):
-        """Milliseconds that an update takes while alpha is dragged, with a map of 100 x 100, and between frames."""
-        self.load()
-        self.box("#slider-alpha")
+    def frames(self, gait, finest):
+        """Milliseconds that an update takes while alpha is dragged, with a map of `finest` cells a side, and between frames."""
+        self.load(f"#gait={gait}")
+        self.settle(2)
         self.page.run("document.getElementById('map-section').scrollIntoView({ block: 'center' })")
         took = self.page.run(
             "new Promise((done) => { const took = [], maps = [], between = []; let k = 0, last = performance.now(); const step = () => {"
@@ -169,10 +169,38 @@ class Check:
             " else done([took, maps, between]); }; requestAnimationFrame(step); })"
         )
         updates, maps, between = took
-        self.expect(all(n == 100 for n, _ in maps[-60:]), "the map is coarser than 100 x 100 while dragging")
+        self.expect(all(n >= finest for n, _ in maps[-60:]), f"{gait}: the map is coarser than {finest} x {finest} while dragging")
         update, each, frame = (statistics.median(x) for x in (updates[30:], [ms for _, ms in maps[30:]], between[30:]))
-        self.measured.append(f"dragging alpha, quadratic, 100 x 100: map {each:.1f} ms, all {update:.1f} ms, {frame:.1f} ms between frames (medians)")
-        self.expect(update <= FRAME, f"an update takes {update:.1f} ms: no 60 frames a second")
+        self.measured.append(f"dragging alpha, {gait}, {maps[-1][0]} cells a side: map {each:.1f} ms, all {update:.1f} ms, {frame:.1f} ms between frames (medians)")
+        self.expect(update <= FRAME, f"{gait}: an update takes {update:.1f} ms: no 60 frames a second")
+        self.until_fine()
+
+    def until_fine(self):
+        self.settle()
+        for _ in range(40):
+            if self.page.run("explorer.map.n") == 100:
+                return
+            self.settle()
+        self.complaints.append("the map stays coarse")
+
+    def maps(self):
+        """A map after each of many changes is that of a page that begins with them; and it is solved anew only where it changes."""
+        seen = "(({ classes, values, what, n }) => [n, ...(what === 'modes' ? Array.from(classes, (id) => explorer.core.className(id)) : values)].filter((_, i) => i % 37 === 0))(explorer.map)"
+        self.load()
+        changes = ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "text_steady_velocity"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"})
+        for change in changes:
+            self.page.run(f"explorer.change({json.dumps(change)})")
+            self.until_fine()
+            after, fragment = self.page.run(f"[{seen}, location.hash]")
+            self.page.run(f"globalThis.classes = explorer.map.classes; explorer.change({{ m1: '{1 + len(change)}.5' }}, false)")
+            self.settle()
+            moved = "x=m1" in fragment
+            self.expect(self.page.run("classes === explorer.map.classes") == moved, f"after {change} the map is {'' if moved else 'not '}solved again")
+            self.page.run("explorer.change({ m1: '1' }, false)")
+            self.load(fragment)
+            self.until_fine()
+            self.expect(self.page.run(seen) == after, f"the map after {change} is another than that of {fragment}")
+        self.reports("maps")
 
     def keyboard(self):
         """Sliders, the map and the animation without a mouse; and no motion where none is wanted."""
@@ -291,7 +319,7 @@ class Check:
         count = "new Set(explorer.map.classes.filter((id) => id >= 0)).size"
         regions, listed, head = self.page.run(f"[{count}, document.querySelectorAll('#legend span').length, document.querySelector('#legend summary')?.textContent]")
         self.expect(regions == listed > 13 and head.startswith(f"others ({regions - 12}), "), f"{regions} regions, {listed} in the legend, {head}")
-        self.page.run("document.querySelector('#legend summary').click(); explorer.change({ F1: '30' })")
+        self.page.run("document.querySelector('#legend summary').click(); explorer.change({ alpha: '0.61' })")
         self.settle(1)
         self.expect(self.page.run(f"document.querySelector('#legend details').open && {count} === document.querySelectorAll('#legend span').length"), "the others do not stay open")
         self.reports("legend")
@@ -379,7 +407,9 @@ class Check:
         self.numbers()
         self.drags()
         self.keyboard()
-        self.frames()
+        self.frames("quadratic", 100)
+        self.frames("minimum-jerk", 12)
+        self.maps()
         self.presets()
         self.links()
         self.measured_gaits()
