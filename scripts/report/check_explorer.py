@@ -177,18 +177,13 @@ class Check:
 
     def until_fine(self):
         self.settle()
-        for _ in range(40):
-            if self.page.run("explorer.map.n") == 100:
-                return
-            self.settle()
-        self.complaints.append("the map stays coarse")
+        self.expect(any(self.page.run("explorer.map.n") == 100 or self.settle() for _ in range(40)), "the map stays coarse")
 
     def maps(self):
         """A map after each of many changes is that of a page that begins with them; and it is solved anew only where it changes."""
         seen = "(({ classes, values, what, n }) => [n, ...(what === 'modes' ? Array.from(classes, (id) => explorer.core.className(id)) : values)].filter((_, i) => i % 37 === 0))(explorer.map)"
         self.load()
-        changes = ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "text_steady_velocity"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"})
-        for change in changes:
+        for change in ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "text_steady_velocity"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"}):
             self.page.run(f"explorer.change({json.dumps(change)})")
             self.until_fine()
             after, fragment = self.page.run(f"[{seen}, location.hash]")
