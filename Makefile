@@ -54,8 +54,7 @@ all: $(programs) libraries
 	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint
 
 ## help:       this list
-help:
-	@sed -n 's/^## //p' Makefile
+help: ; @sed -n 's/^## //p' Makefile explorer/rules.mk
 
 compile    = @mkdir -p $(@D); echo "  CC $<"; $(CC) $(CPPFLAGS) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 $(B)/%.o: %.c Makefile config.mk
@@ -122,31 +121,16 @@ fuzz-programs: $(fuzz)
 ## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
 rooms: $(programs)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
-rooms size:
-	@/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
+rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
 ## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
-gates:
-	@sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
+gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
 ## docs:       docs/commands.md anew, from --help
-docs: $(programs)
-	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
-## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
-check-report:
-	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
-
+docs: $(programs) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
 include explorer/rules.mk
-## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server
-explorer: $(B)/explorer/index.html
-	@echo "open $<"
-## check-explorer: that page in headless Chromium: its numbers, drags, presets, links, and what is refused
-check-explorer: explorer $(B)/scallop
-	@/usr/bin/python3 scripts/report/check_explorer.py $(B)/explorer/index.html $(B)/scallop --screenshots $(B)/explorer/screenshots
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
-bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop
-	@$(B)/scallop-bench
+bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench
 ## clean:      remove build/
-clean:
-	rm -rf $(B)
+clean: ; rm -rf $(B)
 
 # libscallop-core: the model, the published formulas and the exact solver; needs libm only, and has no threads.
 # libscallop:      everything in model/, asymptotics/ and numerics/ that the build has.

@@ -14,3 +14,14 @@ $(B)/core.wasm: $(patsubst %,$(B)/wasm/%.o,$(wasm_parts))
 	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144,--wrap=wide_enough_steady -o $@ $^ && wasm-opt -O3 $@ -o $@
 $(B)/explorer/index.html: $(B)/core.wasm $(wildcard explorer/*.js explorer/*.css explorer/*.html explorer/*.json) scripts/dev/explorer.sh
 	@sh scripts/dev/explorer.sh $(B)
+
+## check-report: the page of `make reproduce` in headless Chromium, at the width of a phone and of a desktop, light and dark
+check-report:
+	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
+
+## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server
+explorer: $(B)/explorer/index.html
+	@echo "open $<"
+## check-explorer: that page in headless Chromium: its numbers, drags, presets, links, and what is refused
+check-explorer: explorer $(B)/scallop
+	@/usr/bin/python3 scripts/report/check_explorer.py $(B)/explorer/index.html $(B)/scallop --screenshots $(B)/explorer/screenshots

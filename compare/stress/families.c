@@ -109,13 +109,12 @@ static bool wild(struct stress_case *s, const double *x)
   return true;
 }
 
-enum boundary { NO_BOUNDARY, START_VELOCITY, STICKING, OTHER_MODES };
-
 /* What differs on the two sides of a boundary */
 struct side {
   bool forward; /* the velocity as the motion starts */
   struct answer answer;
 };
+enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
 
 static bool solve_side(const struct stress_case *s, struct side *side)
 {
@@ -125,17 +124,18 @@ static bool solve_side(const struct stress_case *s, struct side *side)
   return solved;
 }
 
-static enum boundary boundary_between(const struct side *a, const struct side *b)
+/* Modes differ beyond boundaries of the first two kinds too. */
+static bool lies_between(enum boundary kind, const struct side *a, const struct side *b)
 {
-  if (a->answer.regime != b->answer.regime)
-    return STICKING;
-  if (a->forward != b->forward)
-    return START_VELOCITY;
-  return same_modes(a->answer.modes, b->answer.modes) ? NO_BOUNDARY : OTHER_MODES;
+  switch (kind) {
+  case START_VELOCITY: return a->forward != b->forward;
+  case STICKING: return a->answer.regime != b->answer.regime;
+  default: return !same_modes(a->answer.modes, b->answer.modes);
+  }
 }
 
-/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary that halving the
- * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or it is of another kind. */
+/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary of that kind that halving the
+ * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or another boundary is in the same place. */
 static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
 {
   enum { HALVINGS = 200 };
@@ -144,7 +144,7 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
   if (!solve_side(s, &first))
     return false;
   *moved = there;
-  if (!solve_side(s, &second) || boundary_between(&first, &second) == NO_BOUNDARY)
+  if (!solve_side(s, &second) || !lies_between(kind, &first, &second))
     return false;
   for (int i = 0; i < HALVINGS; i++) {
     *moved = here + (there - here) / 2;
@@ -152,13 +152,13 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
       break;
     if (!solve_side(s, &at))
       return false;
-    bool beyond = boundary_between(&first, &at) != NO_BOUNDARY;
+    bool beyond = lies_between(kind, &first, &at);
     *(beyond ? &there : &here) = *moved;
     second = beyond ? at : second;
   }
   double side = x < 0.5 ? -1 : 1, away = decades(x < 0.5 ? 2 * x : 2 * x - 1, -14, -3);
   *moved = here * (1 + side * away);
-  return boundary_between(&first, &second) == kind;
+  return kind != OTHER_MODES || !(lies_between(START_VELOCITY, &first, &second) || lies_between(STICKING, &first, &second));
 }
 
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)

@@ -219,6 +219,26 @@ static void measure(const struct stress_case *s, const struct solutions *all, co
   }
 }
 
+/* What binary128 resolves of a number, from the magnitudes of the parts that it is the sum of; 0 of those that are none */
+static void resolve_sums(const struct stress_case *s, struct stress_judgement *j)
+{
+  struct scallop_wide_phase phase;
+  struct scallop_wide_steady steady;
+  double size[QUANTITIES] = { 0 };
+  if (is_phase(s)) {
+    if (scallop_wide_phase(SCALLOP_BINARY128, &s->crawler, s->phase, s->v0, &phase) == SCALLOP_OK) {
+      size[Q_DX1] = phase.dx1_size;
+      size[Q_DX2] = phase.dx2_size;
+      size[Q_DXC] = phase.dxC_size;
+    }
+  } else if (scallop_wide_steady(SCALLOP_BINARY128, &s->crawler, &steady) == SCALLOP_OK) {
+    size[Q_DISPLACEMENT] = steady.period.displacement_size;
+    size[Q_MEAN_VELOCITY] = steady.period.displacement_size / s->crawler.T;
+  }
+  for (int q = 0; q < STRESS_QUANTITIES; q++)
+    j->number[q].resolved_sum = 0x1p-111 * size[first_of(s->kind) + q];
+}
+
 /* What is judged of a motion besides its errors */
 static void judge_motion(const struct stress_case *s, const struct solutions *all, struct stress_judgement *j)
 {
@@ -258,6 +278,7 @@ void stress_judge(const struct stress_case *s, struct stress_judgement *j)
   judge_motion(s, &all, j);
   if (!any_broken(j))
     return;
+  resolve_sums(s, j);
   find_units(s, STRESS_PROMISE, &all.wide[SCALLOP_BINARY128], unit);
   for (int q = 0; q < STRESS_QUANTITIES; q++)
     j->number[q].unit = fmax(j->number[q].unit, unit[q]);
@@ -288,6 +309,7 @@ const char *stress_broken(const struct stress_judgement *j, int q)
     return "estimate of the error too small";
   /* a number may be 0 whatever the parameters: then its unit is nothing but rounding of 113 bits */
   double negligible = n->ulp > 0 ? 0x1p-7 * n->ulp : fmax(0x1p-7 * fmax(n->unit, DBL_MIN), n->resolved);
+  negligible = fmax(negligible, n->resolved_sum);
   if (!(n->estimate <= STRESS_GENEROUS * fmax(n->error, negligible)))
     return "estimate of the error too large";
   return NULL;

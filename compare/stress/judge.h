@@ -22,6 +22,7 @@ struct stress_number {
   double error, unit;
   double ulp;           /* 0 where exact is 0 or tiny                           */
   double resolved;      /* by 113 bits, of what the number is counted in        */
+  double resolved_sum;  /* by 113 bits, of the parts that it is the sum of; set where a promise seems broken */
   double wide_error[2]; /* of long double and binary128                         */
   double estimate;      /* of the error, as a solve returns it                  */
   double rounding;      /* largest minus smallest result of the four rounding modes */
@@ -45,7 +46,7 @@ void stress_judge(const struct stress_case *stressed, struct stress_judgement *j
 
 /* What is promised, in units. In a directed rounding each operation errs by up to an ulp instead of a half, so a result by twice as
  * much, and the spread is between two of them; a change of one parameter moves the result by a unit, and both ends err. An estimate may
- * be so many times the error, or the 128th part of an ulp if that is more. */
+ * be so many times the error, or the 128th part of an ulp, or 2^-111 of the parts of a sum (wide.h), if that is more. */
 enum {
   STRESS_PROMISE = 8,
   STRESS_ROUNDING = 4 * STRESS_PROMISE,

@@ -56,18 +56,40 @@ static double flat_end(const struct scallop_scaled *s, double inside, double out
   return inside;
 }
 
+/* A distance over which a flat stretch is looked for beside a root: some thousand ulp */
+static double beside(const struct bracket *all) { return ldexp(all->hi - all->lo, -40); }
+
 /* The steady states around the root c: c itself, or the interval that it belongs to, perhaps as its end. */
 static struct bracket steady_states(const struct scallop_scaled *s, double c)
 {
   if (!has_jump(s))
     return (struct bracket){ c, c };
   struct bracket all = surely(s);
-  double step = ldexp(all.hi - all.lo, -40);
+  double step = beside(&all);
   const double near[] = { c, c - step, c + step };
   for (int i = 0; i < 3; i++)
     if (flat(s, near[i]))
       return (struct bracket){ flat_end(s, near[i], all.lo), flat_end(s, near[i], all.hi) };
   return (struct bracket){ c, c };
+}
+
+/* Whether a body is held at c for less than rounding of c, and the balance, level on a side of c, drives c away there. If so, sets *c to
+ * a velocity on that side. Without a jump of l' no balance is level. */
+static bool is_driven_away(const struct scallop_scaled *s, double *c)
+{
+  if (!has_jump(s))
+    return false;
+  struct bracket all = surely(s);
+  struct period p;
+  for (int side = -1; side <= 1; side += 2) {
+    period_begin(&p);
+    period_solve(s, *c + side * beside(&all), &p);
+    if (!p.forgets && p.balance_slope == 0 && side * p.balance > p.noise) {
+      *c = p.c_start;
+      return true;
+    }
+  }
+  return false;
 }
 
 /* The contraction maps velocities as the extension maps their opposites. Then the mirror image of a steady state, half a period late, is
@@ -319,6 +341,9 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
     c = period.c_end;
   }
   enum scallop_status status = find_root(s, c, NULL, &period, &at->work);
+  c = period.c_start;
+  if (period.forgets && is_driven_away(s, &c))
+    status = find_root(s, c, NULL, &period, &at->work);
   if (status != SCALLOP_OK)
     return status; /* GCOVR_EXCL_LINE: halving ends before that */
   period_sum_up(s, &period);

@@ -278,6 +278,8 @@ static bool find_steady(const struct wide_scaled *s, real c, real high, struct s
     found = next == low || next == high;
     c = next;
   }
+  if (found && !p->forgets && p->slope == 0) /* no root on this side of a kink */
+    run_period(s, p->c_start == low ? high : low, modes, p);
   return found;
 }
 

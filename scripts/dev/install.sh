@@ -42,7 +42,9 @@ sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
   -e "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
-put "$datadir/doc/scallop" docs/*.md
+put "$datadir/doc/scallop" docs/*
+# A link to a file of the sources becomes the name of the file
+sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
 put "$datadir/scallop/plots" scripts/plots/common.gp scripts/plots/curves.gp scripts/plots/dots.gp scripts/plots/map.gp scripts/plots/boundaries.gp \
   scripts/plots/reach.gp scripts/plots/workprec.gp scripts/plots/figure*.gp

@@ -25,6 +25,7 @@ they must leave the arrays alone that are being read. Needs Python 3.9 or later 
 import collections
 import ctypes
 import difflib
+import functools
 import itertools
 import math
 import re
@@ -130,18 +131,28 @@ def minimum_jerk():
     return gait_of("minimum-jerk")
 
 
+@functools.lru_cache(maxsize=None)
+def _gait_of_text(text):
+    """'skewed:0.3' as gait_of('skewed', 0.3), the same one each time: the library keeps its address."""
+    family, colon, numbers = text.partition(":")
+    try:
+        return gait_of(family, *(float(x) for x in numbers.split(",") if colon))
+    except ValueError as error:
+        raise ValueError(f"gait = {text!r}: {error}") from None
+
+
 def _address(gait):
-    """Of a gait, or of one of the library's by its name."""
-    if isinstance(gait, Gait):
-        return ctypes.addressof(gait._memory)
-    address = c.library().scallop_gait_named(gait.encode()) if isinstance(gait, str) else None
-    if not address:
+    """Of a gait, or of what --gait calls one."""
+    if not isinstance(gait, (Gait, str)):
         raise _no_gait(gait)
-    return address
+    named = c.library().scallop_gait_named(gait.encode()) if isinstance(gait, str) else None
+    if not named and isinstance(gait, str) and gait.partition(":")[0] not in gaits():
+        raise _no_gait(gait)
+    return named or ctypes.addressof((gait if isinstance(gait, Gait) else _gait_of_text(gait))._memory)
 
 
 def _no_gait(gait):
-    return ValueError(f"gait = {reprlib.repr(gait)}: 'quadratic', 'sinusoidal', or a Gait made by gait_of()")
+    return ValueError(f"gait = {reprlib.repr(gait)}: {', '.join(gaits())}, with numbers as in 'skewed:0.3', or a Gait")
 
 
 def _addresses(gait):
@@ -312,7 +323,7 @@ def steady(m1=1, m2=1, F1=4, F2=1, L=10, T=1, alpha=0.75, gait="quadratic", thre
 
     and v_low and v_high, between which all v_start are steady: the same number but for gaits whose l' jumps.
 
-    m1, m2, F1, F2, L, T > 0 and finite, 0 < alpha < 1. gait: 'quadratic', 'sinusoidal', a Gait, or an array of these.
+    m1, m2, F1, F2, L, T > 0 and finite, 0 < alpha < 1. gait: what --gait takes but measured, as 'skewed:0.3'; a Gait; or an array of these.
     threads: on how many the library may run, which does not change a bit of the result; libscallop-core runs on one.
     """
     threads = _count("threads", threads)

@@ -97,6 +97,13 @@ for example in example*.c; do
   tr '\n' ' ' <"$root/docs/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
 done
 finish "the examples of docs/library.md"
+pages=$place/usr/share/doc/scallop
+links=$(cd "$pages" && grep -ohE '\]\([^)#]+' ./*.md | sed 's/^](//' | grep -v '^https\?:' | sort -u)
+[ "$(echo "$links" | wc -l)" -gt 20 ] || note "links of the pages: $links"
+for link in $links; do
+  [ -f "$pages/$link" ] || note "no $link"
+done
+finish "what the installed pages link to is there"
 if command -v c++ >/dev/null 2>&1; then
   printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_published_value(scallop_formula_named("text_steady_xC"), &c, SCALLOP_EXTENSION, 0, 0, 0, 0) > 0); }\n' >main.cc
   # shellcheck disable=SC2046

@@ -409,6 +409,10 @@ if not same(got, wanted) or len(set(wanted)) < 50:
 for name, gait in GAITS.items():
     if not isinstance(gait, str) and gait.name != name:
         bad(gait, "is not called", name)
+texts = ["skewed:0.3", "minimum-jerk", "trapezoidal:0.2,0.3", "quadratic"]
+made = [scallop.skewed(0.3), scallop.minimum_jerk(), scallop.gait_of("trapezoidal", 0.2, 0.3), "quadratic"]
+if not same(scallop.steady(gait=texts).v_start, scallop.steady(gait=made).v_start):
+    bad("a gait as --gait writes it is another one")
 many = scallop.steady(gait=scallop.constant(), alpha=[0.5, 0.75])
 if not same(many.v_low, [-10, many.v_start[1]]) or not same(many.v_high, [9.25, many.v_start[1]]):
     bad("intervals:", many.v_low, many.v_high)
@@ -437,7 +441,7 @@ grid = numpy.ones((2, 3))
 grid[1, 2] = -2
 allowed = {name: entry[0].allowed.decode() for name, entry in scallop._families().items() if entry[0].allowed}
 families = ", ".join(name for name in scallop.gaits() if name not in ("quadratic", "sinusoidal"))
-none = "'quadratic', 'sinusoidal', or a Gait made by gait_of()"
+none = ", ".join(scallop.gaits()) + ", with numbers as in 'skewed:0.3', or a Gait"
 for call, wanted in {
     (lambda: scallop.steady(F1=-3)): "F1 = -3.0: a finite number > 0",
     (lambda: scallop.steady(F1=[1, -3, -4], T=[1, 1, 0])): "row 1: F1 = -3.0: a finite number > 0",
@@ -456,6 +460,9 @@ for call, wanted in {
     (lambda: scallop.steady(gait="walk")): "gait = 'walk': " + none,
     (lambda: scallop.steady(gait=["quadratic", None])): "gait = None: " + none,
     (lambda: scallop.steady(gait={})): "gait = {}: " + none,
+    (lambda: scallop.steady(gait="measured:beats.tsv")): "gait = 'measured:beats.tsv': " + none,
+    (lambda: scallop.steady(gait="skewed:2")): "gait = 'skewed:2': numbers = [2.0]: " + allowed["skewed"],
+    (lambda: scallop.steady(gait="skewed:a")): "gait = 'skewed:a': could not convert string to float: 'a'",
     (lambda: scallop.steady(threads=0)): "threads = 0: a whole number from 1 to 2147483647",
     (lambda: scallop.steady(threads=1.5)): "threads = 1.5: a whole number from 1 to 2147483647",
     (lambda: scallop.trapezoidal(0.7, 0.4)): 
@@ -512,7 +519,7 @@ for call, kind, wanted in (
     (lambda: scallop.series(m1=math.inf), ValueError, "m1: a finite number is wanted, not inf"),
     (lambda: scallop.series(m1=[1, 2]), ValueError, "m1: a finite number is wanted, not [1, 2]"),
     (lambda: scallop.series("extension", v0=math.nan), ValueError, "v0: a finite number is wanted, not nan"),
-    (lambda: scallop.series(gait="walk"), ValueError, "gait = 'walk': 'quadratic', 'sinusoidal', or a Gait made by gait_of()"),
+    (lambda: scallop.series(gait="walk"), ValueError, "gait = 'walk': " + ", ".join(scallop.gaits()) + ", with numbers as in 'skewed:0.3', or a Gait"),
     (lambda: scallop.series("extension", gait=scallop.minimum_jerk()), ValueError, None),
     (lambda: scallop.formula("1/(F1 - F2)").ball(F1=1), ArithmeticError, "the formula has no finite value here, or none that is proven"),
     (lambda: scallop.formula("t1", "extension").ball(), ArithmeticError, "the formula has no finite value here, or none that is proven"),
