@@ -197,7 +197,7 @@ int series_of(int i, int kind, double v0, double unit, int step, int shift, int 
   const struct scallop_formula *f = formula_at(i);
   struct scallop_crawler c = explorer_crawler;
   long double x[EXPLORER_NUMBERS], y[EXPLORER_NUMBERS];
-  double first_modes = 0, modes;
+  double first_modes = 0, modes = 0;
   for (int k = 0; k < count; k++) {
     c.T = explorer_rows[0][k];
     long double T = (long double)c.T / unit;
