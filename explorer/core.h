@@ -55,6 +55,11 @@ int EXPORTED(formula_number)(int i, int which);
 /* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): by the formula,
  * row(3): a number that differs where the modes do. Returns 1 if the formula is claimed for the crawler, else 0. */
 int EXPORTED(formula_along)(int i, int kind, double v0, int count);
+/* The series of what formula i is about, for the phase of this kind from v0 or for the steady state: with T as unit the coefficients of
+ * T^(step k - shift), k = 0, ..., count - 1, in row(1); step is 1 or 2, shift 0 or 1, count at most EXPLORER_NUMBERS. They are those of the
+ * polynomial through the exact numbers at the periods in row(0), in binary128: their error is the polynomial's, and to be judged by other periods.
+ * Returns 0 where there is no such number, or the modes are not the same at all of the periods, else 1. */
+int EXPORTED(series_of)(int i, int kind, double v0, double unit, int step, int shift, int count);
 /* Formula i, of the steady state, for the crawlers of row(0) to row(6) as in steady_states: row(15). */
 void EXPORTED(formula_over)(int i, int count);
 

@@ -152,4 +152,10 @@ export class Core {
     const [exact, value, modes] = this.rows(T.length, 1, 2, 3);
     return { claimed, exact, value, modes };
   }
+
+  /** Coefficients of (T/unit)^(step k - shift) of what a formula is about, from the exact numbers at the periods T; null where there are none. */
+  seriesOf(formula, phase, v0, unit, { step, shift }, T) {
+    this.row(0, T.length).set(T);
+    return this.calls.series_of(formula.index, phase, v0, unit, step, shift, T.length) === 1 ? this.row(1, T.length).slice() : null;
+  }
 }

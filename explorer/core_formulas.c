@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "asymptotics/published/read.h"
+#include "numerics/wide/wide.h"
 
 /* Number i of the published formulas and then of the corrected ones; NULL after the last. */
 static const struct scallop_formula *formula_at(int i)
@@ -145,6 +146,73 @@ int formula_along(int i, int kind, double v0, int count)
   }
   scallop_formula_free(read);
   return scallop_formula_is_claimed(f, &values);
+}
+
+/* A number in binary128: the same of results in double that are its high and its low parts. nan: there is none. */
+static long double steady_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c, double *modes)
+{
+  struct scallop_wide_steady s;
+  if (f->quantity == SCALLOP_STEADY_FRICTION_WORK || scallop_wide_steady(SCALLOP_BINARY128, c, &s) != SCALLOP_OK)
+    return NAN;
+  const struct scallop_wide_period *p = &s.period;
+  const struct scallop_steady_result parts[2] = {
+    { .period = { .v_start = p->v_start.high, .v_mid = p->v_mid.high, .displacement = p->displacement.high },
+      .mean_velocity = s.mean_velocity.high },
+    { .period = { .v_start = p->v_start.low, .v_mid = p->v_mid.low, .displacement = p->displacement.low },
+      .mean_velocity = s.mean_velocity.low },
+  };
+  *modes = modes_number(&p->modes[1], modes_number(&p->modes[0], 0));
+  return (long double)steady_number(c, &parts[0], f->quantity) + steady_number(c, &parts[1], f->quantity);
+}
+
+static long double phase_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c,
+                                 enum scallop_phase_kind kind, double v0, double *modes)
+{
+  const struct turning none = { .first = NAN, .last = NAN };
+  struct scallop_wide_phase p;
+  if (scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) != SCALLOP_OK)
+    return NAN;
+  const struct scallop_phase_result parts[2] = {
+    { .t1 = p.t1.high, .dT = p.dT.high, .v_end = p.v_end.high, .dx1 = p.dx1.high, .dx2 = p.dx2.high, .dxC = p.dxC.high },
+    { .t1 = p.t1.low, .dT = p.dT.low, .v_end = p.v_end.low, .dx1 = p.dx1.low, .dx2 = p.dx2.low, .dxC = p.dxC.low },
+  };
+  *modes = modes_number(&p.modes, 0);
+  return (long double)phase_number(&parts[0], &none, kind, v0, c->L, f->quantity)
+         + phase_number(&parts[1], &none, kind, 0, c->L, f->quantity);
+}
+
+/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences, expanded in their place. */
+static void interpolate(int count, const long double *x, long double *y)
+{
+  for (int k = 1; k < count; k++)
+    for (int j = count - 1; j >= k; j--)
+      y[j] = (y[j] - y[j - 1]) / (x[j] - x[j - k]);
+  for (int k = count - 2; k >= 0; k--)
+    for (int j = k; j < count - 1; j++)
+      y[j] -= x[k] * y[j + 1];
+}
+
+int series_of(int i, int kind, double v0, double unit, int step, int shift, int count)
+{
+  const struct scallop_formula *f = formula_at(i);
+  struct scallop_crawler c = explorer_crawler;
+  long double x[EXPLORER_NUMBERS], y[EXPLORER_NUMBERS];
+  double first_modes = 0, modes = 0;
+  for (int k = 0; k < count; k++) {
+    c.T = explorer_rows[0][k];
+    long double T = (long double)c.T / unit;
+    x[k] = step == 2 ? T * T : T;
+    y[k] = f->setting == SCALLOP_STEADY ? steady_in_wide(f, &c, &modes)
+                                        : phase_in_wide(f, &c, (enum scallop_phase_kind)kind, v0, &modes);
+    if (isnan(y[k]) || (k > 0 && modes != first_modes))
+      return 0;
+    y[k] *= shift ? T : 1;
+    first_modes = modes;
+  }
+  interpolate(count, x, y);
+  for (int k = 0; k < count; k++)
+    explorer_rows[1][k] = (double)y[k];
+  return 1;
 }
 
 void formula_over(int i, int count)

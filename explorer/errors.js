@@ -1,6 +1,7 @@
 // Errors of formulas against T, on log scales, beside what is claimed of them.
 import { mathOf } from "./formula.js";
 import { Plot, drawMarks, line, scale } from "./plots.js";
+import { nextPower, seriesOf, sumOf } from "./series.js";
 import { shown } from "./words.js";
 
 const COUNT = 241, DECADES = [-3.5, 1.5]; // around the period at which the Froude number is 1
@@ -39,76 +40,117 @@ export class Errors {
     const T = this.periods(crawler), phase = state.phase === "extension" ? 0 : 1;
     const shownOnes = all.filter(({ quantity }) => quantity === chosen.quantity).slice(0, 6);
     this.curves = shownOnes.map((formula) => this.curve(formula, phase, v0, T));
-    this.ofPhase = state.start !== "steady";
     const main = this.curves[shownOnes.indexOf(chosen)] ?? this.curves[0];
-    Object.assign(this, { T, main, crawlerT: crawler.T });
+    Object.assign(this, { T, main, crawlerT: crawler.T, ofPhase: state.start !== "steady", size: state.error, order: state.order });
+    this.derived = this.order === "none" || chosen.quantity.startsWith("v_at") ? null : this.derivedCurve(main, phase, v0, naturalPeriod(crawler));
+    if (this.derived) this.curves.push(this.derived);
     this.changes = [...T].filter((_, i) => i > 0 && main.modes[i] !== main.modes[i - 1]);
-    this.exceeds = firstAbove(T, main.relative);
+    for (const curve of [main, this.derived]) if (curve) curve.exceeds = firstAbove(curve, T);
     this.draw(state);
     this.formula.replaceChildren(mathOf(main.formula));
     this.tell(null);
   }
 
   periods(crawler) {
-    const middle = Math.sqrt(((crawler.m1 + crawler.m2) * crawler.L) / (crawler.F1 + crawler.F2));
-    return Float64Array.from({ length: COUNT }, (_, i) => middle * 10 ** (DECADES[0] + ((DECADES[1] - DECADES[0]) * i) / (COUNT - 1)));
+    return Float64Array.from({ length: COUNT }, (_, i) => naturalPeriod(crawler) * 10 ** (DECADES[0] + ((DECADES[1] - DECADES[0]) * i) / (COUNT - 1)));
   }
 
+  /** A formula, with along(T): what is exact, its value, and its errors, null where they are those of rounding. */
   curve(formula, phase, v0, T) {
-    const { exact, value, modes } = this.core.formulaAlong(formula, phase, v0, T);
-    const error = [...T].map((_, i) => {
-      const off = Math.abs(value[i] - exact[i]);
-      return off > ROUNDING * Math.abs(exact[i]) && Number.isFinite(off) ? off : null;
-    });
-    return { formula, exact, value, modes, error, relative: error.map((off, i) => (off === null ? 0 : off / Math.abs(exact[i]))) };
+    const along = (periods) => withErrors(this.core.formulaAlong(formula, phase, v0, periods));
+    const label = `${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`;
+    return { formula, name: formula.name, label, along, ...along(T) };
+  }
+
+  /** The same of the series of what a formula is about; null where there is none. */
+  derivedCurve({ formula, exact, modes }, phase, v0, unit) {
+    const series = seriesOf(this.core, formula, phase, v0, unit);
+    if (!series) return null;
+    const value = (periods) => sumOf(series, Number(this.order), periods);
+    const along = (periods) => withErrors({ ...this.core.formulaAlong(formula, phase, v0, periods), value: value(periods) });
+    return { series, name: `derived_${this.order}`, label: `derived, below T^${this.order}`, along, ...withErrors({ exact, modes, value: value(this.T) }) };
   }
 
   draw(state) {
-    const series = this.curves.map(({ formula }, k) =>
-      line(`${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`, COLOURS[k], { width: formula === this.main.formula ? 3 : 1.5 }));
+    const { curves, main, size, T } = this, series = curves.map((curve, k) => line(curve.label, curve === this.derived ? "ink" : COLOURS[k], { width: curve === main ? 3 : 1.5 }));
+    series.push(line(size === "absolute" ? "1 % of the exact value" : "1 %", "wrong", { width: 1, dash: [2, 4] }));
+    const tolerated = [...main.exact].map((exact) => (exact === 0 || !Number.isFinite(exact) ? null : TOLERANCE * (size === "absolute" ? Math.abs(exact) : 1)));
     const hooks = {
-      drawClear: [(u) => (drawMarks(u, this.changes), this.exceeds && drawMarks(u, [this.exceeds], "wrong"), drawMarks(u, [this.crawlerT], "point"))],
+      drawClear: [(u) => (drawMarks(u, this.changes), drawMarks(u, [this.main.exceeds, this.derived?.exceeds].filter(Boolean), "wrong"), drawMarks(u, [this.crawlerT], "point"))],
       setCursor: [(u) => this.tell(u.cursor.idx)],
     };
     const scales = { x: scale(true, () => [this.T[0], this.T.at(-1)]), y: scale(true, (u, low, high) => decades(low, high)) };
-    const key = `${series.map(({ label, width }) => label + width)} ${state.start} ${state.phase}`;
-    this.plot.show({ key, x: "T", y: "|error|", series, scales, hooks }, [[...this.T], ...this.curves.map(({ error }) => error)]);
+    const key = `${series.map(({ label, width }) => label + width)} ${state.start} ${state.phase} ${size}`;
+    this.plot.show({ key, x: "T", y: size === "absolute" ? "|formula − exact|" : "|formula/exact − 1|", series, scales, hooks }, [[...T], ...curves.map((curve) => curve[size]), tolerated]);
   }
 
-  /** Slope at the cursor, or at the crawler's period, beside the claimed one. */
+  /** Slopes at the cursor, or at the crawler's period, beside the claimed ones. */
   tell(index) {
-    const { T, main } = this, i = index ?? nearest(T, this.crawlerT), { formula, error } = main;
-    const claim = formula.remainder > 0 ? `claimed: ${formula.remainder}` : "claimed: an equality";
-    const slope = slopeAt(T, error, i);
-    const measured = Number.isNaN(main.value[i]) ? "the formula has no value, as l″ = 0 where a phase of this gait begins or ends" : Number.isNaN(main.exact[i]) ? "no such event" : error[i] === null ? "the error is that of rounding" : Number.isNaN(slope) ? "no slope" : `slope ${slope.toFixed(2)}`;
-    const limit = this.exceeds === T[0] ? "It exceeds 1 % at every T shown." : this.exceeds ? `It exceeds 1 % from T = ${shown(Number(this.exceeds.toPrecision(3)))} on.` : error.every((off) => off === null) ? "" : "It stays below 1 %.";
-    const duration = this.ofPhase ? " T is the period; the phase is a part of it." : "";
-    const derived = "Derived series are in the command (scallop series), not in this page.";
-    this.note.textContent = `${formula.equation} at T = ${shown(Number(T[i].toPrecision(3)))}: ${measured}; ${claim}. ${limit} Dashed: the modes change.${duration} ${derived}`;
+    const { T, main, derived, order } = this, i = index ?? nearest(T, this.crawlerT), { formula } = main;
+    const said = [`${formula.equation} at T = ${shown(Number(T[i].toPrecision(3)))}: ${this.measured(main, i)}; claimed: ${formula.remainder > 0 ? formula.remainder : "an equality"}.`, this.limit(main)];
+    if (derived) {
+      const next = nextPower(derived.series, Number(order));
+      said.push(`Derived, all terms below T^${order}: ${this.measured(derived, i)}; ${next === undefined ? "the next term is beyond those known here" : `the next term has T^${next}`}.`, this.limit(derived));
+    } else if (order !== "none") said.push("No series in powers of T was found.");
+    said.push("Dashed: the modes change.", this.ofPhase ? "T is the period; the phase is a part of it." : "");
+    this.note.textContent = said.filter(Boolean).join(" ");
+  }
+
+  measured({ value, exact, absolute, relative }, i) {
+    const slope = slopeAt(this.T, absolute, i);
+    if (Number.isNaN(value[i])) return "the formula has no value, as l″ = 0 where a phase of this gait begins or ends";
+    if (Number.isNaN(exact[i])) return "no such event";
+    if (absolute[i] === null) return "the error is that of rounding";
+    if (Number.isNaN(slope)) return "no slope";
+    return `slope of the absolute error ${slope.toFixed(2)}${this.size === "relative" ? ` (of the relative error ${slopeAt(this.T, relative, i).toFixed(2)})` : ""}`;
+  }
+
+  limit({ exceeds, absolute }) {
+    if (exceeds === this.T[0]) return "The relative error exceeds 1 % at every T shown.";
+    if (exceeds) return `The relative error exceeds 1 % from T = ${shown(exceeds)} on.`;
+    return absolute.every((off) => off === null) ? "" : "The relative error stays below 1 %.";
   }
 
   /** For a table: T, and exact, formula and error of each. */
   table() {
     const names = ["T"], rows = [[...this.T]];
-    for (const { formula, exact, value, error } of this.curves) {
-      names.push(`${formula.name}.exact`, formula.name, `${formula.name}.error`);
-      rows.push([...exact], [...value], error);
+    for (const { name, exact, value, absolute, relative } of this.curves) {
+      names.push(`${name}.exact`, name, `${name}.error`, `${name}.relative`);
+      rows.push([...exact], [...value], absolute, relative);
     }
     return { names, rows };
   }
 }
+
+/** The period at which the Froude number is 1. */
+const naturalPeriod = ({ m1, m2, F1, F2, L }) => Math.sqrt(((m1 + m2) * L) / (F1 + F2));
 
 /** Whole decades around a range. */
 const decades = (low, high) => (low > 0 ? [10 ** Math.floor(Math.log10(low)), 10 ** (Math.floor(Math.log10(high)) + 1)] : [1e-16, 1]);
 
 const nearest = (T, x) => T.reduce((best, t, i) => (Math.abs(Math.log(t / x)) < Math.abs(Math.log(T[best] / x)) ? i : best), 0);
 
+function withErrors({ exact, value, modes }) {
+  const off = (i) => Math.abs(value[i] - exact[i]);
+  const absolute = Array.from(exact, (x, i) => (off(i) > ROUNDING * Math.abs(x) && Number.isFinite(off(i)) ? off(i) : null));
+  return { exact, value, modes, absolute, relative: absolute.map((off, i) => (off === null ? null : off / Math.abs(exact[i]))) };
+}
+
 function slopeAt(T, error, i) {
   const a = Math.max(0, i - 2), b = Math.min(T.length - 1, i + 2);
   return error[a] > 0 && error[b] > 0 ? Math.log(error[b] / error[a]) / Math.log(T[b] / T[a]) : NaN;
 }
 
-function firstAbove(T, relative) {
-  const i = relative.findIndex((off) => off > TOLERANCE);
-  return i < 0 ? null : T[i];
+/** The T from which a relative error exceeds the tolerance, null where it never does: between two T of a list, and then ever closer. */
+function firstAbove(curve, T) {
+  let relative = curve.relative, i;
+  for (let round = 0; round < 7; round++) {
+    i = relative.findIndex((off) => off > TOLERANCE);
+    if (i < 0) return null;
+    if (i === 0) return T[0];
+    const low = T[i - 1], ratio = T[i] / low;
+    T = Float64Array.from({ length: 17 }, (_, k) => low * ratio ** (k / 16));
+    ({ relative } = curve.along(T));
+  }
+  return T[0];
 }

@@ -7,41 +7,51 @@ import { shown } from "./words.js";
 export const SHOWN = {
   modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "relative error of a formula", friction_work: "friction work",
 };
-const FULL = 100, COARSE = [100, 50, 32, 20], BUDGET = 9, SLICE = 30, PATIENCE = 150; // cells a side; milliseconds of a frame, of a part of a fine map, and until that is begun
+const SIDES = [100, 50, 25, 12]; // cells a side, from fine to coarse
+const FULL = SIDES[0], BUDGET = 7, SLICE = 7, PATIENCE = 150; // milliseconds of a frame, of a part of a finer map, and until that is begun
+const NAMED = 12; // regions in the legend before the others
 
 export class CrawlerMap {
   constructor(core, host, legend, moved) {
     Object.assign(this, { core, host, legend, moved, perCell: {}, plot: new Plot(host, { height: 420 }), image: document.createElement("canvas") });
-    host.addEventListener("keydown", (event) => this.key(event));
+    host.addEventListener("keydown", (event) => this.press(event));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.classes && (this.paint(this.n), this.draw(), this.explain()));
   }
 
-  /** Shows the map around a crawler. gait: what the time of a cell depends on. */
+  /** Shows the map around a crawler; the same map as before where the crawler has only moved in it. gait: what the time of a cell depends on. */
   show(crawler, { x, y, show, formula }, gait) {
     Object.assign(this, { crawler, names: [x, y], what: show, gait });
     const steady = this.core.formulas.filter(({ setting, turns }) => setting === 3 && turns === 0);
     this.formula = steady.find(({ name }) => name === formula) ?? steady.find(({ name }) => name === "text_steady_xC");
     this.ranges = this.names.map((name) => range(name, crawler));
     this.sized();
+    const fixed = { ...crawler, [AXES[x].sets]: 0, [AXES[y].sets]: 0 };
+    const key = JSON.stringify([this.core.chosen.key, fixed, x, y, show, this.formula.name, this.ranges]);
+    if (this.key === key) return this.shown.redraw(false);
+    this.key = key;
     this.solve(this.side());
   }
 
-  /** Cells a side that a frame has time for. */
+  /** Cells a side that a frame has time for; a few cells tell where nothing is known of the gait. */
   side() {
-    const each = this.perCell[this.gait] ?? 5e-4;
-    return COARSE.find((n) => n * n * each < BUDGET) ?? COARSE.at(-1);
+    if (!this.perCell[this.gait]) {
+      const n = SIDES.at(-1);
+      this.place(n);
+      this.timed(() => this.cells(blank(n), 0, n * n), n * n);
+    }
+    return SIDES.find((n) => n * n * this.perCell[this.gait] < BUDGET) ?? SIDES.at(-1);
   }
 
-  /** Solves n cells a side, at once where there is time, else in parts between which the page goes on; then shows them. */
-  solve(n) {
+  /** Solves and shows n cells a side: at once, or in parts between which the page goes on. Then it goes on with more of them. */
+  solve(n, inParts = false) {
     clearTimeout(this.later);
-    const count = n * n, made = { n, classes: new Int16Array(count), values: new Float64Array(count) };
+    const count = n * n, made = blank(n), part = inParts ? Math.max(20, Math.floor(SLICE / this.perCell[this.gait])) : count;
     this.place(n);
-    const part = Math.max(200, n === FULL ? Math.floor(SLICE / (this.perCell[this.gait] ?? 5e-4)) : count);
     const step = (from) => {
       const to = Math.min(count, from + part);
       this.timed(() => this.cells(made, from, to), to - from);
       if (to < count) this.later = setTimeout(step, 0, to);
-      else this.finish(made);
+      else this.finish(made, inParts ? 0 : PATIENCE);
     };
     step(0);
   }
@@ -54,11 +64,11 @@ export class CrawlerMap {
     this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
   }
 
-  finish(made) {
+  finish(made, pause) {
     Object.assign(this, made);
     this.paint(made.n);
     this.draw();
-    this.later = made.n < FULL ? setTimeout(() => this.solve(FULL), PATIENCE) : setTimeout(() => this.explain(), PATIENCE / 2);
+    this.later = made.n < FULL ? setTimeout(() => this.solve(SIDES.findLast((n) => n > made.n), true), pause) : setTimeout(() => this.explain(), PATIENCE / 2);
   }
 
   /** The middles of the cells. */
@@ -142,16 +152,27 @@ export class CrawlerMap {
   }
 
   explainModes() {
-    const places = widest(this.classes, this.n), n = this.n;
-    const known = [...places].sort((a, b) => b[1].cells - a[1].cells);
+    const n = this.n, known = [...widest(this.classes, n)].filter(([id]) => id >= 0).sort((a, b) => b[1].cells - a[1].cells);
     this.names_in = [];
-    this.legend.replaceChildren(...known.filter(([id]) => id >= 0).map(([id, place], i) => {
+    const items = known.map(([id, place], i) => {
       const name = this.core.className(id), item = document.createElement("span"), swatch = document.createElement("i");
       this.names_in.push({ number: i + 1, regime: name.split(":")[0], x: (place.i % n + 0.5) / n, y: (Math.floor(place.i / n) + 0.5) / n, size: (2 * place.reach) / n });
       swatch.style.background = css(classColour(name, id));
       item.append(swatch, `${i + 1} ${name}`);
       return item;
-    }));
+    });
+    const others = known.slice(NAMED).reduce((sum, [, { cells }]) => sum + cells, 0) / (n * n);
+    const folded = items.length > NAMED + 1 ? [this.folded(items.splice(NAMED), others)] : [];
+    this.legend.replaceChildren(...items, ...folded);
+  }
+
+  /** The smaller regions, to be opened; they stay open. */
+  folded(items, part) {
+    const made = document.createElement("details"), head = document.createElement("summary");
+    head.textContent = `others (${items.length}), ${Number((100 * part).toPrecision(2))} % of the map`;
+    made.open = this.legend.querySelector("details")?.open ?? false;
+    made.append(head, ...items);
+    return made;
   }
 
   explainHeat() {
@@ -187,7 +208,7 @@ export class CrawlerMap {
       });
   }
 
-  key(event) {
+  press(event) {
     const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
     if (!steps || !this.crawler) return;
     event.preventDefault();
@@ -213,6 +234,8 @@ function heatScale(values, what) {
   const from = both ? -bend(most) : bend(low), to = both ? bend(most) : bend(high), span = to - from || 1;
   return { low, high, both, place: (x) => (bend(x) - from) / span, invert: (part) => unbend(from + part * span) };
 }
+
+const blank = (n) => ({ n, classes: new Int16Array(n * n), values: new Float64Array(n * n) });
 
 /** Of each class: how many cells, and the cell farthest from all others, by the distance in steps. */
 function widest(classes, n) {

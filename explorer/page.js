@@ -24,7 +24,8 @@ const curve = new Curve(core, find("curve"), find("curve-note"));
 const errors = new Errors(core, find("errors"), find("error-formula"), find("formula"), find("error-note"));
 const AMONG = {
   start: ["steady", "rest", "velocity"], x: Object.keys(AXES), y: Object.keys(AXES), show: Object.keys(SHOWN), along: ["x", "y"],
-  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"],
+  of: Object.keys(QUANTITIES), phase: ["extension", "contraction"], error: ["absolute", "relative"],
+  order: ["none", "4", "6", "8", "10", "12"],
 };
 let state = ofLink();
 const history = new History(state);
@@ -154,7 +155,7 @@ function showAnswers() {
   find("words").replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })));
 }
 
-const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase" };
+const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase", "error-size": "error", "error-order": "order" };
 const SPEEDS = { "1": "real time", "0.5": "1/2", "0.2": "1/5", "0.05": "1/20", "4s": "a period in 4 s", "12s": "a period in 12 s" };
 
 /** Seconds of the motion that pass in a second. */
@@ -204,6 +205,7 @@ options("speed", SPEEDS);
 options("map-x", LABELS);
 options("map-y", LABELS);
 options("map-show", SHOWN);
+options("error-order", Object.fromEntries(AMONG.order.map((order) => [order, order === "none" ? order : `terms below T^${order}`])));
 options("curve-of", Object.fromEntries(Object.entries(QUANTITIES).map(([name, { title }]) => [name, title])));
 for (const [id, name] of Object.entries(CHOICES)) find(id).addEventListener("change", () => choose(name, find(id).value));
 find("error-formula").addEventListener("change", (event) => choose("formula", event.target.value));

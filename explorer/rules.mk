@@ -11,7 +11,7 @@ $(B)/wasm/model/law.o: wasm += $(foreach name,law_curve_bernstein law_rise law_s
 $(B)/wasm/asymptotics/published/paper.o: $(B)/asymptotics/published/paper.c
 	@mkdir -p $(@D); $(wasm) -Oz -I. -c -o $@ $<
 $(B)/core.wasm: $(patsubst %,$(B)/wasm/%.o,$(wasm_parts))
-	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144,--wrap=wide_enough_steady -o $@ $^ && wasm-opt -O3 $@ -o $@
+	@echo "  LD $@"; $(wasm) -nostartfiles -Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=262144,--wrap=wide_enough_steady -o $@ $^ && wasm-opt -Oz $@ -o $@
 $(B)/explorer/index.html: $(B)/core.wasm $(wildcard explorer/*.js explorer/*.css explorer/*.html explorer/*.json) scripts/dev/explorer.sh
 	@sh scripts/dev/explorer.sh $(B)
 

@@ -4,7 +4,7 @@ set multiplot layout 1,2
 set logscale xy
 set format y "10^{%T}"
 set format x "10^{%T}"
-set key bottom right
+set key bottom right spacing 1.4
 set ylabel "|error|"
 set xrange [1e-21:10]
 names(i) = word("rest_dT rest_v1_end rest_xC_end text_extension_xC_end A_xC_end", i)

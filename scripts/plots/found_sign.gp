@@ -11,8 +11,8 @@ do for [i=1:2] {
 }
 set logscale xy
 set format xy "10^{%T}"
-set xlabel "duration T of an extension"
+set xlabel "duration T of an extension\n"
 set ylabel "error of the position x_C"
-set key below center vertical maxrows 2
+set key below center vertical maxrows 2 spacing 1.3
 set xrange [1e-6:2]
 plot for [i=1:2] table using 8:(is(names[i]) ? abs($9) : NaN) skip 1 with linespoints lw 2 pt 3+2*i ps 0.5 lc rgb (i == 1 ? two : one) title slopes[i]

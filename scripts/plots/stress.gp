@@ -6,7 +6,7 @@ stats table using 8 skip 1 nooutput
 set lmargin 24
 set xrange [0:promised * 1.04]
 set yrange [family(STATS_records) - 0.6:0.6]
-set xlabel "largest error, in units" offset 0,0.6
+set xlabel "largest error, in units\n" offset 0,0.6
 set key below center horizontal
 set grid xtics lc rgb "#dddddd" lt 1
 set arrow 1 from promised,graph 0 to promised,graph 1 nohead lw 1.5 lc rgb two

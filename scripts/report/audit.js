@@ -120,14 +120,18 @@ globalThis.audit = (() => {
     }
     return bad.slice(0, 5);
   };
-  // Pictures and captions that lie over one another
+  // Pictures and captions that lie over one another, and texts of a plot that do
   const overlaps = () => {
-    const parts = Array.from(document.querySelectorAll('figure .plot svg, figcaption'), (part) => [part, part.getBoundingClientRect()]);
-    return parts.slice(1).filter(([, box], i) => {
-      const before = parts[i][1];
-      return Math.min(box.bottom, before.bottom) - Math.max(box.top, before.top) > 1
-        && Math.min(box.right, before.right) - Math.max(box.left, before.left) > 1;
-    }).map(([part]) => `lies over what is before it: ${part.getAttribute('aria-label') || named(part)}`);
+    const over = (one, two) => Math.min(one.bottom, two.bottom) - Math.max(one.top, two.top) > 1
+      && Math.min(one.right, two.right) - Math.max(one.left, two.left) > 1;
+    const boxes = (parts) => Array.from(parts, (part) => [part, part.getBoundingClientRect()]);
+    const figures = boxes(document.querySelectorAll('figure .plot svg, figcaption'));
+    const bad = figures.slice(1).filter(([, box], i) => over(box, figures[i][1])).map(([part]) => part.getAttribute('aria-label') || named(part));
+    for (const svg of document.querySelectorAll('figure .plot svg')) {
+      const texts = boxes(svg.querySelectorAll('text'));
+      texts.forEach(([part, box], i) => texts.slice(0, i).some(([, before]) => over(box, before)) && bad.push(named(part)));
+    }
+    return bad.map((what) => `lies over what is before it: ${what}`);
   };
   // How far each body of the crawlers goes, back and forth, in a second, in pixels
   const moved = async () => {

@@ -17,6 +17,7 @@ import tempfile
 import time
 import xml.etree.ElementTree
 from pathlib import Path
+from urllib.parse import urlencode
 
 sys.dont_write_bytecode = True
 import browser  # noqa: E402  (nothing is written beside the sources)
@@ -156,10 +157,10 @@ class Check:
         self.expect(self.state()["F1"] == before["F1"], "a drag in the map cannot be undone")
         self.reports("drags")
 
-    def frames(self):
-        """Milliseconds that an update takes while alpha is dragged, with a map of 100 x 100, and between frames."""
-        self.load()
-        self.box("#slider-alpha")
+    def frames(self, gait, finest):
+        """Milliseconds that an update takes while alpha is dragged, with a map of `finest` cells a side, and between frames."""
+        self.load(f"#gait={gait}")
+        self.settle(2)
         self.page.run("document.getElementById('map-section').scrollIntoView({ block: 'center' })")
         took = self.page.run(
             "new Promise((done) => { const took = [], maps = [], between = []; let k = 0, last = performance.now(); const step = () => {"
@@ -168,10 +169,33 @@ class Check:
             " else done([took, maps, between]); }; requestAnimationFrame(step); })"
         )
         updates, maps, between = took
-        self.expect(all(n == 100 for n, _ in maps[-60:]), "the map is coarser than 100 x 100 while dragging")
+        self.expect(all(n >= finest for n, _ in maps[-60:]), f"{gait}: the map is coarser than {finest} x {finest} while dragging")
         update, each, frame = (statistics.median(x) for x in (updates[30:], [ms for _, ms in maps[30:]], between[30:]))
-        self.measured.append(f"dragging alpha, quadratic, 100 x 100: map {each:.1f} ms, all {update:.1f} ms, {frame:.1f} ms between frames (medians)")
-        self.expect(update <= FRAME, f"an update takes {update:.1f} ms: no 60 frames a second")
+        self.measured.append(f"dragging alpha, {gait}, {maps[-1][0]} cells a side: map {each:.1f} ms, all {update:.1f} ms, {frame:.1f} ms between frames (medians)")
+        self.expect(update <= FRAME, f"{gait}: an update takes {update:.1f} ms: no 60 frames a second")
+        self.until_fine()
+
+    def until_fine(self):
+        self.settle()
+        self.expect(any(self.page.run("explorer.map.n") == 100 or self.settle() for _ in range(40)), "the map stays coarse")
+
+    def maps(self):
+        """A map after each of many changes is that of a page that begins with them; and it is solved anew only where it changes."""
+        seen = "(({ classes, values, what, n }) => [n, ...(what === 'modes' ? Array.from(classes, (id) => explorer.core.className(id)) : values)].filter((_, i) => i % 37 === 0))(explorer.map)"
+        self.load()
+        for change in ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "text_steady_velocity"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"}):
+            self.page.run(f"explorer.change({json.dumps(change)})")
+            self.until_fine()
+            after, fragment = self.page.run(f"[{seen}, location.hash]")
+            self.page.run(f"globalThis.classes = explorer.map.classes; explorer.change({{ m1: '{1 + len(change)}.5' }}, false)")
+            self.settle()
+            moved = "x=m1" in fragment
+            self.expect(self.page.run("classes === explorer.map.classes") == moved, f"after {change} the map is {'' if moved else 'not '}solved again")
+            self.page.run("explorer.change({ m1: '1' }, false)")
+            self.load(fragment)
+            self.until_fine()
+            self.expect(self.page.run(seen) == after, f"the map after {change} is another than that of {fragment}")
+        self.reports("maps")
 
     def keyboard(self):
         """Sliders, the map and the animation without a mouse; and no motion where none is wanted."""
@@ -283,6 +307,41 @@ class Check:
             self.command(*shlex.split(self.page.run("explorer.commandOf(explorer.state())"))[1:])
         self.reports("what is taken along")
 
+    def legend(self):
+        """Every region of a map is in its legend, the smaller ones under a heading that opens and stays open."""
+        self.load("#gait=trapezoidal:0.1,0.3&F1=20&alpha=0.6&m2=3")
+        self.settle(1)
+        count = "new Set(explorer.map.classes.filter((id) => id >= 0)).size"
+        regions, listed, head = self.page.run(f"[{count}, document.querySelectorAll('#legend span').length, document.querySelector('#legend summary')?.textContent]")
+        self.expect(regions == listed > 13 and head.startswith(f"others ({regions - 12}), "), f"{regions} regions, {listed} in the legend, {head}")
+        self.page.run("document.querySelector('#legend summary').click(); explorer.change({ alpha: '0.61' })")
+        self.settle(1)
+        self.expect(self.page.run(f"document.querySelector('#legend details').open && {count} === document.querySelectorAll('#legend span').length"), "the others do not stay open")
+        self.reports("legend")
+
+    def errors(self):
+        """The T from which a formula and the derived series are off by 1 %, drawn absolutely and relatively, beside those of the command."""
+        named = ("gait", "F1", "m2", "alpha", "order")
+        for state in ({}, {"formula": "text_steady_velocity", "order": "12"}, {"gait": "skewed:0.3", "F1": "2.385", "order": "6"},
+                      {"gait": "sinusoidal", "alpha": "0.6", "m2": "3", "T": "0.3", "error": "relative"}):
+            self.load("#" + urlencode(state))
+            curves, quantity = self.page.run(
+                "[[explorer.errors.main, explorer.errors.derived].map(({ exceeds, name, exact, value, absolute, relative }) =>"
+                " ({ exceeds, name, exact: [...exact], value: [...value], absolute, relative })), explorer.errors.main.formula.quantity]"
+            )
+            rows = self.command("breakdown", "--only", "reach", "--quantity", quantity, "--tol", "0.01", *[f"--{n}={v}" for n, v in state.items() if n in named])
+            note = self.page.run("document.getElementById('error-note').textContent")
+            for curve in curves:
+                series = "derived" if curve["name"].startswith("derived") else curve["name"]
+                wanted = next(float(row["T"]) for row in rows if row["series"] == series)
+                where = f"{state}, {curve['name']}"
+                self.expect(wanted == 0 or abs(curve["exceeds"] / wanted - 1) < 1e-6, f"{where}: 1 % at T = {curve['exceeds']}, of the command {wanted}")
+                self.expect((f"exceeds 1 % from T = {wanted:.6g} on" if wanted else "exceeds 1 % at every T shown") in note, f"{where}: the note has not T = {wanted}: {note}")
+                drawn = curve[state.get("error", "absolute")]
+                kept = [(d * (abs(x) if "error" in state else 1), abs(v - x)) for d, v, x in zip(drawn, curve["value"], curve["exact"]) if d is not None]
+                self.expect(len(kept) > 50 and all(abs(d - off) <= 1e-12 * off for d, off in kept), f"{where}: other errors are drawn, {len(kept)}")
+        self.reports("errors")
+
     def extremes(self):
         """Parameters of any size, gaits of all kinds and every choice: nothing breaks, and what is shown are the command's numbers."""
         self.load()
@@ -343,13 +402,17 @@ class Check:
         self.numbers()
         self.drags()
         self.keyboard()
-        self.frames()
+        self.frames("quadratic", 100)
+        self.frames("minimum-jerk", 12)
+        self.maps()
         self.presets()
         self.links()
         self.measured_gaits()
         self.refused()
         self.taken_along()
         self.tables()
+        self.legend()
+        self.errors()
         self.extremes()
         self.looks(folder)
 

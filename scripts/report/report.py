@@ -96,7 +96,7 @@ def page(options):
         formulas=book.read(options.book),
         ledger=ledger,
         paper=[row for row in read["claims"].rows if ledger.scope(row) == "paper"],
-        explorer=EXPLORER if (options.output.parent / EXPLORER).is_file() else None,
+        explorer=EXPLORER if (options.output.parent / EXPLORER).resolve().is_file() else None  # the page's folder may not be there yet,
     )
 
 

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { Core } from "../../explorer/core.js";
+import { nextPower, seriesOf, sumOf } from "../../explorer/series.js";
 import { NAMES, NUMBERS, crawlers, measuredTable, random, unit } from "./crawlers.js";
 
 const [wasm, scallop, folder] = process.argv.slice(2);
@@ -127,4 +128,42 @@ test("figures 4 and 5 of data/, exact numbers and formulas", () => {
     near(series[i], Number(row.series_mean_velocity), "(28)");
   });
   assert.ok(fourth.length === 600 && fifth.length > 1000);
+});
+
+test("series are those of `scallop series --source derived`, of the steady state, from rest and from a velocity", () => {
+  const usual = { m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 };
+  const cases = [
+    ["quadratic", {}, "text_steady_xC", 0, 0, { 0: 120 / 37, 4: -711 / 350464, 8: -121581 / 53113520128 }],
+    ["quadratic", {}, "text_steady_velocity", 0, 0, { "-1": 120 / 37, 1: -117 / 592, 3: -40773 / 1401856, 5: 2133 / 22429696, 7: 262359 / 106227040256 }],
+    ["quadratic", {}, "rest_xC_end", 0, 0, { 2: 3 / 4, 6: -9 / 800, 8: 27 / 16000, 10: -243 / 1280000 }],
+    ["quadratic", {}, "rest_dT", 1, 0, { 3: 3 / 40, 5: -9 / 1600, 7: 27 / 64000, 9: -81 / 2560000 }],
+    ["quadratic", {}, "A_vC_end", 0, 1.5, { 0: 3 / 2, 1: 3 / 2, 2: -3 / 5, 3: -3 / 10, 4: 3 / 25, 5: 9 / 400 }],
+    ["quadratic", {}, "B_xC_end", 1, 1.5, { 1: 3 / 2, 2: -3 / 4, 3: -3 / 40, 5: 3 / 200 }],
+    ["sinusoidal", { F1: 2.385, alpha: 0.6, m2: 3 }, "text_steady_velocity", 0, 0,
+     { "-1": 1.90837668642696309, 1: -0.0817042637742908323, 3: -0.000297517401627125129, 5: 6.20086529008645854e-6, 7: 1.78935300825690331e-8, 9: 1.77176051288763327e-10 }],
+  ];
+  for (const [gait, own, name, phase, v0, wanted] of cases) {
+    const crawler = { ...usual, ...own }, formula = core.formulas.find((one) => one.name === name);
+    core.chooseGait(gait);
+    core.chooseCrawler(crawler);
+    const duration = formula.setting === 3 ? 1 : phase === 0 ? crawler.alpha : 1 - crawler.alpha; // of the command's T, in periods
+    const series = seriesOf(core, formula, phase, v0, 2), last = Math.max(...Object.keys(wanted).map(Number));
+    for (const { power, value } of series.terms.filter(({ power }) => power <= last)) {
+      const got = value / (2 * duration) ** power, right = wanted[power] ?? 0;
+      assert.ok(Math.abs(got - right) <= 1e-12 * Math.abs(right), `${gait} ${name} T^${power}: ${got}, not ${right}`);
+    }
+    const [sum] = sumOf(series, last + 1, [0.5]), direct = Object.entries(wanted).reduce((all, [power, c]) => all + c * (0.5 * duration) ** power, 0);
+    assert.ok(Math.abs(sum - direct) <= 1e-12 * Math.abs(direct), `${gait} ${name}: the sum is ${sum}, not ${direct}`);
+    assert.ok(nextPower(series, last) === last);
+  }
+});
+
+test("where there is no series, none is found", () => {
+  core.chooseGait("minimum-jerk"); // l'' = 0 where a phase begins: fractional powers of T
+  core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
+  const find = (name, unit) => seriesOf(core, core.formulas.find((one) => one.name === name), 0, 0, unit);
+  assert.equal(find("rest_xC_end", 2), null);
+  assert.equal(find("rest_dT", 2), null);
+  assert.equal(find("rest_x1_switch", 2), null);
+  assert.ok(find("text_steady_xC", 2));
 });
