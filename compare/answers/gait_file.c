@@ -32,7 +32,8 @@ static const char *read_row(struct gait_file *g, struct tsv *tsv)
   if (g->last + 1 == MOST_ROWS)
     return tsv_at(tsv, "more than %d rows", MOST_ROWS);
   if (before && !(row.t > before->t))
-    return tsv_at(tsv, "t = %.17g does not come after %.17g of line %ld: t must increase", row.t, before->t, before->line);
+    return tsv_at(tsv, "t = %.80s does not come after %.80s of line %ld: t must increase", tsv->cell[0], before->written[0],
+                  before->line);
   struct gait_row *rows = with_room(g->rows, g->last + 1, sizeof *rows);
   if (!rows)
     return no_memory;
@@ -83,11 +84,10 @@ static const char *look(struct gait_file *g, struct tsv *tsv)
   if (!(g->L > 0) && last->l == first->l)
     return tsv_at_line(tsv, last->line, "l is the same throughout: there is no gait in that");
   if (!(fabs(last->l - first->l) <= closes * g->L))
-    return tsv_at_line(
-        tsv, last->line,
-        "not periodic: l = %.17g in the last row, %.17g in the first one, on line %ld: they are wanted to be equal to 1e-9 "
-        "of the range",
-        last->l, first->l, first->line);
+    return tsv_at_line(tsv, last->line,
+                       "not periodic: l = %.80s in the last row, %.80s in the first one, on line %ld: they must be equal to "
+                       "1e-9 of the range",
+                       last->written[1], first->written[1], first->line);
   if (!isfinite(g->L) || !isfinite(g->T))
     return tsv_at_line(tsv, last->line, "the range of t and that of l must not overflow");
   if (!(g->alpha > 0 && g->alpha < 1))

@@ -89,8 +89,8 @@ bool check_entry(const struct config *c, const struct entry *e, name_is_taken *t
     return false;
   if (is_steady_word(of) != (e->start == FROM_STEADY))
     return refuse_at(c, member_of(e, "of"), "%s is a quantity of %s", of,
-                     is_steady_word(of) ? "the steady state: its start is \"steady\""
-                                        : "one phase: its start is \"rest\" or \"v0\"");
+                     is_steady_word(of) ? "the steady state: give it start = \"steady\""
+                                        : "one phase: give it start = \"rest\" or \"v0\"");
   if (e->phase == SCALLOP_CONTRACTION && e->start != FROM_V0)
     return refuse_at(c, member_of(e, "phase"), "%s",
                      e->start == FROM_REST

@@ -513,8 +513,7 @@ TEST(bad_files)
               { "0 0\n1 1 7\n2 0.5\n3 0\n", ":2: 3 columns" },
               { "0 0\n1\n2 0.5\n3 0\n", ":2: 1 column:" },
               { "t l\nt l\n0 0\n1 1\n2 0.5\n3 0\n", ":2: t = 't' is not allowed" },
-              { "0 0\n1 1\n2 0.5\n3 0.1\n",
-                ":4: not periodic: l = 0.10000000000000001 in the last row, 0 in the first one, on line 1" },
+              { "0 0\n1 1\n2 0.5\n3 0.1\n", ":4: not periodic: l = 0.1 in the last row, 0 in the first one, on line 1" },
               { "0 1\n1 1\n2 1\n3 1\n", ":4: l is the same throughout" },
               { "0 0\n1 1\n2 -1e308\n3 1e308\n4 0\n", ":5: the range" },
               { "0 0\n1 1\n1.0000000000000002 0.9\n9e15 0.5\n1e16 0\n", ":3: too near in time" } };

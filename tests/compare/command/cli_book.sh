@@ -155,7 +155,7 @@ option "--formula: character 1: 'sqr' is no function: there are abs sqrt exp log
 option "--formula: character 3: 'F3' is no quantity known here: did you mean 'F1'?" --formula "T+F3" --of v_end --claimed 3
 option "--formula: character 1: this '(' is not closed" --formula "(T" --of v_end --claimed 3
 option "--formula: the steady state has no v0" --formula "v0" --of v_start --claimed 3
-option "--formula: v_start is a quantity of the steady state: its start is \"steady\"" --formula T --of v_start --claimed 3 --start rest
+option "--formula: v_start is a quantity of the steady state: give it start = \"steady\"" --formula T --of v_start --claimed 3 --start rest
 option "--formula: the steady state has both phases: leave phase out" --formula T --of v_mid --claimed 3 --phase contraction
 for claimed in 0 -1 2.5 1000 99999999999 Equality; do
   option "--claimed: '$claimed' is not allowed here: it takes n of the claim + O(T^n), from 1 to 999, or equality" --formula T --of v_end --claimed $claimed
