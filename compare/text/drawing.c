@@ -87,7 +87,9 @@ static const struct drawing {
     .log = LOG_XY,
     .magnitudes = true },
   { .has = { "m1", "v0", "text_steady_xC" }, .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
-  { .has = { NULL }, .program = "curves" }, /* any other: x and y are named */
+  { .has = { NULL },
+    .program = "curves",
+    .vary = { PARAMETERS, "phase", "v0" } }, /* any other: y is named, and x where nothing varies */
 };
 enum { MANY = 32, TITLE = 112 };
 
@@ -317,10 +319,10 @@ static bool choose(struct seen *s)
     choose_map(s);
   else
     choose_varied(s, d);
-  if (!p->x && d->vary[0])
+  if (!p->x && d->vary[0] && d->has[0])
     return refuse(s, "no parameter varies: a curve needs several points: --T 0.1:1:20, or --points FILE", "");
   if (!d->has[0] && (!p->x || !p->y[0]))
-    return refuse(s, "--plot-x and --plot-y name the columns of such a table", "");
+    return refuse(s, "--plot-x NAME and --plot-y NAME choose the columns of this table", "");
   if (!d->map)
     choose_axes(s, d);
   p->magnitudes = d->magnitudes && p->log_y;

@@ -53,6 +53,8 @@ for n in 2 3 4 5; do
   esac
   drawn "figure $n" "$titles" figure "$n"
 done
+run 0 steady --T 0.1:5:9 --columns T,displacement --plot few.svg --plot-y displacement
+[ -s few.svg ] || note "no picture of a table of two columns"
 run 0 figure 4 --plot columns.svg --plot-x T --plot-y dxC_over_L --plot-by F1_over_F2
 shown_in columns.svg "T (time)^dxC_over_L^F₁/F₂ = 40"
 finish "a figure's columns"
@@ -152,6 +154,7 @@ refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
 refused 4 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
+refused 4 '--plot-x NAME and --plot-y NAME choose the columns of this table' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
 printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >measured.svg
 cp measured.svg before
 run 2 trajectory --gait measured:measured.svg --plot measured.svg
