@@ -210,7 +210,7 @@ begins() { # starts a table onto here/table, which is begun when it returns; wri
   earlier
   rm -f feed
   mkfifo feed
-  "$tool" steady --points feed -o here/table >out 2>err &
+  env --default-signal=HUP "$tool" steady --points feed -o here/table >out 2>err & # under nohup HUP is ignored
   child=$!
   exec 3>feed
   cat many.tsv >&3
