@@ -62,9 +62,10 @@ enum scallop_order_interval {
   SCALLOP_ORDER_NO_INTERVAL,
   SCALLOP_ORDER_CONFIDENCE, /* 95 % confidence interval of the slope of log|err| over log h, were the errors to scatter
                                about a power of h independently, with one relative size                              */
-  SCALLOP_ORDER_LIMIT,      /* the limit of the local order, give or take what separates it from the local order at
-                               the finest h, or its 95 % confidence interval where that is wider                     */
-  SCALLOP_ORDER_PAIRWISE    /* the pairwise orders from the least to the largest                                      */
+  SCALLOP_ORDER_LIMIT, /* the limit of the local order, give or take the largest of what separates it from the local order at
+                               the finest h, from the limit without the coarsest point, and from the limits of other bends that fit
+                               as well, and of its 95 % confidence interval                                         */
+  SCALLOP_ORDER_PAIRWISE /* the pairwise orders from the least to the largest                                      */
 };
 const char *scallop_order_interval_text(enum scallop_order_interval interval);
 

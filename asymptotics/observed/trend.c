@@ -9,29 +9,29 @@
 
 /* A change of the local order over the run that is smaller decides nothing. */
 static const double SEEN = 0.005;
-/* A term that does not die away has to explain the bend this many times better than those that do. */
-static const double BETTER = 4;
+/* Sums of squares are compared. A term that dies away is as good as another if it leaves at most so many times as much; one that does not has to be
+ * so many times better than those. */
+static const double AS_GOOD = 4, BETTER[] = { [TREND_LEAVING] = 8, [TREND_CREEPING] = 25 };
 static const double SURE = 0.995;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
-enum { MOST_PRINTED = 64 };
+enum { MOST_PRINTED = 64, MOST_STEPS = 30 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
 static const double LEAST_POWER = 0.4;
+/* Of two terms with opposite signs the smaller one is at most so much of the larger. */
+static const double CANCELLED = 0.9975;
+/* Of log(1 + c): the step of the grid, what is a step no longer, and the end of the grid where h spans hundreds of decades. */
+static const double STEP = 1.5, SMALL_STEP = 1e-12, MOST_GROWTH = 60;
 
-/* A term of x: log(1 + c u)/c with u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest otherwise; u itself for c = 0. */
+/* What bends the line. Two terms: log(1 + c u), u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest otherwise. Of a creeping one
+ * (power 0 or nan) a multiple: x^2 for 0, log|log h| for nan. */
 struct shape {
   enum trend_kind kind;
-  double power; /* 0: x^2; nan: log|log h| */
-  double c;
+  double power;
 };
 /* Of those that die away the first ones are taken where they are as good. */
 static const struct shape shapes[] = {
-  { TREND_SETTLING, 1, 0 }, { TREND_SETTLING, 2, 0 },    { TREND_SETTLING, 1, 0.5 },  { TREND_SETTLING, 1, -0.5 },
-  { TREND_SETTLING, 1, 2 }, { TREND_SETTLING, 1, -0.8 }, { TREND_SETTLING, 1, 8 },    { TREND_SETTLING, 2, 0.5 },
-  { TREND_SETTLING, 2, 2 }, { TREND_SETTLING, 2, -0.5 }, { TREND_SETTLING, 2, -0.8 }, { TREND_SETTLING, 2, 8 },
-  { TREND_SETTLING, 3, 0 }, { TREND_SETTLING, 4, 0 },    { TREND_SETTLING, 0.5, 0 },  { TREND_SETTLING, 0.5, 2 },
-  { TREND_LEAVING, -1, 0 }, { TREND_LEAVING, -1, 2 },    { TREND_LEAVING, -1, 8 },    { TREND_LEAVING, -2, 0 },
-  { TREND_LEAVING, -2, 2 }, { TREND_LEAVING, -2, 8 },    { TREND_LEAVING, -0.5, 0 },  { TREND_LEAVING, -1, -0.8 },
-  { TREND_CREEPING, 0, 0 }, { TREND_CREEPING, NAN, 0 },
+  { TREND_SETTLING, 1 }, { TREND_SETTLING, 2 }, { TREND_SETTLING, 3 },   { TREND_SETTLING, 4 }, { TREND_SETTLING, 0.5 },
+  { TREND_LEAVING, -1 }, { TREND_LEAVING, -2 }, { TREND_LEAVING, -0.5 }, { TREND_CREEPING, 0 }, { TREND_CREEPING, NAN },
 };
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
@@ -65,81 +65,137 @@ static struct run run_of(const struct scallop_order_point *points, int count, in
   return r;
 }
 
-static double power_of(const struct run *r, double power, double h)
-{
-  return pow(h / (power > 0 ? r->coarsest : r->finest), power);
-}
-
-static double term(const struct run *r, const struct shape *s, double h)
-{
-  double x = log(h / r->finest);
-  if (s->kind == TREND_CREEPING)
-    return isnan(s->power) ? log(fabs(log(h))) : x * x;
-  double u = power_of(r, s->power, h);
-  return s->c == 0 ? u : log1p(s->c * u) / s->c;
-}
-
-/* d term/dx */
-static double term_slope(const struct run *r, const struct shape *s, double h)
-{
-  if (s->kind == TREND_CREEPING)
-    return isnan(s->power) ? 1 / log(h) : 2 * log(h / r->finest);
-  double u = power_of(r, s->power, h);
-  return s->power * u / (1 + s->c * u);
-}
-
+/* A line and what bends it: err = e^a h^slope (1 + c u), or e^a h^slope e^(factor term) for what creeps. */
 struct bend {
-  const struct shape *shape;
-  double slope, factor, left; /* of the line, of the term, and the sum of squares that both leave  */
-  double variance;            /* of the slope, in units of that of a point                        */
+  const struct shape *shape; /* NULL: the line alone                                      */
+  double c;
+  double slope, factor; /* of the line, of the term                                  */
+  double left;          /* the sum of squares                                        */
+  double variance;      /* of the slope, in units of that of a point                 */
+  double others;        /* how far the slopes of bends that are as good are from it  */
 };
 
-/* Least squares of y over x and the term; shape NULL: over x alone */
-static struct bend fit(const struct run *r, const struct shape *shape)
+static bool creeps(const struct bend *b) { return b->shape && b->shape->kind == TREND_CREEPING; }
+
+/* At one h: what bends the line by a known amount, what least squares finds the factor of, and how much each adds to the local order.
+ * Of two terms log(1 + c u), and its derivative to log(1 + c). */
+struct bent {
+  double known, term, known_order, term_order;
+};
+
+static struct bent bent_at(const struct run *r, const struct bend *b, double h)
 {
-  double mean = 0, tx = 0, tt = 0, ty = 0;
-  for (int i = r->first; shape && i < r->count; i = next_of(r, i + 1))
-    mean += term(r, shape, r->points[i].h) / r->n;
-  for (int i = r->first; shape && i < r->count; i = next_of(r, i + 1))
-    tx += (term(r, shape, r->points[i].h) - mean) * x_of(r, i);
-  for (int i = r->first; shape && i < r->count; i = next_of(r, i + 1)) {
-    double rest = term(r, shape, r->points[i].h) - mean - tx / r->xx * x_of(r, i);
-    tt += rest * rest;
-    ty += rest * y_of(r, i);
-  }
-  struct bend b = { .shape = shape, .factor = tt > 0 ? ty / tt : 0 };
-  b.slope = (r->xy - b.factor * tx) / r->xx;
-  b.variance = 1 / r->xx + (tt > 0 ? tx / r->xx * tx / r->xx / tt : 0);
+  if (!b->shape)
+    return (struct bent){ 0 };
+  double power = b->shape->power, x = log(h / r->finest);
+  if (creeps(b))
+    return isnan(power) ? (struct bent){ .term = log(fabs(log(h))), .term_order = 1 / log(h) }
+                        : (struct bent){ .term = x * x, .term_order = 2 * x };
+  double u = exp(power * log(h / (power > 0 ? r->coarsest : r->finest))), cu = b->c * u;
+  return (struct bent){ .known = log1p(cu), .term = (1 + b->c) * u / (1 + cu), .known_order = power * cu / (1 + cu) };
+}
+
+/* The local order at h */
+static double order_at(const struct run *r, const struct bend *b, double h)
+{
+  struct bent at = bent_at(r, b, h);
+  return b->slope + at.known_order + b->factor * at.term_order;
+}
+
+/* Least squares of what the known leaves of y, over x and the term. */
+static void fit(const struct run *r, struct bend *b)
+{
+  double known = 0, term = 0, yx = r->xy, tx = 0, tt = 0, ty = 0;
   for (int i = r->first; i < r->count; i = next_of(r, i + 1)) {
-    double bent = shape ? b.factor * (term(r, shape, r->points[i].h) - mean) : 0;
-    double rest = y_of(r, i) - b.slope * x_of(r, i) - bent;
-    b.left += rest * rest;
+    struct bent at = bent_at(r, b, r->points[i].h);
+    double rest = y_of(r, i) - at.known;
+    known += at.known / r->n;
+    term += at.term / r->n;
+    yx -= at.known * x_of(r, i);
+    tx += at.term * x_of(r, i);
+    tt += at.term * at.term;
+    ty += at.term * rest;
   }
+  tt -= r->n * term * term + tx / r->xx * tx;
+  ty += r->n * term * known - tx / r->xx * yx;
+  bool bends = tt > 0;
+  b->factor = bends ? ty / tt : 0;
+  b->slope = (yx - (creeps(b) ? b->factor * tx : 0)) / r->xx;
+  b->variance = 1 / r->xx + (bends ? tx / r->xx * tx / r->xx / tt : 0);
+  b->left = 0;
+  for (int i = r->first; i < r->count; i = next_of(r, i + 1)) {
+    struct bent at = bent_at(r, b, r->points[i].h);
+    double rest = y_of(r, i) - (at.known - known) - b->slope * x_of(r, i) - (creeps(b) ? b->factor * (at.term - term) : 0);
+    b->left += rest * rest;
+  }
+}
+
+static struct bend bend_at(const struct run *r, const struct shape *shape, double t)
+{
+  struct bend b = { .shape = shape, .c = expm1(t) };
+  fit(r, &b);
   return b;
+}
+
+/* From b to the best c near it, with low <= log(1 + c) <= high: Newton's method on the residuals made linear, in shorter steps where that fails */
+static struct bend refine(const struct run *r, struct bend best, double low, double high)
+{
+  double step = best.factor;
+  for (int k = 0; k < MOST_STEPS && fabs(step) > SMALL_STEP; k++) {
+    double t = log1p(best.c) + fmin(fmax(step, -STEP), STEP);
+    struct bend b = bend_at(r, best.shape, fmin(fmax(t, low), high));
+    step = b.left < best.left ? b.factor : step / 4;
+    best = b.left < best.left ? b : best;
+  }
+  return best;
+}
+
+/* The best c, between those where the second term is all but the first, with the other sign, and where it is as large at the far end: from the
+ * best of a grid, or from 0. */
+static struct bend best_of(const struct run *r, const struct shape *shape)
+{
+  struct bend none = bend_at(r, shape, 0);
+  if (shape->kind == TREND_CREEPING)
+    return none;
+  double low = log1p(-CANCELLED);
+  double high = fmin(log1p(shape->power > 0 ? pow(r->coarsest / r->finest, shape->power) : 1), MOST_GROWTH);
+  struct bend best = none;
+  for (double t = low; t < high + STEP; t += STEP) {
+    struct bend b = bend_at(r, shape, fmin(t, high));
+    best = b.left < best.left ? b : best;
+  }
+  best = refine(r, best, low, high);
+  none = refine(r, none, low, high);
+  return none.left <= best.left ? none : best;
 }
 
 /* Four points leave one degree of freedom, which terms that take over fit by chance.
  * The first of those that die away that is about as good as the best of them, unless another is much better */
 static struct bend best_bend(const struct run *r)
 {
-  struct bend bends[SHAPES], other = { .left = INFINITY };
-  double least = INFINITY;
+  struct bend bends[SHAPES], other;
+  double least = INFINITY, least_other = INFINITY;
   for (int i = 0; i < SHAPES; i++) {
     if (isnan(shapes[i].power) && !(r->coarsest < 0.9)) /* log h = 0 at h = 1 */
       continue;
-    bends[i] = fit(r, &shapes[i]);
+    bends[i] = best_of(r, &shapes[i]);
     if (isnan(shapes[i].power) && fabs(bends[i].factor) < LEAST_POWER)
       continue;
     if (shapes[i].kind == TREND_SETTLING)
       least = fmin(least, bends[i].left);
-    else if (bends[i].left < other.left && (r->n > 4 || shapes[i].kind == TREND_CREEPING))
+    else if (BETTER[shapes[i].kind] * bends[i].left < least_other && (r->n > 4 || shapes[i].kind == TREND_CREEPING)) {
       other = bends[i];
+      least_other = BETTER[shapes[i].kind] * other.left;
+    }
   }
-  if (BETTER * other.left < least)
+  if (least_other < least)
     return other;
   int first = 0;
-  while (bends[first].left > BETTER * least)
+  while (bends[first].left > AS_GOOD * least)
     first++;
+  for (int i = first + 1; i < SHAPES && shapes[i].power >= 1; i++)
+    if (bends[i].left <= AS_GOOD * least)
+      bends[first].others = fmax(bends[first].others, fabs(bends[i].slope - bends[first].slope));
   return bends[first];
 }
 
@@ -168,7 +224,7 @@ static double half_width(const struct bend *b, double dof)
 struct trend trend_of(const struct scallop_order_point *points, int count, int first)
 {
   struct run r = run_of(points, count, first);
-  struct bend line = fit(&r, NULL);
+  struct bend line = bend_at(&r, NULL, 0);
   struct trend t = { .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope };
   t.half_width = half_width(&line, r.n - 2);
   t.limit = t.coarsest_order = t.finest_order = t.slope;
@@ -178,14 +234,13 @@ struct trend trend_of(const struct scallop_order_point *points, int count, int f
     return t;
   struct bend bend = best_bend(&r);
   double dof = r.n - 3, sure = student_quantile(SURE, (long)dof);
-  double from = bend.slope + bend.factor * term_slope(&r, bend.shape, r.coarsest);
-  double to = bend.slope + bend.factor * term_slope(&r, bend.shape, r.finest);
+  double from = order_at(&r, &bend, r.coarsest), to = order_at(&r, &bend, r.finest);
   if (!(line.left - bend.left > sure * sure * bend.left / dof) || !(fabs(from - to) > SEEN))
     return t;
   t.kind = bend.shape->kind;
   t.coarsest_order = from;
   t.finest_order = to;
   t.limit = bend.slope;
-  t.limit_half_width = fmax(half_width(&bend, dof), fabs(to - bend.slope));
+  t.limit_half_width = fmax(fmax(half_width(&bend, dof), bend.others), fabs(to - bend.slope));
   return t;
 }

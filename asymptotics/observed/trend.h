@@ -1,9 +1,9 @@
-/* How log|err| depends on x = log h over a run of used points: on a line, or on a line and one term that bends it.
+/* How log|err| depends on x = log h over a run of used points: on a line, or on a line and a bend.
  *
- * The terms: h^q with q > 0, which dies away as h -> 0 (the line is the limit); h^q with q < 0, which takes over (a term of another order is
- * on its way in); and what changes as slowly as a logarithm, x^2 and log|log h|. The bend is taken for real if it explains so much more
- * than it leaves that scatter would do so once in 200 times (F test), the local order changes by more than a little, and the rounding of
- * printed errors does not explain it. */
+ * The bends: a second term, err = C h^p (1 + c h^q) with the best c, of which q > 0 dies away as h -> 0 (p is the limit) and q < 0 takes
+ * over; and what changes as slowly as a logarithm, a multiple of x^2 or of log|log h|. The bend is taken for real if it explains so much
+ * more than it leaves that scatter would do so once in 200 times (F test), the local order changes by more than a little, and the
+ * rounding of printed errors does not explain it. */
 #ifndef SCALLOP_TREND_H
 #define SCALLOP_TREND_H
 
@@ -16,7 +16,7 @@ struct trend {
   bool rounded; /* rounding of the printed errors is all that separates them from the line */
   int points;
   double slope, half_width;            /* of the line alone, with its 95 % confidence interval                  */
-  double limit, limit_half_width;      /* of the line beside the term                                           */
+  double limit, limit_half_width;      /* as h -> 0; the half-width spans the finest order and other good bends  */
   double coarsest_order, finest_order; /* local, by the line and the term; the slope where it is straight       */
 };
 

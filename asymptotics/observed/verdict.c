@@ -20,7 +20,8 @@ static const double HELD_UP = 1.5;
 static const double TAIL = 3.9;
 /* Where the tail decides, the slope over all points may be this many tolerances off. */
 static const double ON_THE_WAY = 2.5;
-enum { LEAST = 4, MOST_FEW = 6 };
+/* Of so many points and more, the coarsest are left out several at a time. */
+enum { LEAST = 4, MOST_FEW = 6, MANY = 32 };
 
 static bool is_used(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_USED; }
 static bool is_zero(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_ZERO; }
@@ -77,6 +78,15 @@ static const struct scallop_order_point *last_used(const struct judged *j)
   while (!is_used(j->points, last))
     last--;
   return &j->points[last];
+}
+
+/* The pairwise order of the two finest used points */
+static double finest_order(const struct judged *j)
+{
+  int last = (int)(last_used(j) - j->points), before = last - 1;
+  while (!is_used(j->points, before))
+    before--;
+  return points_slope(&j->points[before], &j->points[last]);
 }
 
 /* Is what the points before end meet from onset on more than a pair of neighbours that noise brought together? */
@@ -279,7 +289,7 @@ static bool has_arrived(struct judged *j, const struct trend *all)
   if (there)
     set_pairwise_order(j, first, order);
   else if (comes_closer(j))
-    set_pairwise_order(j, coarsest, last[-1].pairwise);
+    set_pairwise_order(j, coarsest, finest_order(j));
   return there || comes_closer(j);
 }
 
@@ -313,16 +323,17 @@ static void compare(struct judged *j, const struct trend *whole)
   reason_add_rows(j, is_used, 0, j->count - 1);
 }
 
-/* Is the local order one number, by this trend, to the tolerance? Then that is set. */
-static bool sets_order(struct judged *j, const struct trend *t)
+/* Is the local order one number, by this trend and that of the run without its coarsest point, to the tolerance? Then that is set. */
+static bool sets_order(struct judged *j, const struct trend *t, const struct trend *finer)
 {
   double tolerance = j->wanted->tolerance, off = fmax(t->half_width, fabs(t->slope - t->finest_order));
+  double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
   if (t->points == 3) {
     set_pairwise_order(j, 0, t->slope);
     return j->result->high - j->result->low <= tolerance;
   }
-  if (t->kind == TREND_SETTLING && t->limit_half_width <= tolerance)
-    set_order(j, SCALLOP_ORDER_LIMIT, t->limit, t->limit - t->limit_half_width, t->limit + t->limit_half_width);
+  if (t->kind == TREND_SETTLING && limit_off <= tolerance)
+    set_order(j, SCALLOP_ORDER_LIMIT, t->limit, t->limit - limit_off, t->limit + limit_off);
   else
     set_order(j, SCALLOP_ORDER_CONFIDENCE, t->slope, t->slope - off, t->slope + off);
   return j->result->high - j->result->order <= tolerance;
@@ -333,7 +344,7 @@ static void judge_drift(struct judged *j, const struct trend *t)
 {
   const struct scallop_order_wanted *w = j->wanted;
   bool rises = t->finest_order > t->coarsest_order, creeps = t->kind == TREND_CREEPING;
-  set_pairwise_order(j, 0, t->finest_order);
+  set_pairwise_order(j, 0, finest_order(j));
   if (w->at_least && t->finest_order >= w->order && (rises || creeps)) {
     give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the local order is %.3g at the finest h", t->finest_order);
@@ -349,21 +360,23 @@ static void judge_trend(struct judged *j)
 {
   const struct trend whole = trend_of(j->points, j->count, 0);
   int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
-  struct trend t = whole;
-  for (int first = 0; t.points >= least;) {
+  struct trend t = whole, finer, after_coarsest = whole;
+  for (int first = 0, next; t.points >= least; first = next, t = finer) {
+    next = first;
+    for (int k = 0; k <= t.points / MANY; k++)
+      next = points_next(j->points, j->count, next) + 1;
+    finer = t.points > LEAST ? trend_of(j->points, j->count, next) : (struct trend){ 0 };
+    if (first == 0)
+      after_coarsest = finer;
     bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
-    if (drifts || sets_order(j, &t)) {
+    if (drifts || sets_order(j, &t, &finer)) {
       points_leave_out_first(j->points, first, SCALLOP_ORDER_COARSE);
       j->result->used = t.points;
       drifts ? judge_drift(j, &t) : compare(j, &whole);
       return;
     }
-    first = points_next(j->points, j->count, first) + 1;
-    if (t.points == least)
-      break;
-    t = trend_of(j->points, j->count, first);
   }
-  sets_order(j, &whole);
+  sets_order(j, &whole, &after_coarsest);
   if (!isnan(j->wanted->order) && has_arrived(j, &whole)) {
     give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the orders have come to %.3g: ", j->result->order);

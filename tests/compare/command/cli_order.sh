@@ -194,13 +194,4 @@ if [ -c /dev/full ]; then
   [ $? = 4 ] || note "no exit code 4 for a full device"
 fi
 finish "order: a file for the report"
-
-# ---- what docs/order.md says ----
-rates=$(dirname "$tool")/test_order_rates
-if [ -x "$rates" ]; then
-  "$rates" 2>err | grep '^|' >rates.txt
-  sed -n '/^| tables |/,/^$/p' "$root/docs/order.md" | grep '^|' >promised.txt
-  cmp -s rates.txt promised.txt || note "$(diff rates.txt promised.txt | head -n 6)"
-  finish "order: the table of docs/order.md is what the test measures"
-fi
 exit $failed
