@@ -89,20 +89,25 @@ static int place_of(void *context, const char *name)
   return -1;
 }
 
+struct names {
+  const char *of[TABLE_COLUMNS + 1]; /* then NULL */
+};
+
+static struct names names_of(const struct columns *c)
+{
+  struct names names = { { NULL } };
+  memcpy(names.of, c->column, (size_t)c->columns * sizeof *names.of);
+  return names;
+}
+
 static const char *near_to(void *context, const char *name, const char *const *functions)
 {
-  const struct columns *c = context;
-  const char *names[TABLE_COLUMNS + 1] = { NULL };
-  memcpy(names, c->column, (size_t)c->columns * sizeof *names);
-  return nearest(name, functions ? functions : names);
+  return nearest(name, functions ? functions : names_of(context).of);
 }
 
 static const char *no_column(const struct columns *c, const char *name)
 {
-  const char *near = near_to((void *)c, name, NULL);
-  int used = snprintf(message, WRONG, "there is no column '%.80s'%s", name, near ? did_you_mean(near) : ": there are");
-  for (int i = 0; i < c->columns && !near && used < WRONG - 80; i++)
-    used += snprintf(message + used, WRONG - (size_t)used, " %.60s", c->column[i]);
+  snprintf(message, WRONG, "there is no column '%.80s'%s", name, instead_of(name, names_of(c).of));
   return message;
 }
 

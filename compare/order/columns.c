@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char message[300];
+#include "compare/text/message.h"
+
+static char message[640];
 
 bool read_cell(const char *text, double *value)
 {
@@ -49,8 +51,13 @@ static const char *chosen(int *place, const struct tsv *t, const char *option, c
     *place = (int)number - 1;
   if (*place >= 0)
     return NULL;
-  snprintf(message, sizeof message, *place == -2 ? "--%s: the column '%.100s' is there twice" : "--%s: no column '%.100s'",
-           option, name);
+  const char *all[TSV_CELLS + 1] = { NULL };
+  memcpy(all, t->column, (size_t)t->columns * sizeof *all);
+  if (*place == -2)
+    snprintf(message, sizeof message, "--%s: the column '%.100s' is there twice", option, name);
+  else
+    snprintf(message, sizeof message, "--%s: there is no column '%.100s'%s", option, name,
+             t->columns > 0 ? instead_of(name, all) : "");
   return message;
 }
 
@@ -88,7 +95,18 @@ static const char *other_ys(struct layout *l, const struct tsv *t, bool values)
   for (int i = l->x + 1; i < t->count && !wrong; i++)
     if (read_cell(t->cell[i], &number) && !(i < t->columns && is_among(orders, t->column[i])))
       wrong = add_y(l, i, values);
-  return wrong ? wrong : l->ys == 0 ? "right of h there is no column of numbers: name it with --y" : NULL;
+  if (!wrong && l->ys == 0)
+    wrong = t->count == 1 && strchr(t->cell[0], ';') ? "';' separates no columns: blanks, tabs and commas do"
+                                                     : "right of h there is no column of numbers: name it with --y";
+  return wrong;
+}
+
+const char *columns_differ(const struct tsv *t, int columns)
+{
+  snprintf(message, sizeof message,
+           "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points", t->count,
+           columns);
+  return message;
 }
 
 static const char *find_x(struct layout *l, const struct tsv *t, const struct columns_wanted *wanted)
@@ -107,9 +125,10 @@ const char *columns_find(struct layout *l, const struct tsv *t, const struct col
 {
   static const char *const err[] = { "err", "error", "value", NULL }, *const noise[] = { "noise", NULL };
   *l = (struct layout){ .columns = t->columns > 0 ? t->columns : t->count };
-  if (t->count != l->columns)
-    return "the number of columns changes";
-  const char *wrong = find_x(l, t, wanted);
+  const char *wrong = t->count == l->columns ? NULL : columns_differ(t, l->columns);
+  if (wrong)
+    return wrong;
+  wrong = find_x(l, t, wanted);
   if (wrong)
     return wrong;
   int named = only_column(t, err);

@@ -8,11 +8,10 @@
 
 /* Which columns are read: names in the header, or numbers from 1. */
 struct columns_wanted {
-  const char *x; /* NULL: h, and where no column has this name the first one                */
-  const char *
-      y; /* with commas between; NULL: err, error or value, and where none has such a name each right of x that holds numbers,
-                    but for noise and for orders                                            */
-  bool values; /* y are values; without it, only a column of this name                     */
+  const char *x; /* NULL: h, and where no column has this name the first one                                             */
+  const char *y; /* with commas between; NULL: err, error or value, and where none has such a name each right of x that holds
+                    numbers, but for noise and for orders                                                                */
+  bool values;   /* y are values; without it, only a column of this name                                                 */
 };
 
 enum { MOST_Y = 64, COLUMN_NAME = 100 };
@@ -31,6 +30,9 @@ bool read_cell(const char *text, double *value);
 /* The columns, from the header of the table or, where it has none, from the number of columns; the current row is the first one with
  * data. Returns NULL, or what is wrong; the message lives until the next call. */
 const char *columns_find(struct layout *layout, const struct tsv *t, const struct columns_wanted *wanted);
+
+/* What is wrong with a row of other than so many columns; likewise. */
+const char *columns_differ(const struct tsv *t, int columns);
 
 /* The name of a column: its number where there is no header. */
 void column_name(char name[COLUMN_NAME], const struct tsv *t, int column);

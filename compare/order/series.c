@@ -80,10 +80,11 @@ static void read_name(char name[NAME], char *const *cells, const struct layout *
 /* Returns NULL, or that a cell is no number. */
 static const char *read_at(struct tsv *t, int place, double *number)
 {
-  static char message[120];
+  static char message[160];
   if (place < 0 || read_cell(t->cell[place], number))
     return NULL;
-  snprintf(message, sizeof message, "column %d: '%.60s' is not a number", place + 1, t->cell[place]);
+  snprintf(message, sizeof message, "column %d: '%.60s' is not a number%s", place + 1, t->cell[place],
+           strpbrk(t->cell[place], "dD") ? ": an exponent begins with e" : "");
   return message;
 }
 
@@ -92,7 +93,7 @@ static const char *read_row(struct tsv *t, struct reader *r)
 {
   const struct layout *l = &r->layout;
   if (t->count != l->columns)
-    return "the number of columns changes";
+    return columns_differ(t, l->columns);
   struct scallop_order_point point = { .row = ++r->rows };
   const char *wrong = read_at(t, l->x, &point.h);
   char name[NAME], y[COLUMN_NAME];

@@ -66,6 +66,19 @@ const char *did_you_mean(const char *near)
   return text;
 }
 
+const char *instead_of(const char *word, const char *const *names)
+{
+  enum { LIST = 400, LONGEST_NAME = 60 };
+  static char list[LIST + LONGEST_NAME + 2];
+  const char *near = nearest(word, names);
+  if (near)
+    return did_you_mean(near);
+  int said = snprintf(list, sizeof list, ": there are");
+  for (; *names && said < LIST; names++)
+    said += snprintf(list + said, sizeof list - (size_t)said, " %.*s", LONGEST_NAME, *names);
+  return list;
+}
+
 size_t shown_character(const char *text)
 {
   static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* without controls and what a shorter one says */

@@ -276,8 +276,8 @@ table() { printf '%b' "$1" >table.txt; }
 table 'h err\n'
 refused "order: only a header" 2 "table.txt.*no data" order table.txt
 table 'a b\n1 1\n'
-refused "order: no such column" 2 "table.txt:2:.*--y: no column 'err'" order table.txt --y err
-refused "order: no such x" 2 "table.txt:2:.*--x: no column '3'" order table.txt --x 3
+refused "order: no such column" 2 "table.txt:2:.*--y: there is no column 'err'" order table.txt --y err
+refused "order: no such x" 2 "table.txt:2:.*--x: there is no column '3'" order table.txt --x 3
 refused "order: x as y" 2 "table.txt:2:.*--y: this column is x" order table.txt --x b --y b
 table 'a b\n1 x\n'
 refused "order: no column of numbers" 2 "table.txt:2:.*no column of numbers" order table.txt
@@ -289,6 +289,14 @@ table '1 1\n0.5\n'
 refused "order: a truncated row" 2 "table.txt:2:.*columns" order table.txt
 table '# c\nh err\n1 1\n0.5 1 1\n'
 refused "order: a row too long" 2 "table.txt:4:.*columns" order table.txt
+table 'h err\n0,1 0,011\n'
+refused "order: decimal commas" 2 "table.txt:2: 3 columns, and 2 above: .* decimal points" order table.txt
+table 'h;err\n0.1;0.011\n'
+refused "order: semicolons" 2 "table.txt:2: ';' separates no columns" order table.txt
+table 'h err\n1.0D-1 1.1D-2\n'
+refused "order: exponents of Fortran" 2 "column 1: '1.0D-1' is not a number: an exponent begins with e" order table.txt
+table 'h L2 H1\n1 1 1\n'
+refused "order: no column of that name" 2 "there is no column 'L3': there are h L2 H1\|did you mean 'L2'" order table.txt --y L3
 table '1 1\n0.5 x\n'
 refused "order: a cell that is no number" 2 "table.txt:2:.*not a number" order table.txt
 table '1 1\n0.5 0.25z\n'
