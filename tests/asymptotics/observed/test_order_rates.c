@@ -9,6 +9,7 @@
 #include "tests/support/random_crawler.h"
 
 enum { TABLES = 1000, MOST = 24 };
+static int tables(void) { return (int)check_cases(TABLES); }
 static const double TOLERANCE = 0.1, ROUNDING = 1e-9;
 
 struct table {
@@ -240,7 +241,7 @@ static void count_passes(const struct kind *k, double share[RULES], int *all_use
   int passes[RULES] = { 0 };
   numbers.state = 20130314;
   *all_used = 0;
-  for (int i = 0; i < TABLES; i++) {
+  for (int i = 0; i < tables(); i++) {
     struct table t;
     k->make(&t);
     passes[SQUARES] += fabs(least_squares(&t) - t.expected) <= TOLERANCE;
@@ -252,7 +253,7 @@ static void count_passes(const struct kind *k, double share[RULES], int *all_use
     *all_used += result.used == t.count;
   }
   for (int r = 0; r < RULES; r++)
-    share[r] = 100.0 * passes[r] / TABLES;
+    share[r] = 100.0 * passes[r] / tables();
 }
 
 /* Does the page have this row? */
@@ -290,8 +291,8 @@ TEST(rates)
       print_error("%s: right in %g %%, promised %g %%\n", k->name, right, k->least);
       kept = false;
     }
-    if ((k->make == noisy_12 || k->make == noisy_close) && all_used < 0.99 * TABLES) {
-      print_error("all points used in %g %%\n", 100.0 * all_used / TABLES);
+    if ((k->make == noisy_12 || k->make == noisy_close) && all_used < 0.99 * tables()) {
+      print_error("all points used in %g %%\n", 100.0 * all_used / tables());
       kept = false;
     }
   }
@@ -308,7 +309,7 @@ TEST(limits)
   for (size_t k = 0; k < sizeof smooth_kinds / sizeof *smooth_kinds; k++) {
     int limits = 0, held = 0;
     numbers.state = 20130314;
-    for (int i = 0; i < TABLES; i++) {
+    for (int i = 0; i < tables(); i++) {
       struct table t;
       smooth_kinds[k].make(&t);
       struct scallop_order_wanted wanted = { .order = NAN, .tolerance = TOLERANCE };
@@ -320,6 +321,6 @@ TEST(limits)
       }
     }
     print_message("limits that hold the order: %.1f %% of %d\n", 100.0 * held / limits, limits);
-    assert_true(100.0 * held >= smooth_kinds[k].least * limits && limits > TABLES / 2);
+    assert_true(100.0 * held >= smooth_kinds[k].least * limits && limits > tables() / 2);
   }
 }
