@@ -1,5 +1,4 @@
-/* Points of a table of h and err: their order, and which of them can be judged. What the estimate (estimate.h) and the verdict (order.h)
- * share. A point is used unless something here leaves it out. */
+/* Points of a table of h and err: their order, and which of them can be judged. A point is used unless something here leaves it out. */
 #ifndef SCALLOP_POINTS_H
 #define SCALLOP_POINTS_H
 
@@ -41,7 +40,10 @@ double points_leave_out_floor(struct scallop_order_point *points, int count, int
 void points_leave_out_first(struct scallop_order_point *points, int first, enum scallop_order_use why);
 void points_leave_out_before_sign_change(struct scallop_order_point *points, int count);
 
-/* Makes errors of values, as order_estimate_values (estimate.h) describes. */
+/* Makes errors of values: points[i].err holds value(h_i), noise the rounding error of the value if it is known. Three refinements give one
+ * order, from (v1 - v2)/(v2 - v3) = (h1^p - h2^p)/(h2^p - h3^p), which needs no constant ratio. On return the points hold the differences
+ * v_i - v_{i+1}, rescaled to errors; the finest is spent, and *count is what is left. A value is not known better than to half an ulp, nor
+ * to less than the smallest difference where others are 0. */
 void points_from_values(struct scallop_order_point *points, int *count);
 /* The order that three values give, or nan. */
 double points_order_of_three(const struct scallop_order_point *values);

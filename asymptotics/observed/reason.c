@@ -45,9 +45,10 @@ void reason_add_rows(const struct judged *j, reason_picks *picks, int first, int
       continue;
     end = end_of_range(j, picks, i, last);
     left -= end - i + 1;
-    reason_add(j, "%s %ld", written == 0 ? "" : left == 0 ? " and" : ",", j->points[i].row);
+    long from = j->points[i].row, to = j->points[end].row;
+    reason_add(j, "%s %ld", written == 0 ? "" : left == 0 ? " and" : ",", from < to ? from : to);
     if (end > i)
-      reason_add(j, end == i + 1 ? (left == 0 && written == 0 ? " and %ld" : ", %ld") : " to %ld", j->points[end].row);
+      reason_add(j, end == i + 1 ? (left == 0 && written == 0 ? " and %ld" : ", %ld") : " to %ld", from < to ? to : from);
     written++;
   }
   if (left > 0)

@@ -199,18 +199,21 @@ static struct bend best_bend(const struct run *r)
   return bends[first];
 }
 
-/* Where errors are C h^p but for rounding by at most e_k, in logarithms, least squares leaves at most the sum over k of |1_ik - H_ik| e_k,
+/* Where errors are C h^p but for rounding and noise of at most e_k, in logarithms, least squares leaves at most the sum over k of |1_ik - H_ik| e_k,
  * H_ik = 1/n + x_i x_k/sum x^2. */
 static bool explained_by_rounding(const struct run *r, const struct bend *line)
 {
   if (r->n > MOST_PRINTED)
     return false;
   struct rounding rounding = rounding_of(r->points, r->count, r->first);
-  bool explained = rounding.unit > 0;
+  bool explained = rounding.unit > 0 || points_noise_is_known(r->points, r->count);
   for (int i = r->first; i < r->count && explained; i = next_of(r, i + 1)) {
     double most = 0;
-    for (int k = r->first; k < r->count; k = next_of(r, k + 1))
-      most += fabs((i == k) - 1 / r->n - x_of(r, i) * x_of(r, k) / r->xx) * rounding_share(&rounding, r->points[k].err);
+    for (int k = r->first; k < r->count; k = next_of(r, k + 1)) {
+      const struct scallop_order_point *p = &r->points[k];
+      most += fabs((i == k) - 1 / r->n - x_of(r, i) * x_of(r, k) / r->xx)
+              * (rounding_share(&rounding, p->err) + p->noise / fabs(p->err));
+    }
     explained = fabs(y_of(r, i) - line->slope * x_of(r, i)) <= most;
   }
   return explained;
@@ -235,8 +238,12 @@ struct trend trend_of(const struct scallop_order_point *points, int count, int f
   struct bend bend = best_bend(&r);
   double dof = r.n - 3, sure = student_quantile(SURE, (long)dof);
   double from = order_at(&r, &bend, r.coarsest), to = order_at(&r, &bend, r.finest);
-  if (!(line.left - bend.left > sure * sure * bend.left / dof) || !(fabs(from - to) > SEEN))
+  if (!(line.left - bend.left > sure * sure * bend.left / dof))
     return t;
+  if (!(fabs(from - to) > SEEN)) { /* no more than a wider interval */
+    t.half_width = fmax(t.half_width, fabs((bend.shape->kind == TREND_SETTLING ? bend.slope : to) - t.slope));
+    return t;
+  }
   t.kind = bend.shape->kind;
   t.coarsest_order = from;
   t.finest_order = to;

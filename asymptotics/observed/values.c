@@ -34,7 +34,7 @@ static void note_noise(struct scallop_order_point *values, int count)
     repeated |= difference == 0;
     least = difference > 0 ? fmin(least, difference) : least;
   }
-  double resolved = repeated && isfinite(least) ? least * POINTS_ABOVE_FLOOR / POINTS_ABOVE_NOISE : 0;
+  double resolved = repeated && isfinite(least) ? least : 0;
   for (int i = 0; i < count; i++)
     values[i].noise = fmax(DBL_EPSILON / 2 * fabs(values[i].err), resolved / 2);
 }

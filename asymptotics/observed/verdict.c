@@ -20,6 +20,8 @@ static const double HELD_UP = 1.5;
 static const double TAIL = 3.9;
 /* Where the tail decides, the slope over all points may be this many tolerances off. */
 static const double ON_THE_WAY = 2.5;
+/* A run with an interval so many times narrower counts instead of a longer one. */
+static const double FAR_BETTER = 10;
 /* Of so many points and more, the coarsest are left out several at a time. */
 enum { LEAST = 4, MOST_FEW = 6, MANY = 32 };
 
@@ -323,20 +325,30 @@ static void compare(struct judged *j, const struct trend *whole)
   reason_add_rows(j, is_used, 0, j->count - 1);
 }
 
-/* Is the local order one number, by this trend and that of the run without its coarsest point, to the tolerance? Then that is set. */
-static bool sets_order(struct judged *j, const struct trend *t, const struct trend *finer)
+/* What a run of points says, from first on: the order, give or take off */
+struct answer {
+  enum scallop_order_interval interval;
+  double order, off;
+  int first;
+};
+
+/* finer: the trend of the run without its coarsest points */
+static struct answer answer_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
 {
-  double tolerance = j->wanted->tolerance, off = fmax(t->half_width, fabs(t->slope - t->finest_order));
+  double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
-  if (t->points == 3) {
-    set_pairwise_order(j, 0, t->slope);
-    return j->result->high - j->result->low <= tolerance;
-  }
-  if (t->kind == TREND_SETTLING && limit_off <= tolerance)
-    set_order(j, SCALLOP_ORDER_LIMIT, t->limit, t->limit - limit_off, t->limit + limit_off);
-  else
-    set_order(j, SCALLOP_ORDER_CONFIDENCE, t->slope, t->slope - off, t->slope + off);
-  return j->result->high - j->result->order <= tolerance;
+  if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
+    return (struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, first };
+  return (struct answer){ SCALLOP_ORDER_CONFIDENCE, t->slope, off, first };
+}
+
+/* Sets it, and returns whether the order is known to the tolerance. */
+static bool sets_order(struct judged *j, const struct answer *a)
+{
+  set_order(j, a->interval, a->order, a->order - a->off, a->order + a->off);
+  if (j->result->used == 3)
+    set_pairwise_order(j, 0, a->order);
+  return j->result->high - j->result->low <= (j->result->used == 3 ? 1 : 2) * j->wanted->tolerance;
 }
 
 /* A term takes over, or the order changes like a logarithm: no pass, unless it is at least and rises */
@@ -356,27 +368,39 @@ static void judge_drift(struct judged *j, const struct trend *t)
                        : "the orders fall faster and faster: a term of lower order takes over");
 }
 
+/* Runs of points, each without the coarsest of the one before, until one says what the order is; where that is a limit, until the shortest, and
+ * one that knows it far better counts instead. */
 static void judge_trend(struct judged *j)
 {
   const struct trend whole = trend_of(j->points, j->count, 0);
   int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
-  struct trend t = whole, finer, after_coarsest = whole;
+  struct trend t = whole, finer;
+  struct answer all, best = { .interval = SCALLOP_ORDER_NO_INTERVAL };
   for (int first = 0, next; t.points >= least; first = next, t = finer) {
+    bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL, drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
+    if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
+      break;
+    if (drifts) {
+      points_leave_out_first(j->points, first, SCALLOP_ORDER_COARSE);
+      judge_drift(j, &t);
+      return;
+    }
     next = first;
     for (int k = 0; k <= t.points / MANY; k++)
       next = points_next(j->points, j->count, next) + 1;
     finer = t.points > LEAST ? trend_of(j->points, j->count, next) : (struct trend){ 0 };
-    if (first == 0)
-      after_coarsest = finer;
-    bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
-    if (drifts || sets_order(j, &t, &finer)) {
-      points_leave_out_first(j->points, first, SCALLOP_ORDER_COARSE);
-      j->result->used = t.points;
-      drifts ? judge_drift(j, &t) : compare(j, &whole);
-      return;
-    }
+    struct answer a = answer_of(j, first, &t, &finer);
+    all = first == 0 ? a : all;
+    if (known ? a.off < best.off / FAR_BETTER : sets_order(j, &a))
+      best = a;
   }
-  sets_order(j, &whole, &after_coarsest);
+  if (best.interval != SCALLOP_ORDER_NO_INTERVAL) {
+    points_leave_out_first(j->points, best.first, SCALLOP_ORDER_COARSE);
+    sets_order(j, &best);
+    compare(j, &whole);
+    return;
+  }
+  sets_order(j, &all);
   if (!isnan(j->wanted->order) && has_arrived(j, &whole)) {
     give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the orders have come to %.3g: ", j->result->order);
@@ -410,6 +434,7 @@ static void judge(struct judged *j)
     return;
   }
   bool announced = points_noise_is_known(j->points, j->count);
+  j->near_floor = announced ? 0 : NEAR_ROUNDOFF;
   if (j->wanted->values) {
     points_grid_convergence(j->points, j->count, j->wanted->order, &j->result->gci, &j->result->asymptotic_ratio);
     points_from_values(j->points, &j->count);
@@ -431,7 +456,7 @@ void scallop_order(struct scallop_order_point *points, int *count, const struct 
   *result = (struct scallop_order_result){
     .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
   };
-  struct judged j = { points, *count, wanted, result, NEAR_ROUNDOFF };
+  struct judged j = { points, *count, wanted, result, 0 };
   judge(&j);
   *count = j.count;
 }

@@ -22,7 +22,7 @@
 #include "compare/text/values.h"
 #include <stdbool.h>
 
-#include "asymptotics/observed/estimate.h"
+#include "asymptotics/observed/order.h"
 #include "compare/text/message.h"
 #include "model/exact/ball.h"
 #include "model/model.h"
@@ -31,6 +31,8 @@ enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED 
 const char *claim_verdict_text(enum claim_verdict verdict);
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
+/* Half the width of the interval that a measured order is to have. */
+#define CLAIM_TOLERANCE 0.02
 
 /* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
 enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
@@ -48,7 +50,7 @@ struct claim_row {
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   char *leading_error;  /* of a book's formula: that term as a formula; the ledger's own, NULL: not known    */
   double slope;         /* measured between the two smallest T; nan if there is no error    */
-  struct order_fit fit;
+  struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
   int count;
   enum claim_verdict verdict;

@@ -134,8 +134,10 @@ void velocity_as_1_over_T(struct question *q)
     points[k] = (struct scallop_order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
   }
   q->row.claimed_order = -1;
-  q->row.fit = order_estimate(points, POINTS);
-  q->solved = q->row.fit.state == ORDER_FITTED;
+  struct scallop_order_wanted wanted = { .order = NAN, .tolerance = CLAIM_TOLERANCE };
+  int count = POINTS;
+  scallop_order(points, &count, &wanted, &q->row.fit);
+  q->solved = q->row.fit.verdict == SCALLOP_ORDER_MEASURED;
   q->found[0] = q->row.fit.order;
   conclude(q);
 }

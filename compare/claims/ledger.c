@@ -125,7 +125,8 @@ static void fit(struct claim_row *row)
                              : NAN;
     points[i].use = row->exact ? SCALLOP_ORDER_ZERO : SCALLOP_ORDER_COARSE;
   }
-  row->fit = order_estimate(points + row->count - tail, tail);
+  struct scallop_order_wanted wanted = { .order = NAN, .tolerance = CLAIM_TOLERANCE };
+  scallop_order(points + row->count - tail, &tail, &wanted, &row->fit);
 }
 
 void ledger_enter(struct ledger *ledger, struct claim_row *row)

@@ -62,8 +62,8 @@ static void write_row(struct table *t, const struct claim_row *row)
   };
   write_claim(t, row);
   table_rounded(t, row->fit.order, "%.6f");
-  table_rounded(t, row->fit.lo, "%.6f");
-  table_rounded(t, row->fit.hi, "%.6f");
+  table_rounded(t, row->fit.low, "%.6f");
+  table_rounded(t, row->fit.high, "%.6f");
   table_rounded(t, row->fit.used, "%.0f");
   write_texts(t, texts, sizeof texts / sizeof *texts);
   if (row->source == OF_BOOK)

@@ -151,7 +151,7 @@ static void add_row(struct ledger *ledger, const struct claim *claim, const stru
                               .inside = of_the_paper && !claim->outside,
                               .claimed_order = NAN,
                               .slope = NAN,
-                              .fit = { .order = NAN, .lo = NAN, .hi = NAN } };
+                              .fit = { .order = NAN, .low = NAN, .high = NAN } };
   snprintf(q.row.claim, sizeof q.row.claim, "%s", claim->name);
   claim->decide(&q);
   ledger_add(ledger, &q.row);

@@ -10,8 +10,8 @@
 
 const char *const series_sources[] = { "published", "derived", "limit", NULL };
 enum { PUBLISHED, DERIVED };
-const char *const order_columns[] = { "series", "order",  "order_lo",  "order_hi", "points",
-                                      "state",  "expect", "tolerance", "verdict",  NULL };
+const char *const order_columns[] = { "series", "order",     "order_lo", "order_hi", "interval", "points",
+                                      "expect", "tolerance", "verdict",  "reason",   NULL };
 
 static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
 static const char *near_to(void *scene, const char *name, const char *const *functions)

@@ -27,21 +27,25 @@ static void write_order(struct running *r, struct output *o, int series)
   const struct scene_want *w = o->want;
   const struct quantities *all = &r->scene->quantities;
   struct table *t = &o->table;
-  struct order_fit fit = order_estimate(o->errors + (size_t)series * SCENE_TIMES, (int)o->times);
+  const struct scallop_order_wanted wanted = { .order = w->has_expect ? w->expect : NAN, .tolerance = w->tolerance };
+  struct scallop_order_result result;
+  int count = (int)o->times;
+  scallop_order(o->errors + (size_t)series * SCENE_TIMES, &count, &wanted, &result);
   /* an error that is not told from 0 with this accuracy stands as 0 */
-  enum order_verdict verdict = fit.state == ORDER_EXACT ? ORDER_VERDICT_FLOOR_LIMITED
-                                                        : order_judge(&fit, w->expect, w->tolerance);
+  if (result.verdict <= SCALLOP_ORDER_MEASURED && isnan(result.order))
+    result.verdict = SCALLOP_ORDER_FLOOR_LIMITED;
   output_row(r, o);
   table_text(t, all->item[all->item[w->of[series]].of].name);
-  table_rounded(t, fit.order, "%.4f");
-  table_rounded(t, fit.lo, "%.4f");
-  table_rounded(t, fit.hi, "%.4f");
-  table_rounded(t, fit.used, "%.0f");
-  table_text(t, order_state_text(fit.state));
-  table_number(t, w->has_expect ? w->expect : NAN);
+  table_rounded(t, result.order, "%.4f");
+  table_rounded(t, result.low, "%.4f");
+  table_rounded(t, result.high, "%.4f");
+  table_text(t, scallop_order_interval_text(result.interval));
+  table_rounded(t, result.used, "%.0f");
+  table_number(t, wanted.order);
   table_number(t, w->has_expect ? w->tolerance : NAN);
-  table_text(t, w->has_expect ? order_verdict_text(verdict) : "none asked for");
-  r->failed_checks += w->has_expect && verdict != ORDER_PASS;
+  table_text(t, scallop_order_verdict_text(result.verdict));
+  table_text(t, result.reason);
+  r->failed_checks += w->has_expect && result.verdict != SCALLOP_ORDER_PASS;
   count_add(COUNT_ORDERS, 1);
 }
 

@@ -8,7 +8,7 @@
 #include "compare/answers/answer.h"
 #include "compare/answers/points.h"
 #include "compare/config/config.h"
-#include "asymptotics/observed/estimate.h"
+#include "asymptotics/observed/order.h"
 #include "compare/scenes/scene.h"
 
 enum { MOST_CERTIFIED_DIGITS = 10000 };

@@ -164,10 +164,10 @@ static void write_trend(struct table *t, const struct stiff_scene *scene, int st
   write_names(t, scene, stepper);
   table_text(t, stiff_quantities[quantity]);
   table_rounded(t, trend.fit.order, "%.4f");
-  table_rounded(t, trend.fit.lo, "%.4f");
-  table_rounded(t, trend.fit.hi, "%.4f");
+  table_rounded(t, trend.fit.low, "%.4f");
+  table_rounded(t, trend.fit.high, "%.4f");
   table_number(t, trend.fit.used);
-  table_text(t, order_verdict_text(trend.verdict));
+  table_text(t, scallop_order_verdict_text(trend.fit.verdict));
   table_rounded(t, best ? best->delta : NAN, "%.3g");
   table_rounded(t, best ? best->error[quantity] : NAN, "%.3g");
   table_number(t, best ? best->steps : NAN);

@@ -270,7 +270,8 @@ struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quan
   for (int i = trend.good; i < count; i++)
     if (runs[i].solved)
       trend.worst_beyond = fmax(trend.worst_beyond, fabs(runs[i].error[quantity]));
-  trend.fit = order_estimate(points, trend.good);
-  trend.verdict = order_judge(&trend.fit, 1, 0.1);
+  struct scallop_order_wanted wanted = { .order = 1, .tolerance = 0.1 };
+  int good = trend.good;
+  scallop_order(points, &good, &wanted, &trend.fit);
   return trend;
 }

@@ -4,7 +4,7 @@
 #define SCALLOP_STRESS_STIFF_MEASURE_H
 
 #include "compare/answers/answer.h"
-#include "asymptotics/observed/estimate.h"
+#include "asymptotics/observed/order.h"
 #include "numerics/rivals/smoothed.h"
 
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of it: the body
@@ -56,8 +56,7 @@ void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper 
                  long most, struct stiff_run *run);
 
 struct stiff_trend {
-  struct order_fit fit;       /* in delta, over the good runs */
-  enum order_verdict verdict; /* against order 1 */
+  struct scallop_order_result fit; /* in delta, over the good runs, against order 1 */
   int good; /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half of
              * the one before */
   double worst_beyond; /* largest |error| that a later run came back with, content; nan if there is none */

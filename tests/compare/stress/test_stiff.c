@@ -246,9 +246,9 @@ TEST(order_of_the_model)
     for (int quantity = 0; quantity < (i < 2 ? STIFF_CREEP : STIFF_QUANTITIES); quantity++) {
       struct stiff_trend trend = stiff_trend(runs, DECADES, quantity);
       print_message("%s, T = %g, %s: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, stiff_quantities[quantity],
-                    trend.fit.order, trend.fit.lo, trend.fit.hi);
+                    trend.fit.order, trend.fit.low, trend.fit.high);
       CHECK_NEAR(trend.fit.order, 1, i == 3 ? 0.09 : 0.01); /* a logarithm in the last of them */
-      assert_int_equal(trend.verdict, ORDER_PASS);
+      assert_int_equal(trend.fit.verdict, SCALLOP_ORDER_PASS);
       assert_int_equal(trend.good, DECADES);
       CHECK_EQUAL(trend.worst_beyond, NAN);
     }
@@ -273,26 +273,26 @@ TEST(trends_that_are_not_of_order_one)
   make_runs(runs, 1);
   CHECK_NEAR(stiff_trend(runs, DECADES, STIFF_V_END).fit.order, 1, 1e-9);
   assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).good, 0);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).verdict, ORDER_VERDICT_INSUFFICIENT);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).fit.verdict, SCALLOP_ORDER_INSUFFICIENT);
   make_runs(runs, 2);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).verdict, ORDER_TOO_HIGH);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).fit.verdict, SCALLOP_ORDER_TOO_HIGH);
   make_runs(runs, 0.5);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).verdict, ORDER_TOO_LOW);
+  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).fit.verdict, SCALLOP_ORDER_TOO_LOW);
   make_runs(runs, 1);
   runs[4].error[STIFF_V_END] = 0.9 * runs[3].error[STIFF_V_END]; /* stands still, and what follows no longer counts */
   t = stiff_trend(runs, DECADES, STIFF_V_END);
-  assert_true(t.good == 4 && t.verdict == ORDER_PASS);
+  assert_true(t.good == 4 && t.fit.verdict == SCALLOP_ORDER_PASS);
   CHECK_RELATIVE(t.worst_beyond, fabs(runs[4].error[STIFF_V_END]), 1e-15);
   make_runs(runs, 1);
   runs[2].own[STIFF_V_END] = 0.11 * fabs(runs[2].error[STIFF_V_END]); /* the stepper takes over */
   t = stiff_trend(runs, DECADES, STIFF_V_END);
-  assert_true(t.good == 2 && t.verdict == ORDER_VERDICT_INSUFFICIENT);
+  assert_true(t.good == 2 && t.fit.verdict == SCALLOP_ORDER_INSUFFICIENT);
   make_runs(runs, 1);
   runs[3].solved = false;
   t = stiff_trend(runs, 4, STIFF_V_END);
   assert_true(t.good == 3 && t.fit.used == 3);
   CHECK_EQUAL(t.worst_beyond, NAN);
-  assert_int_equal(stiff_trend(runs, 0, STIFF_V_END).verdict, ORDER_VERDICT_INSUFFICIENT);
+  assert_int_equal(stiff_trend(runs, 0, STIFF_V_END).fit.verdict, SCALLOP_ORDER_INSUFFICIENT);
 }
 
 int main(void)
