@@ -3,11 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A tail is a floor if its overall order is below this, or below this share of the steeper orders before it. */
-static const double FLAT = 0.5;
-/* Without an order of at least this anywhere there is no floor to look for. */
-static const double STEEP = 0.1;
-
 const char *scallop_order_use_text(enum scallop_order_use use)
 {
   static const char *const text[] = { "used", "zero", "floor", "coarse", "before-sign-change" };
@@ -57,28 +52,19 @@ void points_leave_out_noise(struct scallop_order_point *points, int count)
   }
 }
 
+int points_last(const struct scallop_order_point *points, int end)
+{
+  int last = end - 1;
+  while (last >= 0 && points[last].use != SCALLOP_ORDER_USED)
+    last--;
+  return last;
+}
+
 int points_next(const struct scallop_order_point *points, int count, int i)
 {
   while (i < count && points[i].use != SCALLOP_ORDER_USED)
     i++;
   return i;
-}
-
-/* The upper quartile of the pairwise orders: how steep the table is where it is steep. */
-double points_steepness(const struct scallop_order_point *points, int count)
-{
-  enum { MOST = 512 };
-  double slopes[MOST];
-  int n = 0;
-  for (int i = points_next(points, count, 0), j; i < count && n < MOST; i = j) {
-    j = points_next(points, count, i + 1);
-    if (j < count)
-      slopes[n++] = points_slope(&points[i], &points[j]);
-  }
-  if (n == 0)
-    return 0;
-  qsort(slopes, (size_t)n, sizeof *slopes, points_by_size);
-  return slopes[(3 * n) / 4];
 }
 
 bool points_noise_is_known(const struct scallop_order_point *points, int count)
@@ -87,36 +73,6 @@ bool points_noise_is_known(const struct scallop_order_point *points, int count)
     if (points[i].noise > 0)
       return true;
   return false;
-}
-
-/* From onset on the errors no longer fall, though they did before. */
-int points_floor_onset(const struct scallop_order_point *points, int count)
-{
-  double steep = points_steepness(points, count);
-  int first = points_next(points, count, 0), last = count - 1;
-  while (last > 0 && points[last].use != SCALLOP_ORDER_USED)
-    last--;
-  if (last <= 0 || steep < STEEP)
-    return -1;
-  double flat = FLAT * fmin(1, steep);
-  int onset = points_next(points, count, first + 1);
-  while (onset < last
-         && !(points_slope(&points[onset], &points[points_next(points, count, onset + 1)]) < flat
-              && points_slope(&points[onset], &points[last]) < flat))
-    onset = points_next(points, count, onset + 1);
-  return onset < last ? onset : -1;
-}
-
-double points_leave_out_floor(struct scallop_order_point *points, int count, int onset)
-{
-  double level = 0;
-  for (int i = onset; i < count; i++)
-    if (points[i].use == SCALLOP_ORDER_USED)
-      level = fmax(level, fabs(points[i].err));
-  for (int i = 0; i < count; i++)
-    if (points[i].use == SCALLOP_ORDER_USED && (i >= onset || fabs(points[i].err) < POINTS_ABOVE_FLOOR * level))
-      points[i].use = SCALLOP_ORDER_FLOOR;
-  return level;
 }
 
 void points_leave_out_first(struct scallop_order_point *points, int count, enum scallop_order_use why)

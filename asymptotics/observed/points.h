@@ -8,8 +8,6 @@
 
 /* An error this many times above its noise is wrong by under 1 %, its logarithm by under 0.01. */
 #define POINTS_ABOVE_NOISE 100.0
-/* The same against a floor that is only seen, not known. */
-#define POINTS_ABOVE_FLOOR 30.0
 
 /* Compares two doubles, neither nan, for qsort. */
 int points_by_size(const void *a, const void *b);
@@ -23,20 +21,16 @@ void points_note_pairwise(struct scallop_order_point *points, int count);
 double points_slope(const struct scallop_order_point *a, const struct scallop_order_point *b);
 /* The first used point from i on, or count. */
 int points_next(const struct scallop_order_point *points, int count, int i);
+/* The last used point before end, or -1. */
+int points_last(const struct scallop_order_point *points, int end);
 /* How many points from first on are of this use. */
 int points_count(enum scallop_order_use use, const struct scallop_order_point *points, int count, int first);
 /* The largest |err|. */
 double points_largest(const struct scallop_order_point *points, int count);
 bool points_noise_is_known(const struct scallop_order_point *points, int count);
-/* The upper quartile of the pairwise orders: how steep the table is where it is steep. */
-double points_steepness(const struct scallop_order_point *points, int count);
 
 /* Sets the use of all points: zeros, and errors too near their known noise. Once an error has met its noise, so have all finer ones. */
 void points_leave_out_noise(struct scallop_order_point *points, int count);
-/* A floor that nobody announced: the place from which on the errors no longer fall though they did before, or -1. */
-int points_floor_onset(const struct scallop_order_point *points, int count);
-/* Leaves out all points from onset on, and those that are not far above them. Returns the largest error of a floor that begins there. */
-double points_leave_out_floor(struct scallop_order_point *points, int count, int onset);
 void points_leave_out_first(struct scallop_order_point *points, int first, enum scallop_order_use why);
 void points_leave_out_before_sign_change(struct scallop_order_point *points, int count);
 

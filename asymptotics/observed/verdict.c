@@ -1,21 +1,11 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "asymptotics/observed/floor.h"
 #include "asymptotics/observed/points.h"
 #include "asymptotics/observed/reason.h"
 #include "asymptotics/observed/trend.h"
 
-/* Errors as small as this are near the roundoff of a quantity of order 1: a floor there is none of the method's, and where five errors are
- * larger the order is theirs. */
-static const double ROUNDOFF = 1e-11, NEAR_ROUNDOFF = 1e-12;
-/* An error this many times above a rough floor is off by less than a trend can show. */
-static const double FAR_ABOVE = 1000;
-/* As a part of the largest error. A rough floor may be this high, too: tolerances of solvers, single precision. */
-static const double ROUGH = 1e-6;
-/* The largest error of a plateau over its smallest: roundoff jumps. */
-static const double SMOOTH = 1.5, VERY_SMOOTH = 1.2;
-/* A floor is believed if the finest error is this many times what the orders before it would have made of it. */
-static const double HELD_UP = 1.5;
 /* The tail of a table that has just settled: the finest three or more points, over this many times in h. */
 static const double TAIL = 3.9;
 /* Where the tail decides, the slope over all points may be this many tolerances off. */
@@ -74,92 +64,11 @@ static void say_invalid(struct judged *j)
   give(j, SCALLOP_ORDER_INVALID);
 }
 
-static const struct scallop_order_point *last_used(const struct judged *j)
-{
-  int last = j->count - 1;
-  while (!is_used(j->points, last))
-    last--;
-  return &j->points[last];
-}
-
 /* The pairwise order of the two finest used points */
 static double finest_order(const struct judged *j)
 {
-  int last = (int)(last_used(j) - j->points), before = last - 1;
-  while (!is_used(j->points, before))
-    before--;
-  return points_slope(&j->points[before], &j->points[last]);
-}
-
-/* Is what the points before end meet from onset on more than a pair of neighbours that noise brought together? */
-static bool holds_up(const struct judged *j, int onset, int end)
-{
-  int last = end - 1;
-  while (!is_used(j->points, last))
-    last--;
-  double steep = points_steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], &j->points[last]);
-  return (steep - fallen) * log(j->points[onset].h / j->points[last].h) > log(HELD_UP);
-}
-
-/* Where a floor begins, or -1. A rough one may have its finest point far down by chance. */
-static int find_floor(const struct judged *j)
-{
-  for (int end = j->count; end == j->count || (end == j->count - 1 && end > LEAST); end--) {
-    int onset = points_floor_onset(j->points, end);
-    if (onset >= 0 && holds_up(j, onset, end))
-      return onset;
-  }
-  return -1;
-}
-
-/* A floor from onset on: false if the verdict is that it is a plateau. */
-static bool judge_floor(struct judged *j, int onset)
-{
-  double least = INFINITY, most = 0, before = INFINITY;
-  int rows = 0;
-  bool falling = true, rough = false; /* slower and slower; up and down */
-  for (int i = onset; i < j->count; i++)
-    if (is_used(j->points, i)) {
-      double err = fabs(j->points[i].err);
-      rough = rough || err > least;
-      falling = falling && err <= least && (rows < 2 || before - least >= least - err);
-      before = least;
-      least = fmin(least, err);
-      most = fmax(most, err);
-      rows++;
-    }
-  double largest = points_largest(j->points, j->count);
-  points_leave_out_floor(j->points, j->count, onset);
-  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * most : 0);
-  if (most <= ROUNDOFF * fmax(1, largest))
-    return true;
-  bool high = most > ROUGH * largest;
-  bool smooth = most <= (high ? SMOOTH : VERY_SMOOTH) * least || (falling && before <= VERY_SMOOTH * least);
-  smooth = smooth && (high || rows > 2);
-  if (!smooth && !(high && points_count(SCALLOP_ORDER_USED, j->points, j->count, 0) <= rows))
-    return true;
-  give(j, smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED);
-  reason_add(j, "err stops falling near %.2g", least);
-  reason_add_rows(j, is_floor, onset, j->count - 1);
-  reason_add(j, smooth ? ": a plateau far above roundoff" : ": a rough floor, with too few rows above");
-  return false;
-}
-
-/* Leaves out what is near a floor or the roundoff of doubles, where there are enough others, and takes the rest in again. False: there is nothing to
- * leave out. */
-static bool leave_out_near_floor(struct judged *j)
-{
-  int above = 0, near = 0;
-  for (int i = 0; i < j->count; i++)
-    if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      *(fabs(j->points[i].err) >= j->near_floor ? &above : &near) += 1;
-  if (above <= LEAST || near == 0)
-    return false;
-  for (int i = 0; i < j->count; i++)
-    if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      j->points[i].use = fabs(j->points[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
-  *j->result->reason = '\0';
-  return true;
+  int last = points_last(j->points, j->count);
+  return points_slope(&j->points[points_last(j->points, last)], &j->points[last]);
 }
 
 static void set_order(struct judged *j, enum scallop_order_interval interval, double order, double low, double high)
@@ -196,7 +105,7 @@ static bool judge_few(struct judged *j)
   if (used >= 3)
     return false;
   if (used == 2)
-    set_pairwise_order(j, 0, points_slope(&j->points[points_next(j->points, j->count, 0)], last_used(j)));
+    set_pairwise_order(j, 0, finest_order(j));
   give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
           : used + (j->wanted->values ? 0 : zero) == j->count ? SCALLOP_ORDER_INSUFFICIENT
                                                               : SCALLOP_ORDER_FLOOR_LIMITED);
@@ -277,13 +186,13 @@ static bool comes_closer(const struct judged *j)
 static bool has_arrived(struct judged *j, const struct trend *all)
 {
   const struct scallop_order_wanted *w = j->wanted;
-  const struct scallop_order_point *last = last_used(j);
-  int first = (int)(last - j->points), tail = 1, coarsest = points_next(j->points, j->count, 0);
+  int first = points_last(j->points, j->count), tail = 1, coarsest = points_next(j->points, j->count, 0);
+  double finest = j->points[first].h;
   if (!(fabs(all->slope - w->order) <= ON_THE_WAY * w->tolerance))
     return false;
-  while (first > 0 && (tail < 3 || j->points[first].h < TAIL * last->h))
+  while (first > 0 && (tail < 3 || j->points[first].h < TAIL * finest))
     tail += is_used(j->points, --first);
-  if (tail == all->points || j->points[first].h < TAIL * last->h)
+  if (tail == all->points || j->points[first].h < TAIL * finest)
     return false;
   double order = trend_of(j->points, j->count, first).slope;
   double before = points_slope(&j->points[coarsest], &j->points[first]);
@@ -434,17 +343,15 @@ static void judge(struct judged *j)
     return;
   }
   bool announced = points_noise_is_known(j->points, j->count);
-  j->near_floor = announced ? 0 : NEAR_ROUNDOFF;
   if (j->wanted->values) {
     points_grid_convergence(j->points, j->count, j->wanted->order, &j->result->gci, &j->result->asymptotic_ratio);
     points_from_values(j->points, &j->count);
   }
   points_note_pairwise(j->points, j->count);
   points_leave_out_noise(j->points, j->count);
-  int onset = announced ? -1 : find_floor(j);
-  if (onset >= 0 && !judge_floor(j, onset))
+  if (!floor_judge(j, announced))
     return;
-  if (!judge_used(j) && leave_out_near_floor(j))
+  if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
   if (j->result->used > 0)
     say_left_out(j);
