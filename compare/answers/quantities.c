@@ -196,20 +196,13 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
   return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
 }
 
-int quantity_find(const struct quantities *all, const char *name)
-{
-  for (int i = 0; i < all->count; i++)
-    if (strcmp(all->item[i].name, name) == 0)
-      return i;
-  return -1;
-}
-
 int quantity_named(struct quantities *all, const char *name)
 {
   struct quantity q = { .of = -1 };
-  int known = quantity_find(all, name), found = -1;
-  if (known >= 0)
-    return known;
+  int found = -1;
+  for (int i = 0; i < all->count; i++)
+    if (strcmp(all->item[i].name, name) == 0)
+      return i;
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);

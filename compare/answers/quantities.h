@@ -130,8 +130,6 @@ struct quantities {
 
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for more. */
 int quantity_named(struct quantities *all, const char *name);
-/* Its place if it is there already, or -1. */
-int quantity_find(const struct quantities *all, const char *name);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */

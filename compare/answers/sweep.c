@@ -58,7 +58,7 @@ const struct sweep_variable *sweep_variable(const struct sweep *s, int i)
   return NULL;
 }
 
-long sweep_product_points(const struct sweep_product *product)
+static long product_points(const struct sweep_product *product)
 {
   long points = 1;
   for (int g = 0; g < product->groups; g++)
@@ -70,7 +70,7 @@ long sweep_points(const struct sweep *s)
 {
   long points = 0;
   for (int p = 0; p < s->products; p++)
-    points += sweep_product_points(&s->product[p]);
+    points += product_points(&s->product[p]);
   return points;
 }
 

@@ -83,7 +83,6 @@ const struct sweep_variable *sweep_set_twice(const struct sweep_product *product
 /* The variables of all products, one after another: number i, or NULL after the last. */
 const struct sweep_variable *sweep_variable(const struct sweep *sweep, int i);
 long sweep_points(const struct sweep *sweep);
-long sweep_product_points(const struct sweep_product *product);
 void sweep_variable_free(struct sweep_variable *variable);
 void sweep_free(struct sweep *sweep);
 

@@ -69,19 +69,25 @@ static void show_whole(const void *options, const struct option *o, char text[OP
   snprintf(text, OPTION_VALUE, "%ld", ((const struct given_count *)value_of(options, o))->value);
 }
 
+static const char *none_of(const char *text, const char *const *words)
+{
+  char allowed[400];
+  size_t used = 0;
+  for (const char *const *w = words; *w && used < sizeof allowed; w++)
+    used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", w == words ? "" : w[1] ? ", " : " or ", *w);
+  if (used < sizeof allowed)
+    snprintf(allowed + used, sizeof allowed - used, "%s", did_you_mean(nearest(text, words)));
+  return not_allowed(text, allowed);
+}
+
 static const char *read_word(void *options, const struct option *o, const char *text)
 {
-  char allowed[240];
-  size_t used = 0;
-  for (const char *const *w = o->words; *w; w++) {
+  for (const char *const *w = o->words; *w; w++)
     if (strcmp(text, *w) == 0) {
       *(struct given_word *)field_of(options, o) = (struct given_word){ *w, true };
       return NULL;
     }
-    if (used < sizeof allowed)
-      used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", w == o->words ? "" : w[1] ? ", " : " or ", *w);
-  }
-  return not_allowed(text, allowed);
+  return none_of(text, o->words);
 }
 
 static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
@@ -109,7 +115,7 @@ static const char *read_format(void *options, const struct option *o, const char
       r->style.has_format = true;
       return NULL;
     }
-  return not_allowed(text, "tsv, json, csv, markdown or table");
+  return none_of(text, format_names);
 }
 
 static const char *no_digits(const char *text, const char *range)

@@ -267,6 +267,7 @@ for command in phase steady series; do
   finish "$command --points: only a header"
 done
 refused "order: no such file" 4 "cannot read nowhere.txt: No such file" order nowhere.txt
+refused "a word that is nearly right" 2 "tsv, json, csv, markdown or table: did you mean 'json'" steady --format jsn
 refused "order: a directory" 4 "cannot read folder: Is a directory" order folder
 refused "order: a binary file" 2 "binary:1:.*not a text file" order binary
 refused "order: NUL in a row" 2 "nul.txt:2:.*not a text file" order nul.txt
