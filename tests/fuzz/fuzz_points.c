@@ -62,6 +62,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   const char *const arguments[] = { "--points", fuzz_file(data + 1, size - 1), "--format", ways[way].format, NULL };
   struct written w;
   int code = fuzz_run(ways[way].command, arguments, &w);
+  for (char *c = w.out; !json && *c; c++) /* what is carried along goes out byte for byte */
+    if ((*c < 0x20 || *c > 0x7e) && *c != '\t' && *c != '\n' && memchr(data, *c, size))
+      *c = '?';
   long rows = fuzz_judge_table(&w, code, json ? FORMAT_JSON : FORMAT_TSV), lines = data_lines(data + 1, size - 1);
   bool read = code == EXIT_DONE || code == EXIT_UNSOLVED;
   if (!read && code != EXIT_USAGE)
