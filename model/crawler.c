@@ -93,8 +93,8 @@ enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallo
     return SCALLOP_EDOMAIN;
   s.eps = inverse_froude(c->T, c->F1 + c->F2, c->m1 + c->m2, c->L);
   double a = c->alpha, b = 1 - a;
-  const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,       s.f2,           s.eps,
-                                    s.eps * (a * a), s.eps * (b * b), s.velocity, s.velocity / a, s.velocity / b };
+  const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,  s.f2,  s.eps,          s.velocity,
+                                    s.eps * (a * a), s.eps * (b * b), a * a, b * b, s.velocity / a, s.velocity / b };
   for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
     if (!scaling_is_normal(must_be_normal[i]))
       return SCALLOP_ERANGE;

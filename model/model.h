@@ -185,7 +185,7 @@ struct scallop_scaled {
 };
 
 /* SCALLOP_EDOMAIN as scallop_crawler_check; SCALLOP_ERANGE if eps, a ratio or a velocity, also
- * those of either phase alone, is not a normal number. */
+ * those of either phase alone, or the square of the phase's fraction is not a normal number. */
 enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct scallop_scaled *scaled);
 
 /* The paper's kinematic length, section 4.3.3: l_0 l_T / (2 (l_T - l_0)) of an extension, for amplitude L, and

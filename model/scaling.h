@@ -53,11 +53,11 @@ SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double
   s->delta = (F1 - F2) / F;
   s->eps = slowness * speed;
   s->velocity = L / T;
-  double shorter = alpha < rest ? alpha : rest;
+  double shorter = alpha < rest ? alpha : rest, square = shorter * shorter;
   int positive = (m1 > 0) & (m2 > 0) & (F1 > 0) & (F2 > 0) & (L > 0) & (T > 0) & (alpha > 0) & (alpha < 1);
   int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1) & scaling_is_normal(s->f2)
-               & scaling_is_normal(slowness) & scaling_is_normal(friction) & scaling_is_normal(speed)
-               & scaling_is_normal(s->eps * (shorter * shorter)) & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN)
+               & scaling_is_normal(slowness) & scaling_is_normal(friction) & scaling_is_normal(speed) & (square >= DBL_MIN)
+               & scaling_is_normal(s->eps * square) & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN)
                & (s->velocity < DBL_MAX * shorter);
   return positive & normal;
 }

@@ -221,7 +221,7 @@ TEST(on_a_plateau)
 /* Below 1e-289 of L/tau of the shorter phase, the extension here, digits of v_mid may be lost; above they may not. */
 TEST(units_far_below_the_natural_one)
 {
-  const struct stress_case lost = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-156, SINUSOIDAL } };
+  const struct stress_case lost = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-152, SINUSOIDAL } };
   const struct stress_case kept = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
   struct stress_judgement j;
   check_promises(&lost);
@@ -238,6 +238,7 @@ TEST(refusals)
   static const struct stress_case refused[] = {
     { .crawler = { 1, 1, 4, 1, 1e-300, 1e10, 0.75, QUADRATIC } },                       /* L/T underflows */
     { .crawler = { 1, 1, 4e300, 1e300, 1e-5, 1e3, 0.75, QUADRATIC } },                  /* eps overflows */
+    { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-156, SINUSOIDAL } },                   /* alpha^2 underflows */
     { .kind = STRESS_PHASE, .crawler = { 1, 1, 4, 1, 1e300, 1e-10, 0.75, QUADRATIC } }, /* L/tau overflows */
   };
   for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
