@@ -22,8 +22,8 @@ static const double SMOOTH = 1.5, VERY_SMOOTH = 1.2;
 static const double HELD_UP = 1.5;
 /* An error this many times above a floor that is only seen is off by a few percent. */
 static const double ABOVE_FLOOR = 30;
-/* A trend takes so many points. */
-enum { LEAST = 4 };
+/* A trend takes so many points; so many are the begin of a floor. */
+enum { LEAST = 4, BEGINS = 3 };
 
 static bool is_used(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_USED; }
 static bool is_floor(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_FLOOR; }
@@ -84,7 +84,7 @@ static int find_floor(const struct judged *j)
 /* A floor from onset on: false if the verdict is that it is a plateau. */
 static bool judge_floor(struct judged *j, int onset)
 {
-  double least = INFINITY, most = 0, before = INFINITY;
+  double least = INFINITY, most = 0, before = INFINITY, level = 0; /* level: where it begins; roundoff may grow from there */
   int rows = 0;
   bool falling = true, rough = false; /* slower and slower; up and down */
   for (int i = onset; i < j->count; i++)
@@ -95,16 +95,16 @@ static bool judge_floor(struct judged *j, int onset)
       before = least;
       least = fmin(least, err);
       most = fmax(most, err);
-      rows++;
+      level = rows++ < BEGINS ? most : level;
     }
   double largest = points_largest(j->points, j->count);
   for (int i = 0; i < j->count; i++)
-    if (is_used(j->points, i) && (i >= onset || fabs(j->points[i].err) < ABOVE_FLOOR * most))
+    if (is_used(j->points, i) && (i >= onset || fabs(j->points[i].err) < ABOVE_FLOOR * level))
       j->points[i].use = SCALLOP_ORDER_FLOOR;
-  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * most : 0);
-  if (most <= ROUNDOFF * fmax(1, largest))
+  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * level : 0);
+  if (level <= ROUNDOFF * fmax(1, largest))
     return true;
-  bool high = most > ROUGH * largest;
+  bool high = level > ROUGH * largest;
   bool smooth = most <= (high ? SMOOTH : VERY_SMOOTH) * least || (falling && before <= VERY_SMOOTH * least);
   smooth = smooth && (high || rows > 2);
   if (!smooth && !(high && points_count(SCALLOP_ORDER_USED, j->points, j->count, 0) <= rows))
@@ -112,7 +112,9 @@ static bool judge_floor(struct judged *j, int onset)
   j->result->verdict = smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED;
   reason_add(j, "err stops falling near %.2g", least);
   reason_add_rows(j, is_floor, onset, j->count - 1);
-  reason_add(j, smooth ? ": a plateau far above roundoff" : ": a rough floor, with too few rows above");
+  reason_add(j, smooth  ? ": a plateau far above roundoff"
+                : rough ? ": a rough floor, with too few rows above"
+                        : ": a floor, with too few rows above");
   return false;
 }
 
@@ -129,7 +131,7 @@ bool floor_leave_out_near(struct judged *j)
   for (int i = 0; i < j->count; i++)
     if (!is_floor(j->points, i) && !is_zero(j->points, i))
       *(fabs(j->points[i].err) >= j->near_floor ? &above : &near) += 1;
-  if (above <= LEAST || near == 0)
+  if (above < LEAST || near == 0)
     return false;
   for (int i = 0; i < j->count; i++)
     if (!is_floor(j->points, i) && !is_zero(j->points, i))

@@ -92,13 +92,14 @@ static void set_pairwise_order(struct judged *j, int first, double order)
       high = fmax(high, points_slope(&j->points[i], &j->points[k]));
     }
   }
-  set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
+  set_order(j, SCALLOP_ORDER_PAIRWISE, order, fmin(low, order), fmax(high, order));
 }
 
 static bool judge_few(struct judged *j)
 {
   int used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
   int zero = points_count(SCALLOP_ORDER_ZERO, j->points, j->count, 0);
+  int floor = points_count(SCALLOP_ORDER_FLOOR, j->points, j->count, 0);
   bool exact = j->count >= 3 && !j->wanted->values;
   for (int i = 0; i < j->count; i++)
     exact = exact && fabs(j->points[i].err) <= j->points[i].noise;
@@ -107,8 +108,8 @@ static bool judge_few(struct judged *j)
   if (used == 2)
     set_pairwise_order(j, 0, finest_order(j));
   give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
-          : used + (j->wanted->values ? 0 : zero) == j->count ? SCALLOP_ORDER_INSUFFICIENT
-                                                              : SCALLOP_ORDER_FLOOR_LIMITED);
+          : floor + (j->wanted->values ? zero : 0) == 0 ? SCALLOP_ORDER_INSUFFICIENT
+                                                        : SCALLOP_ORDER_FLOOR_LIMITED);
   if (exact)
     reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
   else
@@ -167,41 +168,52 @@ static bool moves_away(const struct judged *j)
   double side = off[pairs - 1] < 0 ? -1 : 1;
   bool away = side * off[pairs - 1] > w->tolerance / (pairs == 3 ? 2 : 4);
   for (int k = 1; k < pairs; k++)
-    away = away && side * (off[k] - off[k - 1]) > (k == 1 ? 0 : side * (off[k - 1] - off[k - 2]));
+    away = away && fabs(off[k]) > fabs(off[k - 1])
+           && side * (off[k] - off[k - 1]) > (k == 1 ? 0 : side * (off[k - 1] - off[k - 2]));
   return away;
 }
 
-/* They come closer to it step by step, from one side, and the last one is there. */
-static bool comes_closer(const struct judged *j)
+/* They come closer to it step by step, from one side, and the last one is there; in steps that shrink, where that is asked for. */
+static bool comes_closer(const struct judged *j, bool in_shorter_steps)
 {
   double off[MOST_FEW];
   int pairs = few_orders(j, off);
   bool closer = pairs >= 3 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
   for (int k = 1; k < pairs; k++)
-    closer = closer && off[k] * off[k - 1] > 0 && fabs(off[k]) < fabs(off[k - 1]);
+    closer = closer && off[k] * off[k - 1] > 0 && fabs(off[k]) < fabs(off[k - 1])
+             && (!in_shorter_steps || k < 2 || fabs(off[k - 1] - off[k]) < fabs(off[k - 2] - off[k - 1]));
   return closer;
 }
 
-/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns whether it is so. */
-static bool has_arrived(struct judged *j, const struct trend *all)
+/* Do the finest three or more points, over a factor TAIL, have the order, and the pair of the finest two, and are those before farther from
+ * it? Then that is set. */
+static bool tail_arrives(struct judged *j, const struct trend *all)
 {
   const struct scallop_order_wanted *w = j->wanted;
   int first = points_last(j->points, j->count), tail = 1, coarsest = points_next(j->points, j->count, 0);
   double finest = j->points[first].h;
-  if (!(fabs(all->slope - w->order) <= ON_THE_WAY * w->tolerance))
-    return false;
   while (first > 0 && (tail < 3 || j->points[first].h < TAIL * finest))
     tail += is_used(j->points, --first);
   if (tail == all->points || j->points[first].h < TAIL * finest)
     return false;
   double order = trend_of(j->points, j->count, first).slope;
   double before = points_slope(&j->points[coarsest], &j->points[first]);
-  bool there = meets(w, order) && fabs(before - w->order) >= fabs(order - w->order);
-  if (there)
-    set_pairwise_order(j, first, order);
-  else if (comes_closer(j))
-    set_pairwise_order(j, coarsest, finest_order(j));
-  return there || comes_closer(j);
+  if (!meets(w, order) || !meets(w, finest_order(j)) || fabs(before - w->order) < fabs(order - w->order))
+    return false;
+  set_pairwise_order(j, first, order);
+  return true;
+}
+
+/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns whether it is so. */
+static bool has_arrived(struct judged *j, const struct trend *all)
+{
+  bool on_the_way = fabs(all->slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
+  if (on_the_way && tail_arrives(j, all))
+    return true;
+  if (!comes_closer(j, !on_the_way))
+    return false;
+  set_pairwise_order(j, 0, finest_order(j));
+  return true;
 }
 
 static void say_drift(struct judged *j, const char *how)
@@ -222,7 +234,7 @@ static void compare(struct judged *j, const struct trend *whole)
     say_drift(j, "the orders move away from the expected one");
     return;
   }
-  pass = pass || has_arrived(j, whole);
+  pass = pass || (r->interval != SCALLOP_ORDER_LIMIT && has_arrived(j, whole));
   give(j, measured              ? SCALLOP_ORDER_MEASURED
           : pass                ? SCALLOP_ORDER_PASS
           : r->order < w->order ? SCALLOP_ORDER_TOO_LOW
@@ -248,6 +260,8 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
   if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
     return (struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, first };
+  if (t->kind == TREND_SETTLING) /* a slope that bends towards another order is none */
+    off = fmax(off, fabs(t->slope - t->limit));
   return (struct answer){ SCALLOP_ORDER_CONFIDENCE, t->slope, off, first };
 }
 
@@ -260,20 +274,20 @@ static bool sets_order(struct judged *j, const struct answer *a)
   return j->result->high - j->result->low <= (j->result->used == 3 ? 1 : 2) * j->wanted->tolerance;
 }
 
-/* A term takes over, or the order changes like a logarithm: no pass, unless it is at least and rises */
+/* A term takes over, or the order changes like a logarithm: no pass, unless the order is at least the one that is expected and creeps */
 static void judge_drift(struct judged *j, const struct trend *t)
 {
   const struct scallop_order_wanted *w = j->wanted;
   bool rises = t->finest_order > t->coarsest_order, creeps = t->kind == TREND_CREEPING;
   set_pairwise_order(j, 0, finest_order(j));
-  if (w->at_least && t->finest_order >= w->order && (rises || creeps)) {
+  if (w->at_least && t->finest_order >= w->order && creeps) {
     give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the local order is %.3g at the finest h", t->finest_order);
     reason_add_rows(j, is_used, 0, j->count - 1);
     return;
   }
   say_drift(j, creeps  ? "the orders change as slowly as a logarithm"
-               : rises ? "the orders rise faster and faster"
+               : rises ? "the orders rise faster and faster: a term of lower order has the other sign"
                        : "the orders fall faster and faster: a term of lower order takes over");
 }
 
@@ -287,6 +301,7 @@ static void judge_trend(struct judged *j)
   struct answer all, best = { .interval = SCALLOP_ORDER_NO_INTERVAL };
   for (int first = 0, next; t.points >= least; first = next, t = finer) {
     bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL, drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
+    drifts = drifts && (first == 0 || t.points > LEAST); /* few points bend by chance */
     if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
       break;
     if (drifts) {
@@ -315,6 +330,7 @@ static void judge_trend(struct judged *j)
     reason_add(j, "the orders have come to %.3g: ", j->result->order);
     reason_add_orders(j);
   } else if (whole.kind == TREND_SETTLING) {
+    set_pairwise_order(j, 0, finest_order(j));
     say_drift(j, "the orders have not settled");
   } else {
     give(j, SCALLOP_ORDER_SCATTERED);
@@ -353,7 +369,7 @@ static void judge(struct judged *j)
     return;
   if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
-  if (j->result->used > 0)
+  if (j->result->used > 0 || j->result->verdict == SCALLOP_ORDER_INSUFFICIENT)
     say_left_out(j);
 }
 

@@ -163,6 +163,22 @@ static void lower_term(struct table *t, int digits)
 }
 static void lower_term_exact(struct table *t) { lower_term(t, 17); }
 static void lower_term_3(struct table *t) { lower_term(t, 3); }
+/* The pairwise orders fall from 0.15 or more above the order that is expected to 0.1 or more below it. */
+static double pair(const struct table *t, int i)
+{
+  return log(t->points[i].err / t->points[i + 1].err) / log(t->points[i].h / t->points[i + 1].h);
+}
+static void falls_through(struct table *t)
+{
+  do {
+    double order = whole(1, 3), q = whole(1, 2), c = pow(10, uniform(-2, 0));
+    t->expected = order + 0.5 * q;
+    fill_by(t, whole(4, 7), 1, order, 0, whole(0, 1) ? 2 : 1.5);
+    for (int i = 0; i < t->count; i++)
+      t->points[i].err *= c + pow(t->points[i].h, q);
+    print(t, 4);
+  } while (pair(t, 0) < t->expected + 0.15 || pair(t, t->count - 2) > t->expected - 0.1);
+}
 static void logarithm(struct table *t, int digits)
 {
   double h0 = pow(10, uniform(-4, -1)), ratio = whole(0, 1) ? 2 : 10;
@@ -208,6 +224,7 @@ static const struct kind {
   { "C h^(p +- 0.4) (1 + c h), 4 to 8 rows from 1/2", wrong_bent, false, 100 },
   { "h^2 + 2e-3 h, 5 to 10 rows from 0.1 to 1", lower_term_exact, false, 100 },
   { "the same, 3 digits", lower_term_3, false, 95 },
+  { "C h^p (c + h^q), q = 1 or 2, 4 digits, pairwise orders fall through the expected p + q/2", falls_through, false, 99 },
   { "h^2 log(1/h), 4 to 8 rows", logarithm_exact, false, 100 },
   { "the same, 4 digits", logarithm_4, false, 85 },
   { "C h^p + a plateau at 1e-5 to 1e-2 of the first error, 10 rows", levels_off, false, 100 },

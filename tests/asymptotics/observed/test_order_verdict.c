@@ -103,7 +103,8 @@ TEST(drifts)
   judge(2, false, false);
   expect(SCALLOP_ORDER_DRIFTING, NULL);
   judge(2, true, false);
-  expect(SCALLOP_ORDER_PASS, NULL);
+  expect(SCALLOP_ORDER_DRIFTING, "the orders rise faster and faster: a term of lower order has the other sign: "
+                                 "pairwise orders 2.05, 2.1, 2.22, 2.58 in rows 1 to 5");
   for (int rows = 5; rows < 12; rows++) {
     fill(logarithm, rows, 1e-3, 10);
     judge(2, false, false);
@@ -128,6 +129,25 @@ TEST(arrives)
   TABLE(0.5, 0.7, 0.25, 0.1, 0.125, 0.02, 0.0625, 0.004);
   judge(2, false, false);
   assert_true(result.verdict != SCALLOP_ORDER_PASS);
+}
+
+/* Orders that arrive from far, and orders that only pass by. */
+TEST(arrives_or_passes_by)
+{
+  TABLE(0.1, 4.3e-2, 0.05, 1.9e-2, 0.025, 6.6e-3, 0.0125, 1.9e-3, 0.00625, 5e-4, 0.003125, 1.27e-4);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_PASS, "the orders have come to 1.98: 1.18, 1.53, 1.8, 1.93, 1.98");
+  TABLE(1, 1.07, 0.5, 0.16, 0.25, 0.0331, 0.125, 0.0107);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_DRIFTING, "the orders have not settled: pairwise orders 2.74, 2.27, 1.63 in rows 1 to 4");
+  TABLE(0.1, 5.12e-2, 0.05, 2.49e-3, 0.025, 8.93e-5, 0.0125, 2.89e-6, 0.00625, 8.72e-8);
+  judge(5, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
+  TABLE(0.1, 0.1, 0.05, 2.5e-2, 0.025, 6.25e-3, 0.0125, 1.56e-3, 0.00625, 3.9e-4, 0.003125, 1.95e-4);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_DRIFTING, NULL);
+  CHECK_NEAR(result.low, 1, 1e-12);
+  CHECK_NEAR(result.high, 2, 0.01);
 }
 
 static double levels_off(double h) { return h * h + 1e-3; }
@@ -156,6 +176,14 @@ TEST(floors)
   expect(SCALLOP_ORDER_PASS, NULL);
   assert_non_null(strstr(result.reason, "left out: "));
   assert_true(result.used >= 8);
+  /* four rows above roundoff; and a difference quotient, whose roundoff grows as 1/h */
+  TABLE(0.5, 1.1e-4, 0.25, 4.4e-7, 0.125, 1.7e-9, 0.0625, 6.7e-12, 0.03125, 4.4e-16, 0.015625, 2.2e-16);
+  judge(8, false, false);
+  expect(SCALLOP_ORDER_PASS, "order 7.99 in rows 1 to 4; left out: roundoff in rows 5 and 6");
+  TABLE(1e-1, 4.53e-3, 1e-2, 4.53e-5, 1e-3, 4.53e-7, 1e-4, 4.53e-9, 1e-5, 5.86e-11, 1e-6, 1.63e-10, 1e-7, 5.86e-11, 1e-8,
+        6.6e-9, 1e-9, 6.6e-9, 1e-10, 6.73e-7, 1e-11, 1.04e-5);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
   fill(at_high_floor, 8, 0.25, 2);
   judge(4, false, false);
   expect(SCALLOP_ORDER_FLOOR_LIMITED, NULL);
@@ -228,6 +256,9 @@ TEST(few_rows)
   TABLE(1, -0.3, 0.5, 0.25, 0.25, 0.0625, 0.125, 0.015625, 0.0625, 0.00390625);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, "order 2 in rows 2 to 5; left out: before a change of sign in row 1");
+  TABLE(0.1, -0.1, 0.05, 0.025, 0.025, -0.00625, 0.0125, 0.00156, 0.00625, -3.9e-4);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_INSUFFICIENT, "1 usable row, an order takes 3; left out: before a change of sign in rows 1 to 4");
   assert_string_equal(scallop_order_interval_text(SCALLOP_ORDER_NO_INTERVAL), "none");
 }
 
