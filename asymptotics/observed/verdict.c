@@ -298,7 +298,7 @@ static void judge_trend(struct judged *j)
   const struct trend whole = trend_of(j->points, j->count, 0);
   int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
   struct trend t = whole, finer;
-  struct answer all, best = { .interval = SCALLOP_ORDER_NO_INTERVAL };
+  struct answer all = { .interval = SCALLOP_ORDER_NO_INTERVAL }, best = all;
   for (int first = 0, next; t.points >= least; first = next, t = finer) {
     bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL, drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
     drifts = drifts && (first == 0 || t.points > LEAST); /* few points bend by chance */
@@ -314,7 +314,8 @@ static void judge_trend(struct judged *j)
       next = points_next(j->points, j->count, next) + 1;
     finer = t.points > LEAST ? trend_of(j->points, j->count, next) : (struct trend){ 0 };
     struct answer a = answer_of(j, first, &t, &finer);
-    all = first == 0 ? a : all;
+    if (first == 0)
+      all = a;
     if (known ? a.off < best.off / FAR_BETTER : sets_order(j, &a))
       best = a;
   }
