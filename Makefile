@@ -5,8 +5,14 @@ MAKEFLAGS += --no-print-directory
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
   MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN) # unless make was told how many
 endif
-# What a goal needs is looked for first, and installed where that is possible.
-$(if $(shell WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh $(or $(MAKECMDGOALS),all) >&2 || echo no),$(error something is missing))
+# Recipes read and write numbers with a point, and texts in UTF-8, whatever the language of the user is.
+export LC_ALL := C.UTF-8
+# What a goal needs is looked for first, and installed where that is possible; by make -n it is not.
+quoted     = '$(subst ','\'',$(1))'
+setup      = CC=$(call quoted,$(CC)) CPPFLAGS=$(call quoted,$(CPPFLAGS)) WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh
+ifeq ($(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS)))),)
+  $(if $(shell $(setup) $(or $(MAKECMDGOALS),all) >&2 || echo no),$(error something is missing))
+endif
 works      = $(shell { $(1); } >/dev/null 2>&1 && echo yes)
 # A choice that is 0, 1 or auto, the last: whether it works
 chosen     = $(filter-out 0,$(if $(filter auto,$(1)),$(2),$(1)))
@@ -45,7 +51,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 programs  := $(addprefix $(B)/,$(call built,scallop scallop-flint))
 
-.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -72,8 +78,8 @@ $(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
 # Scenes, their plot scripts, the completion and the ledger, in the program
-$(B)/shipped_scenes.c: $(wildcard data/scenes/*.cfg)
-$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(wildcard scripts/plots/figure*.gp)
+$(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
+$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_ledger.c: data/claims.tsv
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
@@ -82,7 +88,7 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 
 # A program is linked with the libraries that its objects need.
-needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/sundials.o,$^),$(SUNDIALS)) $(if $(filter %/check.o,$^),-lcmocka) \
+needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/sundials.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
              $(if $(filter $(B)/threads/%,$^),$(threads))
 $(B)/scallop: $(B)/compare/command/main.o $(core)
 $(B)/scallop-flint: $(B)/compare/command/main.o $(full)
@@ -95,7 +101,9 @@ $(programs) $(tests) $(fuzz) $(B)/scallop-bench:
 	@echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
 $(B)/nothing: $(B)/bench/nothing.o
 	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
--include $(shell find $(B) -name '*.d' 2>/dev/null)
+-include $(shell find $(B) -name root -prune -o -name '*.d' -print 2>/dev/null)
+# They come with the objects. Without this rule make takes build/shipped_ledger.d for a program, of a file shipped_ledger.d.c.
+$(B)/%.d: ;
 
 # A target that is the script of its name is given the build, and the programs to run; some make once more, in a folder of their own.
 script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
@@ -103,14 +111,17 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 ## asan:       the tests under the address, leak and undefined-behaviour sanitizers
 ## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
+## bare:       does each goal ask for what it needs, on a machine that has make only? needs root and Debian
+## release:    README's commands, and make check, on bare systems of Debian stable and before it; needs root, Debian and its mirror
+## flint3:     do all sources compile with FLINT 3? needs apt and a mirror of Debian
 ## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
-check asan matrix coverage fuzz:
+check asan matrix coverage fuzz flint3:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 ## lint:       rooms, clang-format, cppcheck and clang-tidy
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
-valgrind lint reproduce instructions:
+valgrind lint reproduce instructions bare release:
 	@$(script)
 check valgrind: $(programs) libraries $(tests) $(fuzz)
 lint: rooms

@@ -3,8 +3,8 @@
  * A formula is a row of data: its text, and what the text claims. The paper's are those of paper.cfg, printed mistakes included: what a
  * formula is worth is for compare/ to decide. Never looks at numerics/.
  */
-#ifndef SCALLOP_ASYMPTOTICS_H
-#define SCALLOP_ASYMPTOTICS_H
+#ifndef SCALLOP_ASYMPTOTICS_ASYMPTOTICS_H
+#define SCALLOP_ASYMPTOTICS_ASYMPTOTICS_H
 
 #include "model/model.h"
 
@@ -33,7 +33,7 @@ extern "C" {
   SYMBOL(l_end) \
   SYMBOL(v0) /* velocity of both bodies at the start                               */ \
   SYMBOL(t1) /* given: the first switching time, the lag of the last one, and the    */ \
-  SYMBOL(dT) /* position of the body that turns, there                             */ \
+  SYMBOL(dT) /* position of the rear body there, from its start                    */ \
   SYMBOL(x_switch)
 #define SCALLOP_SYMBOL_ENUM(name) SCALLOP_SYMBOL_##name,
 enum scallop_symbol { SCALLOP_SYMBOL_LIST(SCALLOP_SYMBOL_ENUM) SCALLOP_SYMBOLS };
@@ -55,8 +55,8 @@ struct scallop_values scallop_exchanged(const struct scallop_values *values);
 /* The symbol that stands in the place of another then; *sign becomes -1 if its sign changes, else 1. */
 enum scallop_symbol scallop_symbol_exchanged(enum scallop_symbol symbol, int *sign);
 
-/* What a formula gives: the word for it in a book of formulas, and the constant. "rear" is the body that turns: 1 in an extension, 2 in a
- * contraction; a book calls its position at the end, and that of the other body, by the number of the body: dx1, dx2. */
+/* What a formula gives: the word for it in a book of formulas, and the constant. "rear" is body 1 in an extension and 2 in a contraction,
+ * whichever body turns; a book calls its position at the end, and that of the other body, by the number of the body: dx1, dx2. */
 #define SCALLOP_QUANTITY_LIST(QUANTITY) \
   QUANTITY(dT, LAG)                      /* Delta T                                                            */ \
   QUANTITY(t1, FIRST_SWITCH)             /* t_1                                                                */ \

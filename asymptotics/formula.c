@@ -292,3 +292,13 @@ int formula_places(const struct formula *formula, int places[FORMULA_STEPS])
   }
   return count;
 }
+
+const char *formula_refuse(char message[FORMULA_MESSAGE], const struct formula_step *step, const char *wrong)
+{
+  static const char in_names[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.:";
+  const char *at = step->text + step->at, *operation = formula_operation_text(step->operation);
+  bool is_name = step->operation < FORMULA_NEGATE;
+  snprintf(message, FORMULA_MESSAGE, "character %d: %.*s %s", step->at + 1,
+           is_name ? (int)strspn(at, in_names) : FORMULA_NAME, is_name ? at : operation, wrong);
+  return message;
+}

@@ -13,7 +13,7 @@
  * it is pi, that number. Blanks and tabs may stand between all of these.
  *
  *                   double                     ball                            series in T
- *     number        the nearest double         enclosed                        exact
+ *     number, pi    the nearest double         enclosed                        exact: pi is a name, in fractions of polynomials in pi
  *     + - *         rounded                    enclosed                        exact while both operands are, else enclosed
  *     /             rounded                    enclosed                        refused if the divisor may be 0
  *     x^y           below                      enclosed                        y whole with |y| <= 64 as products; else as below
@@ -30,7 +30,7 @@
  *     x^y           c > 0, y constant, k y whole          y = p/q with |p|, q <= 64, and c     T^0.5; powers of T beyond 4096
  *                   (c < 0 for whole y); 0^y, y > 0       the q-th power of a fraction
  *                   c > 0, k = 0, y varies: exp(y log x), as these two are                     T^T
- *     abs min max   the sign of c, for min and max of     always                               min(pi, pi): balls that overlap
+ *     abs min max   the sign of c, for min and max of     always                               min(exp(1), exp(1)): balls overlap
  *                   the difference, is proven, or all
  *                   its known coefficients are exactly 0
  *
@@ -38,8 +38,8 @@
  * lower powers first, or 1 over that: the same bits on every machine, x^2 and x^-1 correctly rounded, and a relative error of at most
  * 16 * 2^-53 where x^|n| is in the normal range of doubles (the largest met in 10^7 powers is 13.1 ulp, at
  * x = 0x1.000b273205d5cp+5, n = -16). Any other x^y is pow's. */
-#ifndef SCALLOP_FORMULA_H
-#define SCALLOP_FORMULA_H
+#ifndef SCALLOP_ASYMPTOTICS_FORMULA_H
+#define SCALLOP_ASYMPTOTICS_FORMULA_H
 
 #include <stdbool.h>
 
@@ -115,5 +115,8 @@ bool formula_is_word(const char *name);
 
 /* How an operation is written: "+", "sqrt" */
 const char *formula_operation_text(enum formula_operation operation);
+
+/* message becomes "character 3: log WRONG", with the name, number or operation of the step. Returns it. */
+const char *formula_refuse(char message[FORMULA_MESSAGE], const struct formula_step *step, const char *wrong);
 
 #endif

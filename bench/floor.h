@@ -1,6 +1,6 @@
 /* The arithmetic floor: the least that a steady state can cost. */
-#ifndef SCALLOP_FLOOR_H
-#define SCALLOP_FLOOR_H
+#ifndef SCALLOP_BENCH_FLOOR_H
+#define SCALLOP_BENCH_FLOOR_H
 
 #include "model/model.h"
 

@@ -1,6 +1,6 @@
 /* What it takes to start a program. */
-#ifndef SCALLOP_START_H
-#define SCALLOP_START_H
+#ifndef SCALLOP_BENCH_START_H
+#define SCALLOP_BENCH_START_H
 
 #include <stdbool.h>
 

@@ -2,8 +2,8 @@
  * numerics/ and the published formulas, without a single import. It takes numbers from flat arrays and leaves its answers there. A gait is
  * chosen, then a crawler, and then asked about. Statuses are those of enum scallop_status; where one is negative text() says why. core.js is the
  * other side. */
-#ifndef EXPLORER_CORE_H
-#define EXPLORER_CORE_H
+#ifndef SCALLOP_EXPLORER_CORE_H
+#define SCALLOP_EXPLORER_CORE_H
 
 #include "scallop.h"
 

@@ -14,7 +14,7 @@ export function commandOf(state) {
   for (const name of PARAMETERS)
     if (state[name] !== USUAL[name] || (measured && ["L", "T", "alpha"].includes(name))) options.push(`--${name} ${word(state[name])}`);
   if (state.gait !== USUAL.gait) options.push(`--gait ${word(gaitOf(state))}`);
-  if (state.start !== "steady") options.push(`--start ${startOf(state)}`, `--periods ${state.periods}`);
+  if (state.start !== "steady") options.push(`--start ${word(startOf(state))}`, `--periods ${word(state.periods)}`);
   return ["scallop", state.start === "steady" ? "steady" : "trajectory", ...options].join(" ");
 }
 
@@ -25,7 +25,7 @@ export function sceneOf(state) {
   const start = state.start === "rest" ? 'start = "rest";\n' : steady ? "" : `start = ${numberOf(state.v0)};\n`;
   const want = steady
     ? 'what = "steady";\n  columns = [ "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "friction_work", "regime", "modes" ];'
-    : `what = "trajectory"; periods = ${state.periods}; samples = 40;\n  columns = [ "t", "x1", "x2", "xC", "v1", "v2", "l" ];`;
+    : `what = "trajectory"; periods = ${numberOf(state.periods)}; samples = 40;\n  columns = [ "t", "x1", "x2", "xC", "v1", "v2", "l" ];`;
   return `title = "a crawler of the explorer";\ncrawler = { ${crawler.join("; ")}; };\n${start}want = ( {\n  ${want}\n  file = "explorer.tsv";\n} );\n`;
 }
 

@@ -20,11 +20,16 @@ export function fragmentOf(state) {
   return fields.toString();
 }
 
-/** The state of a fragment. Fields that there are not are passed over, and so is what is none of the choices of a field. */
+const WHOLE = ["periods", "order"], NUMBERS = ["v0"]; // a parameter that is no number is shown, and refused beside its field
+
+const isAllowed = (name, value, choices) => choices[name]?.includes(value)
+  ?? (WHOLE.includes(name) ? /^[1-9][0-9]{0,3}$/.test(value) : !NUMBERS.includes(name) || Number.isFinite(numberOf(value)));
+
+/** The state of a fragment. Fields that there are not are passed over, and so is what is none of the choices of a field, or no number. */
 export function stateOf(fragment, choices) {
   const state = { ...USUAL };
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, "")))
-    if (Object.hasOwn(USUAL, name) && (choices[name]?.includes(value) ?? true)) state[name] = value;
+    if (Object.hasOwn(USUAL, name) && isAllowed(name, value, choices)) state[name] = value;
   return state;
 }
 

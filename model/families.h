@@ -2,8 +2,8 @@
  *
  * A new family is a function that makes its gaits, its struct scallop_gait_family beside that, and a row of SCALLOP_GAIT_FAMILIES.
  */
-#ifndef SCALLOP_FAMILIES_H
-#define SCALLOP_FAMILIES_H
+#ifndef SCALLOP_MODEL_FAMILIES_H
+#define SCALLOP_MODEL_FAMILIES_H
 
 #include <stddef.h>
 

@@ -4,8 +4,8 @@
  * The caller gives the memory. A gait points into it, so that it must neither move nor change while the gait is used. SCALLOP_EDOMAIN: the
  * numbers make no gait, and the memory holds none.
  */
-#ifndef SCALLOP_GAITS_H
-#define SCALLOP_GAITS_H
+#ifndef SCALLOP_MODEL_GAITS_H
+#define SCALLOP_MODEL_GAITS_H
 
 #include "model/model.h"
 

@@ -141,13 +141,13 @@ double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
 }
 
 /* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
- * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of u and the root is many orders of magnitude
- * below hi, that would only double lo: the logarithm of u is halved then. */
+ * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of u and the root is far below hi, a step only
+ * doubles lo, or halves the value at hi: after a few such steps the logarithm of u is halved, until hi is less than twice lo. */
 static double slope_root(const struct scallop_law *law, long double wanted, double lo, double hi, long double f_lo,
                          long double f_hi)
 {
   enum { STEPS = 200, FEW = 16 };
-  const double far = 0x1p40;
+  const double far = 2;
   for (int i = 0, kept = 0; i < STEPS; i++) {
     bool far_apart = i >= FEW && lo > 0 && hi > far * lo;
     double u = far_apart ? sqrt(lo) * sqrt(hi) : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));

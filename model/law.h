@@ -1,7 +1,7 @@
 /* What pieces of a gait and their laws (struct scallop_law) have in common, and the curve of a Bernstein law, evaluated in long double. Not
  * public. */
-#ifndef SCALLOP_LAW_H
-#define SCALLOP_LAW_H
+#ifndef SCALLOP_MODEL_LAW_H
+#define SCALLOP_MODEL_LAW_H
 
 #include "model/model.h"
 

@@ -6,8 +6,8 @@
  * What this header and gaits.h declare depends on libm only and allocates nothing; ball.h and fractions.h have the same in balls
  * and in fractions, through FLINT, which allocates.
  */
-#ifndef SCALLOP_MODEL_H
-#define SCALLOP_MODEL_H
+#ifndef SCALLOP_MODEL_MODEL_H
+#define SCALLOP_MODEL_MODEL_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The arithmetic of scallop_scale, inline and without a branch, for those who scale many crawlers in a row. Not public. */
-#ifndef SCALLOP_SCALING_H
-#define SCALLOP_SCALING_H
+#ifndef SCALLOP_MODEL_SCALING_H
+#define SCALLOP_MODEL_SCALING_H
 
 #include <float.h>
 

@@ -64,6 +64,10 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
     result->dx1 = wider.dx1.high;
     result->dx2 = wider.dx2.high;
     result->dxC = wider.dxC.high;
+    if (doubt.amplified)
+      result->v_end = wider.v_end.high;
+    if (doubt.amplified && wider.modes.count == result->modes.count)
+      result->dT = wider.dT.high;
   }
   return status;
 }
@@ -73,21 +77,32 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
   struct doubt doubt;
   struct scallop_wide_period wider;
   enum scallop_status status = solve_period(crawler, v0, result, &doubt);
-  if (status >= 0 && doubt.left < 1 && wide_enough_period(crawler, v0, doubt.left, &wider))
+  if (status >= 0 && doubt.left < 1 && wide_enough_period(crawler, v0, doubt.left, &wider)) {
     result->displacement = wider.displacement.high;
+    if (doubt.amplified) {
+      result->v_mid = wider.v_mid.high;
+      result->v_end = wider.v_end.high;
+    }
+  }
   return status;
 }
 
 static void mend(const struct scallop_crawler *crawler, const struct doubt *doubt, struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  bool told = wide_enough_steady(crawler, result->period.v_start, doubt->left, &wider);
-  if (told && doubt->left < 1) {
+  if (!wide_enough_steady(crawler, result->period.v_start, doubt->left, &wider))
+    return;
+  if (doubt->left < 1 && !(doubt->amplified && result->period.displacement == 0)) {
     result->period.displacement = wider.period.displacement.high;
     result->mean_velocity = wider.mean_velocity.high;
   }
-  if (told && doubt->delicate)
+  if (doubt->delicate)
     result->period.multiplier = wider.period.multiplier.high;
+  if (doubt->amplified) {
+    result->period.v_start = result->period.v_end = wider.period.v_start.high;
+    result->period.v_mid = wider.period.v_mid.high;
+    result->v_low = result->v_high = wider.period.v_start.high;
+  }
 }
 
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)

@@ -9,8 +9,8 @@
  * This room never prints, exits or holds state, and never looks at asymptotics/. The solver allocates
  * nothing; the general-purpose rivals (rival.h), which are there to be compared with, do.
  */
-#ifndef SCALLOP_NUMERICS_H
-#define SCALLOP_NUMERICS_H
+#ifndef SCALLOP_NUMERICS_NUMERICS_H
+#define SCALLOP_NUMERICS_NUMERICS_H
 
 #include "model/model.h"
 
@@ -71,12 +71,7 @@ struct scallop_phase_result {
 /* Each solve can also be asked how wrong it is: wide.h.
  *
  * One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
- * Accuracy: at most 8 units in round-to-nearest, a unit being the sum of what one ulp of each argument changes the result by, or an ulp of the
- * result if that is more; measured by `scallop stress` (docs/stability.md), the largest seen there being 4.8. For gaits with exact laws only: other
- * displacements that are small by cancellation are good to a few ulp of L. A result below 1e-289 of its natural unit may have no
- * digit: t1 and dT of tau, a velocity of L/tau, a displacement of L; tau is the duration of the phase, and of the shorter phase for a period or a
- * steady state, but mean_velocity counts in L/T. Within rounding of a boundary between sequences of modes the list may be
- * that of the other side: t1, dT and multiplier, which jump there, are then those of that side, and the rest is as above.
+ * Accuracy: at most 8 units in round-to-nearest; docs/stability.md defines the unit and lists the exceptions.
  * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);

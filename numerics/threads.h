@@ -1,6 +1,6 @@
 /* How many threads a loop runs on. Header-only; not public. */
-#ifndef SCALLOP_THREADS_H
-#define SCALLOP_THREADS_H
+#ifndef SCALLOP_NUMERICS_THREADS_H
+#define SCALLOP_NUMERICS_THREADS_H
 
 #ifdef _OPENMP
 #include <omp.h>

@@ -162,12 +162,13 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
   return why;
 }
 
-/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it; *ends: what happens there. */
+/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and MOST_FINE attempts with finer
+ * ones, which come no nearer than their number; *ends: what happens there. */
 static void find_end(arf_t end, const char **ends, const struct limit *from, const struct scallop_rational_crawler *crawler,
                      slong precision)
 {
-  enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4 };
-  int failures = 0;
+  enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
+  int failures = 0, fine = 0;
   struct limit here, trial;
   struct around around;
   arf_t step, next;
@@ -200,7 +201,8 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, con
     if (arf_cmpabs_2exp_si(step, SMALLEST) < 0)
       break; /* GCOVR_EXCL_LINE: no limit that is found is known to hold nowhere */
     arf_mul_2exp_si(next, end, FINEST);
-    if (failures >= FAILURES && arf_cmp(step, next) < 0)
+    fine += arf_cmp(step, next) < 0;
+    if (arf_cmp(step, next) < 0 && (failures >= FAILURES || fine > MOST_FINE))
       break;
   }
   around_clear(&around);

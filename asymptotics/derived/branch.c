@@ -73,8 +73,10 @@ void branch_init(struct branch *b)
 {
   b->first_region = 1;
   b->count = 0;
-  for (int i = 0; i < MOST_CROSSINGS; i++)
+  for (int i = 0; i < MOST_CROSSINGS; i++) {
+    b->crossing[i].tangent = false;
     series_init(&b->crossing[i].offset);
+  }
 }
 
 void branch_clear(struct branch *b)
@@ -106,7 +108,7 @@ static bool is_zero_at(piece_function *f, const struct scallop_piece *piece, pie
 }
 
 const char *const branch_impossible =
-    "l' is 0 or changes its sign within a phase: bodies turn there, too, and there is no series for that";
+    "l' is 0 or changes its sign within a phase: bodies turn there, too, and no series is derived for that";
 
 bool branch_is_possible(const struct scallop_gait *gait)
 {
@@ -127,6 +129,16 @@ bool branch_is_possible(const struct scallop_gait *gait)
 const char *const branch_without_ends = "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
                                         "the piece there is anchored elsewhere";
 
+static void add_crossing(struct branch *b, const struct scallop_piece *piece, int curve, int to, bool tangent)
+{
+  struct crossing *at = &b->crossing[b->count++];
+  at->tangent = tangent;
+  at->piece = piece;
+  at->curve = curve;
+  at->to = to;
+  series_set_si(&at->offset, 0);
+}
+
 /* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c is small. */
 static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at_end, int curve, int to)
 {
@@ -135,12 +147,27 @@ static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at
     return true;
   if ((at_end ? piece->end : piece->begin) != 0 || is_zero_at(scallop_ball_rate, piece, place))
     return false;
-  struct crossing *at = &b->crossing[b->count++];
-  at->piece = piece;
-  at->curve = curve;
-  at->to = to;
-  series_set_si(&at->offset, 0);
+  add_crossing(b, piece, curve, to, false);
   return true;
+}
+
+/* Where l'' = 0 at the start of a phase from rest, friction that differs holds the body with more of it. Likewise */
+static bool add_release(struct branch *b, const struct scallop_piece *piece, int sign)
+{
+  if (sign == 0 || !is_zero_at(scallop_ball_speed, piece, scallop_ball_begin)
+      || !is_zero_at(scallop_ball_rate, piece, scallop_ball_begin))
+    return true;
+  fmpq_poly_t speed;
+  fmpq_t start;
+  fmpq_poly_init(speed);
+  fmpq_init(start);
+  bool parabolic = piece->begin == 0 && scallop_rational_speed_series(speed, piece, start, 3, NULL)
+                   && fmpq_poly_length(speed) == 3 && fmpz_is_zero(fmpq_poly_numref(speed) + 1);
+  if (parabolic)
+    add_crossing(b, piece, sign > 0 ? 0 : 1, 1, true);
+  fmpq_poly_clear(speed);
+  fmpq_clear(start);
+  return parabolic;
 }
 
 bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sign_at_start, int sign_at_end)
@@ -153,6 +180,7 @@ bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sig
       return false;
     if (b->count > 0)
       b->first_region = sign_at_start > 0 ? 0 : 2;
-  }
+  } else if (!add_release(b, first, fmpq_sgn(p->beta[1])))
+    return false;
   return sign_at_end == 0 || add_end(b, last, true, sign_at_end > 0 ? 0 : 1, sign_at_end > 0 ? 0 : 2);
 }

@@ -6,8 +6,8 @@
  * curve 1, q_1 |l'| (the front body turns). Region j lies above curve j, region j + 1 below it. At eps = 0
  * the line is horizontal: that is the limit T -> 0 at fixed c.
  */
-#ifndef SCALLOP_BRANCH_H
-#define SCALLOP_BRANCH_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_BRANCH_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_BRANCH_H
 
 #include "asymptotics/derived/series.h"
 #include "model/exact/ball.h"
@@ -32,7 +32,9 @@ struct phase_constants { /* of one phase of a crawler                           
 void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind);
 void phase_constants_clear(struct phase_constants *p);
 
+/* tangent: not a crossing, but where a body that was held from the start is let go, and c leaves its curve, that one. Only the first */
 struct crossing {
+  bool tangent;
   const struct scallop_piece *piece; /* in which it happens                                        */
   int curve, to;                     /* which curve, and the region behind it                      */
   struct series offset;              /* a constant, exact or a ball: where it happens at the base point */
@@ -51,8 +53,10 @@ int branch_region(const struct branch *b, int segment); /* 0 <= segment <= count
 bool branch_is_possible(const struct scallop_gait *gait);
 extern const char *const branch_impossible;
 
-/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 for none.
- * False: l'' = 0 at such an end, where the crossing moves as a fractional power of T, or the piece there has its anchor elsewhere. */
+/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 at the end for none, 0 at the start for a
+ * phase from rest. That begins with a tangent point where l'' = 0: friction holds a body until l'' exceeds it.
+ * False: l'' = 0 at such an end, or l''' too at the start from rest, where the crossing moves as a fractional power of T; or the piece there
+ * has its anchor elsewhere. */
 extern const char *const branch_without_ends;
 bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sign_at_start, int sign_at_end);
 

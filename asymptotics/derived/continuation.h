@@ -11,8 +11,8 @@
  * these are entire functions of v = (w, s_1, ..., s_m, z). The solutions are a curve; any coordinate v_p can be the parameter on a part of
  * it: z where the branch is an analytic function of z, another one around a branch point.
  */
-#ifndef SCALLOP_CONTINUATION_H
-#define SCALLOP_CONTINUATION_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_CONTINUATION_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_CONTINUATION_H
 
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/singularity.h"

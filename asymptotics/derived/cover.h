@@ -1,6 +1,6 @@
 /* The proof that a branch is analytic up to its nearest branch points, and the search for these. Not public: singularity.h is. */
-#ifndef SCALLOP_COVER_H
-#define SCALLOP_COVER_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_COVER_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_COVER_H
 
 #include "asymptotics/derived/continuation.h"
 

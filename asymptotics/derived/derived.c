@@ -10,9 +10,13 @@
 static void modes_text(char *text, size_t size, const struct branch *b, enum scallop_phase_kind kind)
 {
   static const char *const names[2][3] = { { "++", "-+", "--" }, { "++", "+-", "--" } };
+  static const char *const held[2][2] = { { "0+", "-0" }, { "+0", "0-" } };
   size_t at = 0;
-  for (int i = 0; i <= b->count && at < size; i++)
-    at += (size_t)snprintf(text + at, size - at, "%s%s", i ? " " : "", names[kind][branch_region(b, i)]);
+  for (int i = 0; i <= b->count && at < size; i++) {
+    const struct crossing *next = i < b->count ? &b->crossing[i] : NULL;
+    const char *mode = next && next->tangent ? held[kind][next->curve] : names[kind][branch_region(b, i)];
+    at += (size_t)snprintf(text + at, size - at, "%s%s", i ? " " : "", mode);
+  }
 }
 
 #define PHASE_SERIES(e) \
@@ -180,56 +184,10 @@ static enum scallop_status check(const struct scallop_rational_crawler *crawler,
   return branch_is_possible(crawler->gait) ? SCALLOP_OK : refuse(why, branch_impossible);
 }
 
-static bool may_vanish(const struct series *s, slong power)
-{
-  arb_t x;
-  arb_init(x);
-  series_coefficient(x, s, power, 64);
-  bool may = arb_contains_zero(x) && !arb_is_zero(x);
-  arb_clear(x);
-  return may;
-}
-
-/* Coefficients that vanish are balls around 0 where pi comes in. Those below x^end that are shown to vanish are set to 0. */
-static void find_zeros(struct scallop_phase_expansion *e, slong end, const struct branch *b, const struct phase_constants *p,
-                       const struct scallop_rational_crawler *crawler, const fmpq_t v0, slong precision)
-{
-  enum { SPARE = 3 };
-  struct scallop_phase_expansion exact;
-  struct series *const all[] = PHASE_SERIES(e), *const instead[] = PHASE_SERIES(&exact);
-  bool *vanishes = flint_malloc(sizeof *vanishes * (size_t)(PHASE_QUANTITIES * end)), expanded = true;
-  slong last = -1;
-  for (int i = 0; i < PHASE_QUANTITIES; i++)
-    for (slong k = 0; k < end; k++)
-      if ((vanishes[i * end + k] = may_vanish(all[i], k)))
-        last = k > last ? k : last;
-  const struct ring ring = { last + SPARE, precision };
-  fmpq_t pi_squared;
-  fmpq_init(pi_squared);
-  scallop_phase_expansion_init(&exact);
-  for (slong n = 1; expanded && last >= 0 && n <= scallop_zero_tests(last); n++) {
-    fmpq_set_si(pi_squared, n, 1);
-    expanded = expand_branch(&exact, b, p, crawler, v0, pi_squared, &ring);
-    for (int i = 0; i < PHASE_QUANTITIES; i++)
-      for (slong k = 0; k <= last; k++)
-        vanishes[i * end + k] &= k < instead[i]->known && series_coefficient_is_zero(instead[i], k);
-  }
-  for (int i = 0; expanded && i < PHASE_QUANTITIES; i++)
-    for (slong k = 0; k <= last; k++)
-      if (vanishes[i * end + k])
-        series_set_zero(all[i], k);
-  flint_free(vanishes);
-  scallop_phase_expansion_clear(&exact);
-  fmpq_clear(pi_squared);
-}
-
-slong scallop_zero_tests(slong power) { return power + 16; }
-
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why)
 {
-  enum { ZEROS_WANTED = 40 }; /* beyond, balls around 0 remain */
   enum scallop_status status = check(crawler, order, precision, why);
   struct phase_constants p;
   struct branch b;
@@ -241,8 +199,6 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
   if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
     status = refuse(why, branch_without_ends);
-  else if (!pi_squared && !scallop_gait_is_rational(crawler->gait) && order <= ZEROS_WANTED)
-    find_zeros(expansion, order, &b, &p, crawler, v0, precision);
   branch_clear(&b);
   phase_constants_clear(&p);
   return status;
@@ -343,10 +299,26 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   return status;
 }
 
+/* Does the quantity belong to a change of mode? */
+static bool is_of_switch(enum scallop_quantity quantity)
+{
+  switch (quantity) {
+  case SCALLOP_LAG:
+  case SCALLOP_FIRST_SWITCH:
+  case SCALLOP_REAR_AT_FIRST:
+  case SCALLOP_REAR_AT_LAST:
+  case SCALLOP_VELOCITY_AT_FIRST:
+  case SCALLOP_VELOCITY_AT_LAST: return true;
+  default: return false;
+  }
+}
+
 const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
                                             enum scallop_quantity quantity)
 {
   bool extension = kind == SCALLOP_EXTENSION;
+  if (!e->switches && is_of_switch(quantity))
+    return NULL;
   switch (quantity) {
   case SCALLOP_LAG: return &e->dT;
   case SCALLOP_FIRST_SWITCH: return &e->t1;

@@ -5,8 +5,8 @@
  * arithmetic. docs/theory.md has the derivation. Never looks at numerics/: the two routes meet in compare/ and in
  * the tests. Needs FLINT; prints nothing, holds no state.
  */
-#ifndef SCALLOP_DERIVED_H
-#define SCALLOP_DERIVED_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_DERIVED_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_DERIVED_H
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
@@ -36,11 +36,6 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_phase_expansion *expansion, const char **why);
 
-/* How many different numbers in the place of pi^2 show that a coefficient of T^power vanishes, in the expansion of a phase or
- * in its difference to a formula: it is a sum of powers of pi^2, fewer of them than this, because each power of T brings at
- * most one division by pi^2 and little else (docs/theory.md); and such a sum has fewer zeros than terms. */
-slong scallop_zero_tests(slong power);
-
 /* The steady state, in powers of the period T. */
 struct scallop_steady_expansion {
   struct series v_start, v_mid;        /* odd powers from T^-1 on: the first coefficient is the limit U of v_start T */
@@ -58,7 +53,8 @@ void scallop_steady_expansion_clear(struct scallop_steady_expansion *e);
 enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_steady_expansion *expansion, const char **why);
 
-/* The expansion of one of the quantities that the formulas are about, of the right setting; NULL if there is none. */
+/* The expansion of one of the quantities that the formulas are about, of the right setting; NULL if there is none, as of switching
+ * times where no body turns. */
 const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
                                             enum scallop_quantity quantity);
 const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity);

@@ -16,15 +16,35 @@ void scallop_symbols_clear(struct scallop_symbols *s)
     series_clear(&s->value[i]);
 }
 
+bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t u,
+                                const fmpq_t pi_squared, const struct ring *ring)
+{
+  const struct scallop_law *law = piece->law;
+  const bool whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < ring->length : ring->length > 1;
+  fmpq_t one;
+  fmpq_poly_t terms;
+  fmpq_init(one);
+  fmpq_one(one);
+  fmpq_poly_init(terms);
+  bool rational = scallop_rational_speed_series(terms, piece, u, ring->length, pi_squared);
+  bool exact = rational
+               || (ring->length <= SERIES_PI_TERMS && scallop_rational_speed_series(terms, piece, u, ring->length, one));
+  if (rational)
+    series_set_rational_poly(speed, terms, whole ? SERIES_ALL : ring->length);
+  else if (exact)
+    series_set_pi_poly(speed, terms, 1, 1, ring->length); /* the term in x^k has pi^(k + 1) */
+  fmpq_clear(one);
+  fmpq_poly_clear(terms);
+  return exact;
+}
+
 void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
                           const struct ring *ring)
 {
   fmpq_t anchor;
-  fmpq_poly_t exact;
   fmpq_init(anchor);
-  fmpq_poly_init(exact);
-  if (scallop_rational_speed_series(exact, piece, anchor, ring->length, pi_squared))
-    series_set_rational_poly(speed, exact, ring->length);
+  if (scallop_exact_speed_series(speed, piece, anchor, pi_squared, ring))
+    series_truncate(speed, ring->length);
   else {
     arb_t u;
     arb_poly_t balls;
@@ -36,26 +56,6 @@ void scallop_speed_series(struct series *speed, const struct scallop_piece *piec
     arb_poly_clear(balls);
   }
   fmpq_clear(anchor);
-  fmpq_poly_clear(exact);
-}
-
-/* A coefficient of a series, times factor, as a constant */
-static void set_constant(struct series *constant, const struct series *s, slong power, const fmpq_t factor,
-                         const struct ring *ring)
-{
-  fmpq_t exact;
-  fmpq_init(exact);
-  if (series_rational_coefficient(exact, s, power))
-    series_set_rational(constant, exact);
-  else {
-    arb_t ball;
-    arb_init(ball);
-    series_coefficient(ball, s, power, ring->precision);
-    series_set_ball(constant, ball);
-    arb_clear(ball);
-  }
-  series_scale(constant, constant, factor, ring);
-  fmpq_clear(exact);
 }
 
 /* l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end */
@@ -71,9 +71,12 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
   for (int i = 0; i < 2; i++) {
     scallop_speed_series(&speed, ends[i], pi_squared, &four);
     fmpq_mul_si(factor, L, ends[i]->direction);
-    set_constant(&value[i == 0 ? SCALLOP_SYMBOL_l0 : SCALLOP_SYMBOL_lT], &speed, 1, factor, ring);
-    fmpq_mul_si(factor, factor, 6);
-    set_constant(&value[i == 0 ? SCALLOP_SYMBOL_k0 : SCALLOP_SYMBOL_kT], &speed, 3, factor, ring);
+    struct series *second = &value[i == 0 ? SCALLOP_SYMBOL_l0 : SCALLOP_SYMBOL_lT];
+    struct series *fourth = &value[i == 0 ? SCALLOP_SYMBOL_k0 : SCALLOP_SYMBOL_kT];
+    series_scale(&speed, &speed, factor, &four);
+    series_set_coefficient(second, &speed, 1);
+    series_set_coefficient(fourth, &speed, 3);
+    series_scale_si(fourth, fourth, 6, ring);
   }
   series_clear(&speed);
   fmpq_clear(factor);
@@ -89,7 +92,7 @@ static void set_kinematic_length(struct series *value, enum scallop_phase_kind k
   series_scale_si(&difference, &difference, kind == SCALLOP_EXTENSION ? 2 : -2, ring);
   series_mul(L_kin, &value[SCALLOP_SYMBOL_l0], &value[SCALLOP_SYMBOL_lT], ring);
   if (!series_div(L_kin, L_kin, &difference, ring))
-    series_set_si(L_kin, 0);
+    series_set_unknown(L_kin);
   series_clear(&difference);
 }
 
@@ -147,7 +150,10 @@ static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb
 {
   for (int i = 0, sign = 1; i < SCALLOP_SYMBOLS; i++) {
     int meant = exchanged ? (int)scallop_symbol_exchanged((enum scallop_symbol)i, &sign) : i;
-    series_coefficient(values + i, &symbols->value[meant], 0, precision);
+    if (series_is_unknown(&symbols->value[meant]))
+      arb_indeterminate(values + i);
+    else
+      series_coefficient(values + i, &symbols->value[meant], 0, precision);
     arb_mul_si(values + i, values + i, sign, precision);
   }
   for (int i = 0; i < 3; i++)
@@ -155,8 +161,6 @@ static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb
       arb_set(values + SCALLOP_SYMBOL_t1 + i, given + i);
     else
       arb_indeterminate(values + SCALLOP_SYMBOL_t1 + i);
-  if (arb_is_zero(values + SCALLOP_SYMBOL_l0) && arb_is_zero(values + SCALLOP_SYMBOL_lT))
-    arb_indeterminate(values + SCALLOP_SYMBOL_L_kin);
 }
 
 void scallop_formula_in_balls(arb_t value, const struct formula *read, const struct scallop_formula *formula,

@@ -1,7 +1,7 @@
 /* The formulas of asymptotics.h as series in T, from their texts: with exact coefficients where the parameters
  * are, so that what a formula leaves out of the derived expansion is known term by term. Needs FLINT. */
-#ifndef SCALLOP_EVALUATE_H
-#define SCALLOP_EVALUATE_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_EVALUATE_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_EVALUATE_H
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/derived/series.h"
@@ -20,7 +20,11 @@ void scallop_symbols_clear(struct scallop_symbols *s);
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *crawler,
                          enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring);
 
-/* |l'| at time x after the anchor of a piece, as a series in x: exact where it can be, in balls otherwise. */
+/* |l'| at time x after offset u of a piece, as a series in x: false where it is not exact. A sine is, at u = 0, in pi up to SERIES_PI_TERMS
+ * terms, and in fractions with a number in the place of pi^2. */
+bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t u,
+                                const fmpq_t pi_squared, const struct ring *ring);
+/* Likewise at the anchor, in balls where it is not exact. */
 void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
                           const struct ring *ring);
 

@@ -58,27 +58,10 @@ enum scallop_status scallop_series_of_steady(struct scallop_series **series, con
   return give(series, made, scallop_expand_steady(crawler, order, precision, &made->steady, why));
 }
 
-/* Does the quantity belong to a change of mode? */
-static bool is_of_switch(enum scallop_quantity quantity)
-{
-  switch (quantity) {
-  case SCALLOP_LAG:
-  case SCALLOP_FIRST_SWITCH:
-  case SCALLOP_REAR_AT_FIRST:
-  case SCALLOP_REAR_AT_LAST:
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return true;
-  default: return false;
-  }
-}
-
 /* NULL: the motion has no such quantity. */
 static const struct series *of_quantity(const struct scallop_series *s, enum scallop_quantity quantity)
 {
-  if (s->is_steady)
-    return scallop_steady_quantity(&s->steady, quantity);
-  bool has = s->phase.switches || !is_of_switch(quantity);
-  return has ? scallop_phase_quantity(&s->phase, s->kind, quantity) : NULL;
+  return s->is_steady ? scallop_steady_quantity(&s->steady, quantity) : scallop_phase_quantity(&s->phase, s->kind, quantity);
 }
 
 /* v_change shares the series of v_end, which begins with v0. */

@@ -15,8 +15,8 @@
  * The series says what happens for T -> 0, up to where the sequence of modes changes: compare scallop_series_modes with the modes that an
  * exact solution has at your T. Nothing here prints or holds state; series and read formulas may be used by several threads at a time.
  */
-#ifndef SCALLOP_EXPANSION_H
-#define SCALLOP_EXPANSION_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_EXPANSION_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_EXPANSION_H
 
 #include "asymptotics/asymptotics.h"
 #include "model/exact/ball.h"

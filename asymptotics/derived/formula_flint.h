@@ -1,6 +1,6 @@
 /* Formulas (formula.h) in balls and as series in T. Needs FLINT. */
-#ifndef SCALLOP_FORMULA_FLINT_H
-#define SCALLOP_FORMULA_FLINT_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_FORMULA_FLINT_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_FORMULA_FLINT_H
 
 #include "asymptotics/formula.h"
 #include "asymptotics/derived/series.h"

@@ -1,26 +1,22 @@
 /* The operations of a formula on series in T. */
 #include "asymptotics/derived/formula_flint.h"
 
-#include <stdio.h>
-
-static void set_operand(struct series *value, const struct formula_step *s, const struct series *values,
-                        const struct ring *ring)
+static const char *set_operand(struct series *value, const struct formula_step *s, const struct series *values)
 {
+  if (s->operation == FORMULA_QUANTITY && series_is_unknown(&values[s->place]))
+    return "does not exist for this motion";
   if (s->operation == FORMULA_QUANTITY)
     series_set(value, &values[s->place]);
-  else if (s->operation == FORMULA_PI) {
-    arb_t pi;
-    arb_init(pi);
-    arb_const_pi(pi, ring->precision);
-    series_set_ball(value, pi);
-    arb_clear(pi);
-  } else {
+  else if (s->operation == FORMULA_PI)
+    series_set_pi(value);
+  else {
     fmpq_t number;
     fmpq_init(number);
     formula_number(number, s);
     series_set_rational(value, number);
     fmpq_clear(number);
   }
+  return NULL;
 }
 
 static const char *set_negative(struct series *to, const struct series *a, const struct ring *ring)
@@ -60,7 +56,7 @@ const char *formula_series(struct series *value, const struct formula *formula, 
     series_init(&stack[i]);
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end && !wrong; s++) {
     if (s->operation < FORMULA_NEGATE)
-      set_operand(top++, s, values, ring);
+      wrong = set_operand(top++, s, values);
     else if (s->operation < FORMULA_ADD)
       wrong = of_one[s->operation](&top[-1], &top[-1], ring);
     else {
@@ -68,7 +64,7 @@ const char *formula_series(struct series *value, const struct formula *formula, 
       wrong = of_two(&top[-1], &top[0], s->operation, ring);
     }
     if (wrong)
-      snprintf(message, FORMULA_MESSAGE, "character %d: %s %s", s->at + 1, formula_operation_text(s->operation), wrong);
+      formula_refuse(message, s, wrong);
   }
   if (!wrong)
     series_set(value, stack);

@@ -1,7 +1,7 @@
 /* The proof that a steady motion has the modes of a branch: between its crossings c keeps off the curves, and at each
  * it goes through. Not public. */
-#ifndef SCALLOP_HOLDS_H
-#define SCALLOP_HOLDS_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_HOLDS_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_HOLDS_H
 
 #include "asymptotics/derived/limit.h"
 

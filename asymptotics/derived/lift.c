@@ -1,6 +1,8 @@
 /* A branch as power series: every crossing by Newton's method in truncated series arithmetic. */
 #include "asymptotics/derived/branch.h"
 
+#include "asymptotics/derived/evaluate.h"
+
 void lift_init(struct lift *l)
 {
   for (int i = 0; i < MOST_CROSSINGS; i++) {
@@ -61,29 +63,23 @@ static void curve_at(struct curve *curve, const struct crossing *at, const struc
 {
   const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
   fmpq_t u;
-  fmpq_poly_t speed;
   fmpq_init(u);
-  fmpq_poly_init(speed);
   curve->at = at;
   curve->q = p->curve[at->curve];
   curve->exact = series_rational_coefficient(u, &at->offset, 0)
-                 && scallop_rational_speed_series(speed, at->piece, u, longer.length, pi_squared);
+                 && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer);
   if (curve->exact) {
-    const struct scallop_law *law = at->piece->law;
-    bool whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < longer.length : longer.length > 1;
-    series_set_rational_poly(&curve->value, speed, whole ? SERIES_ALL : longer.length);
     series_scale(&curve->value, &curve->value, curve->q, &longer);
     series_derivative(&curve->rate, &curve->value, ring);
   }
   fmpq_clear(u);
-  fmpq_poly_clear(speed);
 }
 
 /* The curve and its derivative at time x after the base point, x a series */
 static void curve_along(struct series *value, struct series *rate, const struct curve *curve, const struct series *x,
                         const struct ring *ring)
 {
-  if (curve->exact && x->exact) {
+  if (curve->exact && x->kind != SERIES_BALLS) {
     series_compose(value, &curve->value, x, ring);
     series_compose(rate, &curve->rate, x, ring);
     return;
@@ -138,7 +134,7 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
     series_mul(&term, &term, &line->b, &part);
     series_add(&term, &term, &line->a, &part);
     series_sub(&gap, &gap, &term, &part);
-    for (slong k = 0; !gap.exact && k < length / 2; k++) /* x solves the equation so far, whatever its balls */
+    for (slong k = 0; gap.kind == SERIES_BALLS && k < length / 2; k++) /* x solves the equation so far, whatever its balls */
       series_set_zero(&gap, k);
     series_sub(closing, closing, &line->b, &part);
     solved = series_div(&gap, &gap, closing, &part);
@@ -147,6 +143,44 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
   series_truncate(x, ring->length);
   series_clear(&gap);
   series_clear(&term);
+  return solved;
+}
+
+/* curve'(x) = b: there the line leaves the curve. way: the integral of the curve up to x */
+static bool leave_curve(struct series *x, struct line *line, struct series *way, const struct curve *curve,
+                        const struct ring *ring)
+{
+  const struct ring longer = { ring->length + 1, ring->precision };
+  struct series bend, gap, slope;
+  bool solved = curve->exact, last = false;
+  series_init(&bend);
+  series_init(&gap);
+  series_init(&slope);
+  series_set_si(x, 0);
+  if (solved)
+    series_derivative(&bend, &curve->rate, ring);
+  for (slong length = 2; solved && !last; length *= 2) {
+    last = length >= ring->length;
+    const struct ring part = { last ? ring->length : length, ring->precision };
+    x->known = SERIES_ALL;
+    series_compose(&gap, &curve->rate, x, &part);
+    series_sub(&gap, &gap, &line->b, &part);
+    series_compose(&slope, &bend, x, &part);
+    solved = series_div(&gap, &gap, &slope, &part);
+    series_sub(x, x, &gap, &part);
+  }
+  if (solved) {
+    series_truncate(x, ring->length);
+    series_mul(&gap, &line->b, x, ring);
+    series_compose(&line->a, &curve->value, x, ring);
+    series_sub(&line->a, &line->a, &gap, ring);
+    series_set_si(&line->a_slope, 0);
+    series_integral(way, &curve->value, &longer);
+    series_compose(way, way, x, ring);
+  }
+  series_clear(&bend);
+  series_clear(&gap);
+  series_clear(&slope);
   return solved;
 }
 
@@ -244,12 +278,17 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_const
     const struct crossing *at = &b->crossing[i];
     curve_at(&curve, at, p, pi_squared, ring);
     base_time(&base, at, ring);
-    transversal = solve_crossing(&x, &closing, &curve, &line, &base, ring)
-                  && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
+    if (at->tangent) {
+      transversal = leave_curve(&x, &line, &l->travel_to[i], &curve, ring);
+      series_set_si(&closing, 0);
+    } else
+      transversal = solve_crossing(&x, &closing, &curve, &line, &base, ring)
+                    && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
     if (!transversal)
       break;
     set_time(l, i, &base, &x, ring);
-    travel_between(&l->travel_to[i], &line, &since, &l->when[i], ring);
+    if (!at->tangent)
+      travel_between(&l->travel_to[i], &line, &since, &l->when[i], ring);
     series_add(&l->travel, &l->travel, &l->travel_to[i], ring);
     series_set(&l->travel_to[i], &l->travel);
     series_set(&since, &l->when[i]);

@@ -4,8 +4,8 @@
  * eps = T^2 (F1 + F2)/(M L) alone. At eps = 0 the centre of mass moves with the constant velocity w, and what
  * decides w is that the friction impulse over a period vanishes: the sum over the phases of fraction times balance.
  */
-#ifndef SCALLOP_LIMIT_H
-#define SCALLOP_LIMIT_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_LIMIT_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_LIMIT_H
 
 #include "asymptotics/derived/branch.h"
 

@@ -1,25 +1,27 @@
-/* Truncated Laurent series in one variable x, with coefficients that are exact rationals as long as everything
- * that went in was exact, and balls otherwise.
+/* Truncated Laurent series in one variable x, with coefficients that are fractions, or rational functions of pi, as long as everything
+ * that went in was exact, and balls otherwise. Rational functions of pi become balls where they need more than SERIES_PI_BITS.
  *
  * A series knows the terms from x^first up to, not including, x^known; beyond that it says nothing. An exact
  * constant is known to all orders. Needs FLINT.
  */
-#ifndef SCALLOP_SERIES_H
-#define SCALLOP_SERIES_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
 
-#include "model/exact/flint.h"
-
-#include <stdbool.h>
+#include "asymptotics/derived/pi_poly.h"
 
 struct ring {      /* what a computation keeps                                              */
   slong length;    /* terms of each series                                                  */
   slong precision; /* bits of each ball                                                     */
 };
 
+/* What the coefficients are; with one of a later kind, a sum or product is of that kind. */
+enum series_kind { SERIES_FRACTIONS, SERIES_IN_PI, SERIES_BALLS };
+
 struct series {
-  bool exact;
+  enum series_kind kind;
   slong first, known;
-  fmpq_poly_t rational; /* the coefficients from x^first on, if exact                        */
+  fmpq_poly_t rational; /* the coefficients from x^first on, if fractions                    */
+  struct pi_poly in_pi; /* if rational functions of pi                                       */
   arb_poly_t ball;      /* otherwise                                                         */
 };
 
@@ -27,6 +29,8 @@ enum {
   SERIES_EXACT_POWER = 64, /* the largest numerator, and denominator, of an exact power           */
   SERIES_BITS =
       1 << 20, /* what an exact power has at most, but for rounding up: powers of powers would take all time and memory */
+  SERIES_PI_BITS = 1 << 22,
+  SERIES_PI_TERMS = 42,  /* longer expansions of sinusoidal gaits have balls                         */
   SERIES_FARTHEST = 4096 /* the largest power of x that series_power makes: products do not run out of memory */
 };
 
@@ -42,6 +46,12 @@ void series_set_ball(struct series *s, const arb_t value);
 void series_set_rational_poly(struct series *s, const fmpq_poly_t poly, slong known);
 void series_set_ball_poly(struct series *s, const arb_poly_t poly, slong known);
 void series_set_x(struct series *s); /* the variable itself */
+void series_set_pi(struct series *s);
+/* A number that does not exist: no coefficient of the series is known. */
+void series_set_unknown(struct series *s);
+bool series_is_unknown(const struct series *s);
+/* The coefficient of x^k is that of the polynomial times pi^(power + k step). */
+void series_set_pi_poly(struct series *s, const fmpq_poly_t poly, slong power, slong step, slong known);
 
 /* Aliases are allowed everywhere. */
 void series_add(struct series *sum, const struct series *a, const struct series *b, const struct ring *ring);
@@ -62,6 +72,8 @@ void series_derivative(struct series *to, const struct series *a, const struct r
 void series_truncate(struct series *s, slong known);
 /* Takes exact zeros off the front, and what is beyond the ring's length or not known off the end. */
 void series_tidy(struct series *s, const struct ring *ring);
+/* A constant, the coefficient of x^power, which must be below known */
+void series_set_coefficient(struct series *to, const struct series *s, slong power);
 slong series_terms(const struct series *s); /* coefficients that it keeps, from x^first on */
 
 /* Functions (series_functions.c), for x -> 0 from above. Each returns NULL, or what a series cannot do, as words that follow the function's
@@ -87,9 +99,10 @@ const char *series_sqrt(struct series *to, const struct series *a, const struct 
 
 /* The coefficient of x^power, which must be below known. */
 void series_coefficient(arb_t value, const struct series *s, slong power, slong precision);
-bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power); /* false if it is a ball */
-bool series_coefficient_is_zero(const struct series *s, slong power);                /* exactly            */
-/* Bits of the largest exact numerator and the denominator; 0 of balls, which have as many as their ring. */
+/* false: it is a ball, or depends on pi */
+bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power);
+bool series_coefficient_is_zero(const struct series *s, slong power); /* exactly            */
+/* Bits of the largest exact numerator and the denominator, in pi of all of them; 0 of balls, which have as many as their ring. */
 slong series_bits(const struct series *s);
 /* States that this coefficient is exactly 0, which the caller has proven. */
 void series_set_zero(struct series *s, slong power);

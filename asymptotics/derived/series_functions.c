@@ -124,7 +124,7 @@ static const char *set_terms(struct series *to, const struct series *a, const st
   slong known = is_constant(a) ? SERIES_ALL : least(a->known, terms);
   fmpq_t constant;
   fmpq_init(constant);
-  if (a->exact && series_rational_coefficient(constant, a, 0) && fmpq_equal_si(constant, f->exact_at)) {
+  if (a->kind == SERIES_FRACTIONS && series_rational_coefficient(constant, a, 0) && fmpq_equal_si(constant, f->exact_at)) {
     fmpq_poly_t poly;
     fmpq_poly_init(poly);
     fmpq_poly_shift_left(poly, a->rational, a->first);
@@ -276,7 +276,7 @@ static bool get_root(fmpq_t root, const fmpq_t value, const fmpz_t q)
 /* a^(p/q) = (a0^(1/q))^p exp((p/q) log(a/a0)). False: not all of that is in fractions. */
 static bool set_exact_power(struct series *to, const struct series *a, const fmpq_t power, slong known, slong terms)
 {
-  if (!a->exact || !is_small(power))
+  if (a->kind != SERIES_FRACTIONS || !is_small(power))
     return false;
   fmpq_poly_t poly;
   fmpq_t constant, root;

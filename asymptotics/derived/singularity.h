@@ -1,7 +1,7 @@
 /* The radius of convergence of the derived series: the branch that they expand is continued to complex T, and the branch points nearest to
  * T = 0 are found and proven. docs/theory.md has the method. Needs FLINT; prints nothing, holds no state. */
-#ifndef SCALLOP_SINGULARITY_H
-#define SCALLOP_SINGULARITY_H
+#ifndef SCALLOP_ASYMPTOTICS_DERIVED_SINGULARITY_H
+#define SCALLOP_ASYMPTOTICS_DERIVED_SINGULARITY_H
 
 #include "asymptotics/asymptotics.h"
 #include "model/exact/ball.h"

@@ -1,7 +1,7 @@
 /* Floors: where errors that fell no longer fall. A rough one is roundoff, or the tolerance of a solver: the points on it and near it are left
  * out. A smooth one far above roundoff is a plateau: the table converges to something else, and that is its verdict. */
-#ifndef SCALLOP_FLOOR_H
-#define SCALLOP_FLOOR_H
+#ifndef SCALLOP_ASYMPTOTICS_OBSERVED_FLOOR_H
+#define SCALLOP_ASYMPTOTICS_OBSERVED_FLOOR_H
 
 #include "asymptotics/observed/reason.h"
 

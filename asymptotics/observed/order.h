@@ -9,8 +9,8 @@
  *     printf("%s: %s\n", scallop_order_verdict_text(result.verdict), result.reason);
  *
  * docs/order.md has the rules of the verdict, and how often they decide rightly. */
-#ifndef SCALLOP_ORDER_H
-#define SCALLOP_ORDER_H
+#ifndef SCALLOP_ASYMPTOTICS_OBSERVED_ORDER_H
+#define SCALLOP_ASYMPTOTICS_OBSERVED_ORDER_H
 
 #include <stdbool.h>
 
@@ -60,8 +60,10 @@ const char *scallop_order_verdict_text(enum scallop_order_verdict verdict);
 /* What low and high are. */
 enum scallop_order_interval {
   SCALLOP_ORDER_NO_INTERVAL,
-  SCALLOP_ORDER_CONFIDENCE, /* 95 % confidence interval of the slope of log|err| over log h, were the errors to scatter
-                               about a power of h independently, with one relative size                              */
+  SCALLOP_ORDER_CONFIDENCE, /* 95 % confidence interval of the order, with room for a second term C h^(p + 1) or higher that the
+                               scatter hides                                                                        */
+  SCALLOP_ORDER_SLOPE, /* 95 % confidence interval of the slope of log|err| over log h: of the order, too, if nothing but independent
+                          scatter of one relative size separates the errors from C h^p                              */
   SCALLOP_ORDER_LIMIT, /* the limit of the local order, give or take the largest of what separates it from the local order at
                                the finest h, from the limit without the coarsest point, and from the limits of other bends that fit
                                as well, and of its 95 % confidence interval                                         */

@@ -31,7 +31,8 @@ bool points_sort(struct scallop_order_point *points, int count)
   for (int i = 0; i < count; i++)
     if (!isfinite(points[i].h) || !(points[i].h > 0) || !isfinite(points[i].err) || !(points[i].noise >= 0))
       return false;
-  qsort(points, (size_t)count, sizeof *points, by_falling_h);
+  if (count > 0)
+    qsort(points, (size_t)count, sizeof *points, by_falling_h);
   for (int i = 1; i < count; i++)
     if (points[i].h == points[i - 1].h)
       return false;

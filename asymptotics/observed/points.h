@@ -1,6 +1,6 @@
 /* Points of a table of h and err: their order, and which of them can be judged. A point is used unless something here leaves it out. */
-#ifndef SCALLOP_POINTS_H
-#define SCALLOP_POINTS_H
+#ifndef SCALLOP_ASYMPTOTICS_OBSERVED_POINTS_H
+#define SCALLOP_ASYMPTOTICS_OBSERVED_POINTS_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* The reason of a verdict, in words. */
-#ifndef SCALLOP_REASON_H
-#define SCALLOP_REASON_H
+#ifndef SCALLOP_ASYMPTOTICS_OBSERVED_REASON_H
+#define SCALLOP_ASYMPTOTICS_OBSERVED_REASON_H
 
 #include "asymptotics/observed/order.h"
 
@@ -13,6 +13,7 @@ struct judged {
   const struct scallop_order_wanted *wanted;
   struct scallop_order_result *result;
   double near_floor; /* errors below are of no use to a trend, where there are enough others */
+  double level;      /* of a rough floor to which the used errors come close, else 0          */
 };
 
 void reason_add(const struct judged *j, const char *format, ...) __attribute__((format(printf, 2, 3)));

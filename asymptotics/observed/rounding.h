@@ -1,6 +1,6 @@
 /* What errors were rounded to when a table was printed. */
-#ifndef SCALLOP_ROUNDING_H
-#define SCALLOP_ROUNDING_H
+#ifndef SCALLOP_ASYMPTOTICS_OBSERVED_ROUNDING_H
+#define SCALLOP_ASYMPTOTICS_OBSERVED_ROUNDING_H
 
 #include "asymptotics/observed/order.h"
 

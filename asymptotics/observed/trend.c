@@ -9,21 +9,27 @@
 
 /* A change of the local order over the run that is smaller decides nothing. */
 static const double SEEN = 0.005;
-/* Sums of squares are compared. A term that dies away is as good as another if it leaves at most so many times as much; one that does not has to be
- * so many times better than those. */
+/* Sums of squares are compared. A term that dies away is as good as another if it leaves at most so many times as
+ * much; one that does not has to be so many times better than those. */
 static const double AS_GOOD = 4, BETTER[] = { [TREND_LEAVING] = 8, [TREND_CREEPING] = 25 };
 static const double SURE = 0.995;
+/* Nor does it count if a line leaves at most so many times less of the points without the finest, or without the
+ * coarsest. */
+static const double FINEST = 4, COARSEST = 1;
+/* A floor of noise that is so much of an error halves its weight. */
+static const double WEIGHED = 0.03;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
 enum { MOST_PRINTED = 64, MOST_STEPS = 30 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
-static const double LEAST_POWER = 0.4;
+static const double LEAST_POWER = 0.4, LOG_09 = -0.105;
 /* Of two terms with opposite signs the smaller one is at most so much of the larger. */
 static const double CANCELLED = 0.9975;
-/* Of log(1 + c): the step of the grid, what is a step no longer, and the end of the grid where h spans hundreds of decades. */
+/* Of log(1 + c): the step of the grid, what is a step no longer, and the end of the grid where h spans hundreds of
+ * decades. */
 static const double STEP = 1.5, SMALL_STEP = 1e-12, MOST_GROWTH = 60;
 
-/* What bends the line. Two terms: log(1 + c u), u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest otherwise. Of a creeping one
- * (power 0 or nan) a multiple: x^2 for 0, log|log h| for nan. */
+/* What bends the line. Two terms: log(1 + c u), u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest
+ * otherwise. Of a creeping one (power 0 or nan) a multiple: x^2 for 0, log|log h| for nan. */
 struct shape {
   enum trend_kind kind;
   double power;
@@ -35,32 +41,37 @@ static const struct shape shapes[] = {
 };
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
+/* Logarithms of h and |err|, the weight, and how far rounding and known noise may have moved y. Of long tables, means
+ * over equal parts of the range of x: a trend is as smooth as that. */
+struct entry {
+  double x, y, weight, moved;
+};
+enum { MOST_ENTRIES = 512 };
+
 struct run {
-  const struct scallop_order_point *points;
-  int count, first;
-  double n, x, y, xx, xy; /* means, and sums of products of what is left of x and y without them */
-  double coarsest, finest;
+  const struct entry *entry; /* from the coarsest h */
+  int count;
+  double n, within;            /* points, and the sum of squares of what is left of y within an entry */
+  double weight, x, y, xx, xy; /* their sum, means, and sums of products of x and y without them      */
+  double coarsest, finest;     /* x */
 };
 
-static int next_of(const struct run *r, int i) { return points_next(r->points, r->count, i); }
-static double x_of(const struct run *r, int i) { return log(r->points[i].h) - r->x; }
-static double y_of(const struct run *r, int i) { return log(fabs(r->points[i].err)) - r->y; }
+static double x_of(const struct run *r, int i) { return r->entry[i].x - r->x; }
+static double y_of(const struct run *r, int i) { return r->entry[i].y - r->y; }
 
-static struct run run_of(const struct scallop_order_point *points, int count, int first)
+static struct run run_of(const struct entry *entry, int count, double n)
 {
-  struct run r = { .points = points, .count = count, .first = points_next(points, count, first) };
-  for (int i = r.first; i < count; i = next_of(&r, i + 1)) {
-    r.n++;
-    r.x += log(points[i].h);
-    r.y += log(fabs(points[i].err));
-    r.finest = points[i].h;
+  struct run r = { .entry = entry, .count = count, .n = n, .coarsest = entry[0].x, .finest = entry[count - 1].x };
+  for (int i = 0; i < count; i++) {
+    r.weight += entry[i].weight;
+    r.x += entry[i].weight * entry[i].x;
+    r.y += entry[i].weight * entry[i].y;
   }
-  r.coarsest = points[r.first].h;
-  r.x /= r.n;
-  r.y /= r.n;
-  for (int i = r.first; i < count; i = next_of(&r, i + 1)) {
-    r.xx += x_of(&r, i) * x_of(&r, i);
-    r.xy += x_of(&r, i) * y_of(&r, i);
+  r.x /= r.weight;
+  r.y /= r.weight;
+  for (int i = 0; i < count; i++) {
+    r.xx += entry[i].weight * x_of(&r, i) * x_of(&r, i);
+    r.xy += entry[i].weight * x_of(&r, i) * y_of(&r, i);
   }
   return r;
 }
@@ -77,56 +88,57 @@ struct bend {
 
 static bool creeps(const struct bend *b) { return b->shape && b->shape->kind == TREND_CREEPING; }
 
-/* At one h: what bends the line by a known amount, what least squares finds the factor of, and how much each adds to the local order.
- * Of two terms log(1 + c u), and its derivative to log(1 + c). */
+/* At one h: what bends the line by a known amount, what least squares finds the factor of, and how much each adds to
+ * the local order. Of two terms log(1 + c u), and its derivative to log(1 + c). */
 struct bent {
   double known, term, known_order, term_order;
 };
 
-static struct bent bent_at(const struct run *r, const struct bend *b, double h)
+static struct bent bent_at(const struct run *r, const struct bend *b, double x)
 {
   if (!b->shape)
     return (struct bent){ 0 };
-  double power = b->shape->power, x = log(h / r->finest);
+  double power = b->shape->power, above = x - r->finest;
   if (creeps(b))
-    return isnan(power) ? (struct bent){ .term = log(fabs(log(h))), .term_order = 1 / log(h) }
-                        : (struct bent){ .term = x * x, .term_order = 2 * x };
-  double u = exp(power * log(h / (power > 0 ? r->coarsest : r->finest))), cu = b->c * u;
+    return isnan(power) ? (struct bent){ .term = log(fabs(x)), .term_order = 1 / x }
+                        : (struct bent){ .term = above * above, .term_order = 2 * above };
+  double u = exp(power * (power > 0 ? x - r->coarsest : above)), cu = b->c * u;
   return (struct bent){ .known = log1p(cu), .term = (1 + b->c) * u / (1 + cu), .known_order = power * cu / (1 + cu) };
 }
 
-/* The local order at h */
-static double order_at(const struct run *r, const struct bend *b, double h)
+/* The local order at log h = x */
+static double order_at(const struct run *r, const struct bend *b, double x)
 {
-  struct bent at = bent_at(r, b, h);
+  struct bent at = bent_at(r, b, x);
   return b->slope + at.known_order + b->factor * at.term_order;
 }
 
 /* Least squares of what the known leaves of y, over x and the term. */
 static void fit(const struct run *r, struct bend *b)
 {
+  struct bent at[MOST_ENTRIES] = { { .known = 0 } };
   double known = 0, term = 0, yx = r->xy, tx = 0, tt = 0, ty = 0;
-  for (int i = r->first; i < r->count; i = next_of(r, i + 1)) {
-    struct bent at = bent_at(r, b, r->points[i].h);
-    double rest = y_of(r, i) - at.known;
-    known += at.known / r->n;
-    term += at.term / r->n;
-    yx -= at.known * x_of(r, i);
-    tx += at.term * x_of(r, i);
-    tt += at.term * at.term;
-    ty += at.term * rest;
+  for (int i = 0; i < r->count; i++) {
+    double w = r->entry[i].weight;
+    at[i] = bent_at(r, b, r->entry[i].x);
+    known += w * at[i].known / r->weight;
+    term += w * at[i].term / r->weight;
+    yx -= w * at[i].known * x_of(r, i);
+    tx += w * at[i].term * x_of(r, i);
+    tt += w * at[i].term * at[i].term;
+    ty += w * at[i].term * (y_of(r, i) - at[i].known);
   }
-  tt -= r->n * term * term + tx / r->xx * tx;
-  ty += r->n * term * known - tx / r->xx * yx;
+  tt -= r->weight * term * term + tx / r->xx * tx;
+  ty += r->weight * term * known - tx / r->xx * yx;
   bool bends = tt > 0;
   b->factor = bends ? ty / tt : 0;
   b->slope = (yx - (creeps(b) ? b->factor * tx : 0)) / r->xx;
   b->variance = 1 / r->xx + (bends ? tx / r->xx * tx / r->xx / tt : 0);
-  b->left = 0;
-  for (int i = r->first; i < r->count; i = next_of(r, i + 1)) {
-    struct bent at = bent_at(r, b, r->points[i].h);
-    double rest = y_of(r, i) - (at.known - known) - b->slope * x_of(r, i) - (creeps(b) ? b->factor * (at.term - term) : 0);
-    b->left += rest * rest;
+  b->left = r->within;
+  for (int i = 0; i < r->count; i++) {
+    double rest = y_of(r, i) - (at[i].known - known) - b->slope * x_of(r, i)
+                  - (creeps(b) ? b->factor * (at[i].term - term) : 0);
+    b->left += r->entry[i].weight * rest * rest;
   }
 }
 
@@ -137,7 +149,8 @@ static struct bend bend_at(const struct run *r, const struct shape *shape, doubl
   return b;
 }
 
-/* From b to the best c near it, with low <= log(1 + c) <= high: Newton's method on the residuals made linear, in shorter steps where that fails */
+/* From b to the best c near it, with low <= log(1 + c) <= high: Newton's method on the residuals made linear, in
+ * shorter steps where that fails */
 static struct bend refine(const struct run *r, struct bend best, double low, double high)
 {
   double step = best.factor;
@@ -150,15 +163,15 @@ static struct bend refine(const struct run *r, struct bend best, double low, dou
   return best;
 }
 
-/* The best c, between those where the second term is all but the first, with the other sign, and where it is as large at the far end: from the
- * best of a grid, or from 0. */
+/* The best c, between those where the second term is all but the first, with the other sign, and where it is as large
+ * at the far end: from the best of a grid, or from 0. */
 static struct bend best_of(const struct run *r, const struct shape *shape)
 {
   struct bend none = bend_at(r, shape, 0);
   if (shape->kind == TREND_CREEPING)
     return none;
   double low = log1p(-CANCELLED);
-  double high = fmin(log1p(shape->power > 0 ? pow(r->coarsest / r->finest, shape->power) : 1), MOST_GROWTH);
+  double high = fmin(log1p(shape->power > 0 ? exp((r->coarsest - r->finest) * shape->power) : 1), MOST_GROWTH);
   struct bend best = none;
   for (double t = low; t < high + STEP; t += STEP) {
     struct bend b = bend_at(r, shape, fmin(t, high));
@@ -169,18 +182,28 @@ static struct bend best_of(const struct run *r, const struct shape *shape)
   return none.left <= best.left ? none : best;
 }
 
+static double half_width(const struct bend *b, double dof)
+{
+  return student_quantile(0.95, (long)dof) * sqrt(b->left / dof * b->variance);
+}
+
 /* Four points leave one degree of freedom, which terms that take over fit by chance.
  * The first of those that die away that is about as good as the best of them, unless another is much better */
-static struct bend best_bend(const struct run *r)
+static struct bend best_bend(const struct run *r, struct trend *t)
 {
   struct bend bends[SHAPES], other;
   double least = INFINITY, least_other = INFINITY;
   for (int i = 0; i < SHAPES; i++) {
-    if (isnan(shapes[i].power) && !(r->coarsest < 0.9)) /* log h = 0 at h = 1 */
+    if (isnan(shapes[i].power) && !(r->coarsest < LOG_09)) /* log h = 0 at h = 1 */
       continue;
     bends[i] = best_of(r, &shapes[i]);
     if (isnan(shapes[i].power) && fabs(bends[i].factor) < LEAST_POWER)
       continue;
+    if (shapes[i].power >= 1) {
+      double half = half_width(&bends[i], r->n - 3);
+      t->low = fmin(t->low, bends[i].slope - half);
+      t->high = fmax(t->high, bends[i].slope + half);
+    }
     if (shapes[i].kind == TREND_SETTLING)
       least = fmin(least, bends[i].left);
     else if (BETTER[shapes[i].kind] * bends[i].left < least_other && (r->n > 4 || shapes[i].kind == TREND_CREEPING)) {
@@ -199,51 +222,96 @@ static struct bend best_bend(const struct run *r)
   return bends[first];
 }
 
-/* Where errors are C h^p but for rounding and noise of at most e_k, in logarithms, least squares leaves at most the sum over k of |1_ik - H_ik| e_k,
- * H_ik = 1/n + x_i x_k/sum x^2. */
+/* Where errors are C h^p but for rounding and noise of at most e_k, in logarithms, least squares leaves at most the
+ * sum over k of |1_ik - H_ik| e_k, H_ik = 1/n + x_i x_k/sum x^2. */
 static bool explained_by_rounding(const struct run *r, const struct bend *line)
 {
-  if (r->n > MOST_PRINTED)
-    return false;
-  struct rounding rounding = rounding_of(r->points, r->count, r->first);
-  bool explained = rounding.unit > 0 || points_noise_is_known(r->points, r->count);
-  for (int i = r->first; i < r->count && explained; i = next_of(r, i + 1)) {
+  bool explained = r->entry[0].moved > 0;
+  for (int i = 0; i < r->count && explained; i++) {
     double most = 0;
-    for (int k = r->first; k < r->count; k = next_of(r, k + 1)) {
-      const struct scallop_order_point *p = &r->points[k];
-      most += fabs((i == k) - 1 / r->n - x_of(r, i) * x_of(r, k) / r->xx)
-              * (rounding_share(&rounding, p->err) + p->noise / fabs(p->err));
-    }
+    for (int k = 0; k < r->count; k++)
+      most += r->entry[k].moved * fabs((i == k) - r->entry[k].weight * (1 / r->weight + x_of(r, i) * x_of(r, k) / r->xx));
     explained = fabs(y_of(r, i) - line->slope * x_of(r, i)) <= most;
   }
   return explained;
 }
 
-static double half_width(const struct bend *b, double dof)
+/* Would leaving out the finest point, or the coarsest, do as well as a bend that does not die away? */
+static bool ends_explain(const struct run *r, const struct bend *bend, bool *finest)
 {
-  return student_quantile(0.95, (long)dof) * sqrt(b->left / dof * b->variance);
+  struct run without[] = { run_of(r->entry, r->count - 1, r->n - 1), run_of(r->entry + 1, r->count - 1, r->n - 1) };
+  double left[2];
+  for (int end = 0; end < 2; end++) {
+    without[end].within = r->within;
+    left[end] = bend_at(&without[end], NULL, 0).left;
+  }
+  *finest = left[0] * FINEST < bend->left;
+  return *finest || left[1] * COARSEST < bend->left;
 }
 
-struct trend trend_of(const struct scallop_order_point *points, int count, int first)
+/* The used points from first on. An error with noise of this level counts less. */
+static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
+                                int first, double level)
 {
-  struct run r = run_of(points, count, first);
+  const int from = points_next(points, count, first), n = points_count(SCALLOP_ORDER_USED, points, count, from);
+  const double coarsest = log(points[from].h), finest = log(points[points_last(points, count)].h);
+  const double part = (coarsest - finest) / MOST_ENTRIES;
+  struct rounding rounding = { 0, 0 };
+  if (n <= MOST_PRINTED)
+    rounding = rounding_of(points, count, from);
+  int entries = 0, place = 0;
+  entry[0] = (struct entry){ 0 };
+  double xx = 0, xy = 0, yy = 0; /* within entries */
+  for (int i = from; i < count; i = points_next(points, count, i + 1)) {
+    double x = log(points[i].h), err = fabs(points[i].err), y = log(err), noise = level / (err * WEIGHED);
+    int here = (int)((coarsest - x) / part);
+    if (entries == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
+      entry[entries++] = (struct entry){ .x = x, .y = y };
+    place = here;
+    struct entry *e = &entry[entries - 1];
+    double weight = 1 / (1 + noise * noise), share = weight / (e->weight + weight), dx = x - e->x, dy = y - e->y;
+    xx += e->weight * share * dx * dx;
+    xy += e->weight * share * dx * dy;
+    yy += e->weight * share * dy * dy;
+    e->x += share * dx;
+    e->y += share * dy;
+    e->weight += weight;
+    e->moved = n <= MOST_PRINTED ? rounding_share(&rounding, err) + (points[i].noise + level) / err : 0;
+  }
+  struct run r = run_of(entry, entries, n);
+  double slope = r.xy / r.xx;
+  r.within = fmax(0, yy - slope * (2 * xy - slope * xx));
+  return r;
+}
+
+struct trend trend_of(const struct scallop_order_point *points, int count, int first, double level)
+{
+  struct entry entry[MOST_ENTRIES];
+  struct run r = run_of_points(entry, points, count, first, level);
   struct bend line = bend_at(&r, NULL, 0);
-  struct trend t = { .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope };
+  struct trend t = {
+    .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope, .low = line.slope, .high = line.slope
+  };
   t.half_width = half_width(&line, r.n - 2);
   t.limit = t.coarsest_order = t.finest_order = t.slope;
   t.limit_half_width = t.half_width;
   t.rounded = explained_by_rounding(&r, &line);
-  if (t.points < 4 || t.rounded)
+  if (t.points < 4)
     return t;
-  struct bend bend = best_bend(&r);
+  struct bend bend = best_bend(&r, &t);
+  if (t.rounded)
+    return t;
   double dof = r.n - 3, sure = student_quantile(SURE, (long)dof);
   double from = order_at(&r, &bend, r.coarsest), to = order_at(&r, &bend, r.finest);
   if (!(line.left - bend.left > sure * sure * bend.left / dof))
     return t;
-  if (!(fabs(from - to) > SEEN)) { /* no more than a wider interval */
+  if (!(fabs(from - to) > SEEN)) { /* no more than a wider interval, and scatter is not all there is */
+    t.low = -INFINITY;
     t.half_width = fmax(t.half_width, fabs((bend.shape->kind == TREND_SETTLING ? bend.slope : to) - t.slope));
     return t;
   }
+  if (bend.shape->kind != TREND_SETTLING && ends_explain(&r, &bend, &t.finest_is_off))
+    return t;
   t.kind = bend.shape->kind;
   t.coarsest_order = from;
   t.finest_order = to;

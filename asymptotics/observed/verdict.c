@@ -12,6 +12,8 @@ static const double TAIL = 3.9;
 static const double ON_THE_WAY = 2.5;
 /* A run with an interval so many times narrower counts instead of a longer one. */
 static const double FAR_BETTER = 10;
+/* Three points of a longer table count if they are on a line so well. */
+static const double ALIGNED = 0.05;
 /* Of so many points and more, the coarsest are left out several at a time. */
 enum { LEAST = 4, MOST_FEW = 6, MANY = 32 };
 
@@ -30,7 +32,8 @@ static bool is_bad_noise(const struct scallop_order_point *p, int i) { return !(
 
 static void give(struct judged *j, enum scallop_order_verdict verdict) { j->result->verdict = verdict; }
 
-/* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page holds are compared. */
+/* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page
+ * holds are compared. */
 static void say_repeated(struct judged *j, const char *between)
 {
   enum { PAGE = 1000 };
@@ -143,7 +146,8 @@ static bool meets(const struct scallop_order_wanted *w, double order)
   return order >= w->order - w->tolerance && (w->at_least || order <= w->order + w->tolerance);
 }
 
-/* How far the pairwise orders of few points are off the one that is expected. Returns how many there are, 0 for too many. */
+/* How far the pairwise orders of few points are off the one that is expected. Returns how many there are, 0 for too
+ * many. */
 static int few_orders(const struct judged *j, double off[MOST_FEW])
 {
   int pairs = 0;
@@ -173,7 +177,8 @@ static bool moves_away(const struct judged *j)
   return away;
 }
 
-/* They come closer to it step by step, from one side, and the last one is there; in steps that shrink, where that is asked for. */
+/* They come closer to it step by step, from one side, and the last one is there; in steps that shrink, where that is
+ * asked for. */
 static bool comes_closer(const struct judged *j, bool in_shorter_steps)
 {
   double off[MOST_FEW];
@@ -185,8 +190,8 @@ static bool comes_closer(const struct judged *j, bool in_shorter_steps)
   return closer;
 }
 
-/* Do the finest three or more points, over a factor TAIL, have the order, and the pair of the finest two, and are those before farther from
- * it? Then that is set. */
+/* Do the finest three or more points, over a factor TAIL, have the order, and the pair of the finest two, and are
+ * those before farther from it? Then that is set. */
 static bool tail_arrives(struct judged *j, const struct trend *all)
 {
   const struct scallop_order_wanted *w = j->wanted;
@@ -196,7 +201,7 @@ static bool tail_arrives(struct judged *j, const struct trend *all)
     tail += is_used(j->points, --first);
   if (tail == all->points || j->points[first].h < TAIL * finest)
     return false;
-  double order = trend_of(j->points, j->count, first).slope;
+  double order = trend_of(j->points, j->count, first, j->level).slope;
   double before = points_slope(&j->points[coarsest], &j->points[first]);
   if (!meets(w, order) || !meets(w, finest_order(j)) || fabs(before - w->order) < fabs(order - w->order))
     return false;
@@ -204,7 +209,8 @@ static bool tail_arrives(struct judged *j, const struct trend *all)
   return true;
 }
 
-/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns whether it is so. */
+/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns
+ * whether it is so. */
 static bool has_arrived(struct judged *j, const struct trend *all)
 {
   bool on_the_way = fabs(all->slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
@@ -249,7 +255,7 @@ static void compare(struct judged *j, const struct trend *whole)
 /* What a run of points says, from first on: the order, give or take off */
 struct answer {
   enum scallop_order_interval interval;
-  double order, off;
+  double order, off, low, high;
   int first;
 };
 
@@ -259,22 +265,30 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
   if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
-    return (struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, first };
+    return (struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, t->limit - limit_off, t->limit + limit_off, first };
   if (t->kind == TREND_SETTLING) /* a slope that bends towards another order is none */
     off = fmax(off, fabs(t->slope - t->limit));
-  return (struct answer){ SCALLOP_ORDER_CONFIDENCE, t->slope, off, first };
+  struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, off, t->slope - off, t->slope + off, first };
+  if (t->kind == TREND_STRAIGHT && finer->kind == TREND_STRAIGHT && t->points > LEAST
+      && t->high - t->low <= 2 * j->wanted->tolerance) {
+    a.interval = SCALLOP_ORDER_CONFIDENCE;
+    a.low = t->low;
+    a.high = t->high;
+  }
+  return a;
 }
 
 /* Sets it, and returns whether the order is known to the tolerance. */
 static bool sets_order(struct judged *j, const struct answer *a)
 {
-  set_order(j, a->interval, a->order, a->order - a->off, a->order + a->off);
+  set_order(j, a->interval, a->order, a->low, a->high);
   if (j->result->used == 3)
     set_pairwise_order(j, 0, a->order);
   return j->result->high - j->result->low <= (j->result->used == 3 ? 1 : 2) * j->wanted->tolerance;
 }
 
-/* A term takes over, or the order changes like a logarithm: no pass, unless the order is at least the one that is expected and creeps */
+/* A term takes over, or the order changes like a logarithm: no pass, unless the order is at least the one that is
+ * expected and creeps */
 static void judge_drift(struct judged *j, const struct trend *t)
 {
   const struct scallop_order_wanted *w = j->wanted;
@@ -291,15 +305,19 @@ static void judge_drift(struct judged *j, const struct trend *t)
                        : "the orders fall faster and faster: a term of lower order takes over");
 }
 
-/* Runs of points, each without the coarsest of the one before, until one says what the order is; where that is a limit, until the shortest, and
- * one that knows it far better counts instead. */
+/* Runs of points, each without the coarsest of the one before, until one says what the order is; where that is a
+ * limit, until the shortest, and one that knows it far better counts instead. */
 static void judge_trend(struct judged *j)
 {
-  const struct trend whole = trend_of(j->points, j->count, 0);
+  struct trend whole = trend_of(j->points, j->count, 0, j->level);
+  if (whole.finest_is_off) {
+    j->points[points_last(j->points, j->count)].use = SCALLOP_ORDER_FLOOR;
+    whole = trend_of(j->points, j->count, 0, j->level);
+  }
   int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
   struct trend t = whole, finer;
   struct answer all = { .interval = SCALLOP_ORDER_NO_INTERVAL }, best = all;
-  for (int first = 0, next; t.points >= least; first = next, t = finer) {
+  for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
     bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL, drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
     drifts = drifts && (first == 0 || t.points > LEAST); /* few points bend by chance */
     if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
@@ -312,7 +330,7 @@ static void judge_trend(struct judged *j)
     next = first;
     for (int k = 0; k <= t.points / MANY; k++)
       next = points_next(j->points, j->count, next) + 1;
-    finer = t.points > LEAST ? trend_of(j->points, j->count, next) : (struct trend){ 0 };
+    finer = t.points >= LEAST ? trend_of(j->points, j->count, next, j->level) : (struct trend){ 0 };
     struct answer a = answer_of(j, first, &t, &finer);
     if (first == 0)
       all = a;
@@ -380,7 +398,7 @@ void scallop_order(struct scallop_order_point *points, int *count, const struct 
   *result = (struct scallop_order_result){
     .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
   };
-  struct judged j = { points, *count, wanted, result, 0 };
+  struct judged j = { .points = points, .count = *count, .wanted = wanted, .result = result };
   judge(&j);
   *count = j.count;
 }
@@ -394,6 +412,6 @@ const char *scallop_order_verdict_text(enum scallop_order_verdict verdict)
 
 const char *scallop_order_interval_text(enum scallop_order_interval interval)
 {
-  static const char *const text[] = { "none", "confidence-95", "limit", "pairwise" };
+  static const char *const text[] = { "none", "confidence-95", "slope-95", "limit", "pairwise" };
   return text[interval];
 }

@@ -105,35 +105,32 @@ char scallop_condition_split(struct scallop_sides *sides, const char *condition)
   return condition[length];
 }
 
-const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
-                                    const struct scallop_formula *formula, const struct scallop_values *values,
-                                    char message[FORMULA_MESSAGE])
+bool scallop_condition_is_equal_forces(const char *condition)
+{
+  char plain[8] = "";
+  for (size_t used = 0; *condition && used + 1 < sizeof plain; condition++)
+    if (*condition != ' ')
+      plain[used++] = *condition;
+  return strcmp(plain, "F1=F2") == 0 || strcmp(plain, "F2=F1") == 0;
+}
+
+/* nan: it cannot be read */
+static double side_in_double(const char *text, const struct scallop_formula *formula, const struct scallop_values *values)
 {
   struct formula side;
-  struct scallop_sides sides;
-  *sign = scallop_condition_split(&sides, condition);
-  if (!*sign) {
-    snprintf(message, FORMULA_MESSAGE, "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT");
-    return message;
-  }
-  if (read_text(&side, sides.left, formula, NULL, message))
-    return message;
-  *left = formula_double(&side, values->of);
-  if (read_text(&side, sides.right, formula, NULL, message))
-    return message;
-  *right = formula_double(&side, values->of);
-  return NULL;
+  char message[FORMULA_MESSAGE];
+  return read_text(&side, text, formula, NULL, message) ? NAN : formula_double(&side, values->of);
 }
 
 bool scallop_formula_is_claimed(const struct scallop_formula *formula, const struct scallop_values *values)
 {
-  char sign, message[FORMULA_MESSAGE];
-  double left, right;
+  struct scallop_sides sides;
   bool claimed = true;
-  for (const char *const *when = formula->when; when && *when && claimed; when++)
-    claimed = !scallop_condition_value(&left, &sign, &right, *when, formula, values, message)
-              && (sign == '<'   ? left < right
-                  : sign == '>' ? left > right
-                                : left == right);
+  for (const char *const *when = formula->when; when && *when && claimed; when++) {
+    char sign = scallop_condition_split(&sides, *when);
+    double left = sign ? side_in_double(sides.left, formula, values) : NAN;
+    double right = sign ? side_in_double(sides.right, formula, values) : NAN;
+    claimed = sign == '<' ? left < right : sign == '>' ? left > right : left == right;
+  }
   return claimed;
 }

@@ -1,6 +1,6 @@
 /* The texts of formulas, read. Not public. */
-#ifndef SCALLOP_PUBLISHED_READ_H
-#define SCALLOP_PUBLISHED_READ_H
+#ifndef SCALLOP_ASYMPTOTICS_PUBLISHED_READ_H
+#define SCALLOP_ASYMPTOTICS_PUBLISHED_READ_H
 
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/formula.h"
@@ -25,14 +25,10 @@ struct scallop_sides {
   char left[SCALLOP_CONDITION], right[SCALLOP_CONDITION];
 };
 char scallop_condition_split(struct scallop_sides *sides, const char *condition);
+/* Is it F1 = F2, or F2 = F1? */
+bool scallop_condition_is_equal_forces(const char *condition);
 
-/* A condition "LEFT < RIGHT", with < > or =, in the names of the formula and its parts: the values of both sides, and *sign is the character between
- * them. Returns NULL, or `message`. */
-const char *scallop_condition_value(double *left, char *sign, double *right, const char *condition,
-                                    const struct scallop_formula *formula, const struct scallop_values *values,
-                                    char message[FORMULA_MESSAGE]);
-
-/* Do all conditions hold under which the formula is claimed? One that cannot be read does not. */
+/* Do all conditions hold under which the formula is claimed, in doubles? One that cannot be read does not. */
 bool scallop_formula_is_claimed(const struct scallop_formula *formula, const struct scallop_values *values);
 
 /* The value of a formula that was read, for the steady state or the phase of this kind; as scallop_published_value. */

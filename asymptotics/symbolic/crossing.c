@@ -25,7 +25,7 @@ void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum 
   fmpq_init(at_anchor);
   fmpq_init(one);
   fmpq_one(one);
-  scallop_rational_speed_series(speed, piece, at_anchor, order, one);
+  scallop_rational_speed_series(speed, piece, at_anchor, order > 2 ? order : 2, one);
   for (slong k = 1; k == 1 || k < order - 1; k++)
     if (k < fmpq_poly_length(speed) && !fmpz_is_zero(fmpq_poly_numref(speed) + k))
       symbols_add(s, piece->anchor == SCALLOP_FROM_START ? NAMED_AT_START : NAMED_AT_END, (int)k + 1, kind);

@@ -2,8 +2,8 @@
  *
  * Momentum is in the place of velocity: Pi = M c T, which meets the curve mu |f'(s)|, mu = m_front where the rear body turns and -m_rear
  * where the front body does; s is the time in units of the phase, T its duration, and l(t) = f(t/T). */
-#ifndef SCALLOP_CROSSING_H
-#define SCALLOP_CROSSING_H
+#ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_CROSSING_H
+#define SCALLOP_ASYMPTOTICS_SYMBOLIC_CROSSING_H
 
 #include "asymptotics/derived/branch.h"
 #include "asymptotics/symbolic/symbolic.h"

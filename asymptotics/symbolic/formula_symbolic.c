@@ -170,8 +170,12 @@ static const char *of_two(struct symbolic_laurent *a, const struct symbolic_laur
 static const char *set_operand(struct symbolic_laurent *value, const struct formula_step *step,
                                const struct symbolic_laurent *const *values, struct symbols *s)
 {
-  if (step->operation == FORMULA_PI)
-    return "is no rational number";
+  if (step->operation == FORMULA_PI) {
+    if (symbols_place(s, NAMED_pi, 0, SCALLOP_EXTENSION) < 0)
+      return "is no rational number";
+    *value = symbolic_laurent_set(s, symbolic_named(s, NAMED_pi), 0);
+    return NULL;
+  }
   if (step->operation == FORMULA_QUANTITY) {
     if (!values[step->place])
       return "is not known as a formula here";
@@ -184,17 +188,6 @@ static const char *set_operand(struct symbolic_laurent *value, const struct form
   *value = symbolic_laurent_set(s, symbolic_fraction(s, number), 0);
   fmpq_clear(number);
   return NULL;
-}
-
-/* "character 3: log is no rational function" */
-static const char *explain(char message[FORMULA_MESSAGE], const struct formula_step *step, const char *wrong)
-{
-  static const char in_names[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.:";
-  const char *at = step->text + step->at, *operation = formula_operation_text(step->operation);
-  bool is_name = step->operation < FORMULA_NEGATE;
-  snprintf(message, FORMULA_MESSAGE, "character %d: %.*s %s", step->at + 1,
-           is_name ? (int)strspn(at, in_names) : FORMULA_NAME, is_name ? at : operation, wrong);
-  return message;
 }
 
 const char *formula_symbolic(struct symbolic_laurent *value, const struct formula *formula,
@@ -217,7 +210,7 @@ const char *formula_symbolic(struct symbolic_laurent *value, const struct formul
     if (!wrong && !is_small(&top[-1], s))
       wrong = too_large;
     if (wrong)
-      explain(message, step, wrong);
+      formula_refuse(message, step, wrong);
   }
   if (!wrong)
     *value = stack[0];

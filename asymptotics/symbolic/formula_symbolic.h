@@ -1,6 +1,6 @@
 /* Formulas (formula.h) as series in T whose coefficients are rational functions of named symbols. Not public. */
-#ifndef SCALLOP_FORMULA_SYMBOLIC_H
-#define SCALLOP_FORMULA_SYMBOLIC_H
+#ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_FORMULA_SYMBOLIC_H
+#define SCALLOP_ASYMPTOTICS_SYMBOLIC_FORMULA_SYMBOLIC_H
 
 #include "asymptotics/formula.h"
 #include "asymptotics/symbolic/symbolic.h"
@@ -21,7 +21,7 @@ struct symbolic_laurent symbolic_laurent_sub(struct symbols *s, const struct sym
 symbolic symbolic_laurent_term(struct symbols *s, const struct symbolic_laurent *a, slong power);
 
 /* The value, where values + place is that of the quantity at a place, NULL of a quantity that is no series here. Exact: + - * /, and whole powers
- * from -64 to 64. Returns NULL, or `message`: what cannot be done, and at which character. Refused are functions and pi, other powers, a
+ * from -64 to 64. Returns NULL, or `message`: what cannot be done, and at which character. Refused are functions, pi where it is no symbol, other powers, a
  * division by what is 0, and values with coefficients of more than 200 terms, degree 2000 or 20000 bits. */
 const char *formula_symbolic(struct symbolic_laurent *value, const struct formula *formula,
                              const struct symbolic_laurent *const *values, struct symbols *s, char message[FORMULA_MESSAGE]);

@@ -1,6 +1,6 @@
 /* Values of symbolic.h written down, in factored form: as text in the language of asymptotics/formula.h, in C, Python, LaTeX or MathML. */
-#ifndef SCALLOP_LANGUAGE_H
-#define SCALLOP_LANGUAGE_H
+#ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
+#define SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
 
 #include "asymptotics/symbolic/symbolic.h"
 

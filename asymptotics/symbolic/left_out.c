@@ -14,7 +14,8 @@
 struct motion {
   const struct scallop_rational_crawler *crawler;
   enum scallop_phase_kind kind;
-  bool is_steady, from_rest;
+  bool is_steady, from_rest, exchanged;
+  bool equal_forces; /* of all crawlers that the formula is about                                */
   struct symbols symbols;
   struct symbolic_phase phase;
   struct symbolic_steady steady;
@@ -58,6 +59,15 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
   return in_L;
 }
 
+/* Is pi in the formula, or in the law of the gait? */
+static bool needs_pi(const struct motion *m, const struct formula *formula)
+{
+  bool needs = !scallop_gait_is_rational(m->crawler->gait);
+  for (int i = 0; i < formula->count; i++)
+    needs = needs || formula->steps[i].operation == FORMULA_PI;
+  return needs;
+}
+
 /* The symbols of a phase in their usual order, and those of the formula that the phase does without */
 static void list_symbols(struct motion *m, const struct formula *formula)
 {
@@ -98,6 +108,8 @@ static const char *expand(struct motion *m, const struct formula *formula, const
 {
   const char *why = NULL;
   symbols_init(&m->symbols);
+  if (needs_pi(m, formula))
+    symbols_add(&m->symbols, NAMED_pi, 0, m->kind);
   if (m->is_steady && !scallop_gait_is_rational(m->crawler->gait))
     return "the closed form of the steady state is for rational gaits";
   if (!m->is_steady)
@@ -172,6 +184,21 @@ static void set_kinematic_length(struct names *names, struct motion *m, symbolic
     set_symbol(names, s, SCALLOP_SYMBOL_L_kin, symbolic_div(s, symbolic_mul(s, l0, lT), symbolic_mul(s, twice, difference)));
 }
 
+/* The bodies exchanged, and with them the sign of l */
+static void exchange_names(struct names *names, struct symbols *s)
+{
+  const struct names before = *names;
+  const struct symbolic_laurent none = symbolic_laurent_set(s, symbolic_number(s, 0, 1), 0);
+  for (int i = 0, sign; i < SCALLOP_SYMBOLS; i++) {
+    enum scallop_symbol meant = scallop_symbol_exchanged((enum scallop_symbol)i, &sign);
+    const struct symbolic_laurent *value = before.list[meant] ? &before.value[meant] : NULL;
+    if (!value)
+      names->list[i] = NULL;
+    else
+      set_name(names, (enum scallop_symbol)i, sign < 0 ? symbolic_laurent_sub(s, &none, value) : *value);
+  }
+}
+
 static void set_names(struct names *names, struct motion *m)
 {
   static const struct {
@@ -201,34 +228,24 @@ static void set_names(struct names *names, struct motion *m)
     set_name(names, SCALLOP_SYMBOL_dT, symbolic_laurent_of(s, &m->phase.dT, 0));
     set_name(names, SCALLOP_SYMBOL_x_switch, symbolic_laurent_of(s, &m->phase.at_last, 0));
   }
+  if (m->exchanged)
+    exchange_names(names, s);
 }
 
-/* A derivative of l as this gait has it: a number of amplitudes, or, where that is not rational, one times an earlier derivative of the same order */
+/* A derivative of l as this gait has it: a number of amplitudes, times a power of pi */
 static void replace_derivative(struct replacement *replaced, const struct motion *m, int place)
 {
-  const struct symbol *list = m->symbols.list;
-  fmpq_t earlier;
-  if (scallop_gait_is_rational(m->crawler->gait)) {
-    in_amplitudes(replaced->times, &list[place], m->crawler);
-    replaced->by = symbols_place(&m->symbols, NAMED_L, 0, m->kind);
-    return;
-  }
-  fmpq_init(earlier);
-  for (int i = 0; i < place && replaced->by < 0; i++)
-    if (list[i].derivative == list[place].derivative) {
-      in_amplitudes(earlier, &list[i], m->crawler);
-      in_amplitudes(replaced->times, &list[place], m->crawler);
-      fmpq_div(replaced->times, replaced->times, earlier);
-      replaced->by = i;
-    }
-  fmpq_clear(earlier);
+  const struct symbol *symbol = &m->symbols.list[place];
+  in_amplitudes(replaced->times, symbol, m->crawler);
+  replaced->by = symbols_place(&m->symbols, NAMED_L, 0, m->kind);
+  replaced->pi_power = scallop_gait_is_rational(m->crawler->gait) ? 0 : symbol->derivative;
 }
 
-/* F2 is F1 where the forces are equal. */
+/* F2 is F1 where the forces of all these crawlers are equal. */
 static void replace(struct replacement replaced[MOST_SYMBOLS], const struct motion *m, bool of_gait)
 {
   const struct symbols *s = &m->symbols;
-  if (fmpq_equal(m->crawler->F1, m->crawler->F2))
+  if (m->equal_forces)
     replaced[symbols_place(s, NAMED_F2, 0, m->kind)].by = symbols_place(s, NAMED_F1, 0, m->kind);
   for (int i = 0; of_gait && i < s->count; i++)
     if (s->list[i].derivative > 0)
@@ -240,23 +257,31 @@ static slong length_of(symbolic a, const struct symbols *s)
   return fmpz_mpoly_length(a->over, s->ring) + fmpz_mpoly_length(a->under, s->ring);
 }
 
-/* The coefficient of T^power, if those of lower powers vanish and it does not; else NULL. With M and beta as they stand, if that is shorter */
-static symbolic leading(struct motion *m, const struct symbolic_laurent *difference, slong power, bool of_gait)
+/* The coefficient of T^power, NULL: it is not known. of_gait: as this gait has the derivatives of l. With M and beta as they stand, if that is
+ * shorter */
+static symbolic coefficient_of(struct motion *m, const struct symbolic_laurent *difference, slong power, bool of_gait)
 {
   struct replacement replaced[MOST_SYMBOLS];
   struct symbols *s = &m->symbols;
-  symbolic found = NULL, term = NULL;
-  bool vanish = true;
+  symbolic term = symbolic_laurent_term(s, difference, power), reduced, other;
+  if (!term)
+    return NULL;
   replacements_init(replaced);
   replace(replaced, m, of_gait);
-  for (slong k = difference->first < power ? difference->first : power; k <= power && vanish; k++) {
-    term = symbolic_laurent_term(s, difference, k);
-    found = term ? symbolic_reduced(s, term, replaced) : NULL;
-    vanish = found && symbolic_is_zero(found, s) == (k < power);
-  }
-  symbolic other = term ? symbolic_replaced(s, term, replaced) : NULL;
+  reduced = symbolic_reduced(s, term, replaced);
+  other = symbolic_replaced(s, term, replaced);
   replacements_clear(replaced);
-  return !vanish ? NULL : other && length_of(other, s) < length_of(found, s) ? other : found;
+  return reduced && other && !symbolic_is_zero(reduced, s) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
+}
+
+/* The first power up to T^most whose coefficient is not 0, or most + 1. False: one is not known. */
+static bool first_power(slong *power, struct motion *m, const struct symbolic_laurent *difference, slong most, bool of_gait)
+{
+  symbolic found = NULL;
+  for (*power = difference->first < most ? difference->first : most; *power <= most; ++*power)
+    if (!(found = coefficient_of(m, difference, *power, of_gait)) || !symbolic_is_zero(found, &m->symbols))
+      break;
+  return *power > most || found;
 }
 
 static char *write(struct motion *m, symbolic found, slong power)
@@ -277,47 +302,71 @@ static void evaluate(fmpq_t coefficient, const struct motion *m, symbolic found,
   _fmpq_vec_clear(values, m->symbols.count);
 }
 
-static char *find(fmpq_t coefficient, struct motion *m, const struct formula *formula, enum scallop_quantity quantity,
-                  const fmpq_t v0, slong power, char message[FORMULA_MESSAGE])
+static const char *find(struct left_out *l, struct motion *m, const struct formula *formula, enum scallop_quantity quantity,
+                        const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
-  const bool is_rational = scallop_gait_is_rational(m->crawler->gait);
   struct symbolic_laurent derived, value;
   struct names *names = flint_malloc(sizeof *names);
   const char *why = NULL;
-  symbolic found = NULL;
   set_names(names, m);
-  if (!derive(&derived, m, quantity, power))
+  if (!derive(&derived, m, quantity, most))
     why = "this quantity is not derived as a formula";
   else if (!formula_symbolic(&value, formula, names->list, &m->symbols, message)) {
     const struct symbolic_laurent difference = symbolic_laurent_sub(&m->symbols, &derived, &value);
-    found = leading(m, &difference, power, false);
-    found = found ? found : leading(m, &difference, power, true);
-    why = "a lower coefficient vanishes by coincidence, or too few are known";
-  }
+    slong of_any_gait;
+    if (!first_power(&l->order, m, &difference, most, true))
+      why = "too few terms are known";
+    else if (l->order <= most) {
+      bool general = first_power(&of_any_gait, m, &difference, most, false) && of_any_gait == l->order;
+      symbolic found = coefficient_of(m, &difference, l->order, !general);
+      l->term = write(m, found, l->order);
+      l->is_number = !needs_pi(m, formula);
+      if (l->is_number)
+        evaluate(l->coefficient, m, found, v0);
+    }
+  } else
+    why = message;
   flint_free(names);
-  if (why && !found)
+  if (why && why != message)
     snprintf(message, FORMULA_MESSAGE, "%s", why);
-  if (found && is_rational)
-    evaluate(coefficient, m, found, v0);
-  return found ? write(m, found, power) : NULL;
+  return why ? message : NULL;
 }
 
-char *symbolic_left_out(fmpq_t coefficient, const struct scallop_formula *f, const struct scallop_rational_crawler *crawler,
-                        const fmpq_t v0, slong power, char message[FORMULA_MESSAGE])
+void left_out_init(struct left_out *l)
+{
+  *l = (struct left_out){ .term = NULL };
+  fmpq_init(l->coefficient);
+}
+
+void left_out_clear(struct left_out *l)
+{
+  free(l->term);
+  fmpq_clear(l->coefficient);
+}
+
+const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *f,
+                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
+                              slong most, char message[FORMULA_MESSAGE])
 {
   struct motion m = { .crawler = crawler,
-                      .kind = f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION,
+                      .kind = kind,
                       .is_steady = f->setting == SCALLOP_STEADY,
-                      .from_rest = f->setting == SCALLOP_AT_REST_START };
+                      .from_rest = f->setting == SCALLOP_AT_REST_START,
+                      .exchanged = scallop_formula_is_exchanged(f, kind) };
   struct formula formula;
+  /* from rest no body turns where F1 = F2: these modes say so */
+  m.equal_forces = m.from_rest;
+  for (const char *const *when = f->when; when && *when; when++)
+    m.equal_forces = m.equal_forces || scallop_condition_is_equal_forces(*when);
+  m.equal_forces = m.equal_forces && fmpq_equal(crawler->F1, crawler->F2);
   if (scallop_formula_text(&formula, f, NULL, message))
-    return NULL;
-  const char *why = power >= SYMBOLIC_ORDERS ? "the order is not below 16" : expand(&m, &formula, v0, power);
+    return message;
+  const char *why = most >= SYMBOLIC_ORDERS ? "the order is not below 16" : expand(&m, &formula, v0, most);
   if (why) {
     snprintf(message, FORMULA_MESSAGE, "%s", why);
-    return NULL;
+    return message;
   }
-  char *text = find(coefficient, &m, &formula, f->quantity, v0, power, message);
+  why = find(l, &m, &formula, f->quantity, v0, most, message);
   symbols_end(&m.symbols);
-  return text;
+  return why;
 }

@@ -7,6 +7,7 @@ void replacements_init(struct replacement replaced[MOST_SYMBOLS])
 {
   for (int i = 0; i < MOST_SYMBOLS; i++) {
     replaced[i].by = -1;
+    replaced[i].pi_power = 0;
     fmpq_init(replaced[i].times);
     fmpq_one(replaced[i].times);
   }
@@ -48,6 +49,11 @@ static void set_image(fmpq_mpoly_t image, const struct symbols *s, int place, co
   } else {
     fmpq_mpoly_gen(image, replaced->by >= 0 ? replaced->by : place, ring);
     fmpq_mpoly_scalar_mul_fmpq(image, image, replaced->times, ring);
+    if (replaced->pi_power > 0) {
+      fmpq_mpoly_gen(other, place_of(s, NAMED_pi), ring);
+      fmpq_mpoly_pow_ui(other, other, (ulong)replaced->pi_power, ring);
+      fmpq_mpoly_mul(image, image, other, ring);
+    }
   }
   fmpq_mpoly_clear(other, ring);
 }

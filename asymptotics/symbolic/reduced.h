@@ -1,12 +1,12 @@
 /* Values of symbolic.h of which it is known how their symbols depend on one another. Not public. */
-#ifndef SCALLOP_REDUCED_H
-#define SCALLOP_REDUCED_H
+#ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_REDUCED_H
+#define SCALLOP_ASYMPTOTICS_SYMBOLIC_REDUCED_H
 
 #include "asymptotics/symbolic/symbolic.h"
 
-/* In the place of a symbol another one, times a number; by < 0: the symbol stays. */
+/* In the place of a symbol another one, times a number and a power of pi; by < 0: the symbol stays. */
 struct replacement {
-  int by;
+  int by, pi_power;
   fmpq_t times;
 };
 void replacements_init(struct replacement replaced[MOST_SYMBOLS]);

@@ -9,11 +9,12 @@ void symbols_init(struct symbols *s)
   s->count = 0;
   s->made = NULL;
   s->made_count = s->made_room = 0;
+  s->terms = s->most_terms = 0;
 }
 
 static void name_symbol(struct symbol *symbol, bool second)
 {
-  static const char *const names[] = { "m1", "m2", "M", "F1", "F2", "L", "v0", "alpha", "beta", "T" };
+  static const char *const names[] = { "m1", "m2", "M", "F1", "F2", "L", "v0", "alpha", "beta", "T", "pi" };
   int n = symbol->derivative;
   const char *end = symbol->meaning == NAMED_AT_START ? "0" : "T", *phase = second ? "_c" : "";
   if (symbol->meaning < NAMED_AT_START)
@@ -97,6 +98,7 @@ void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_
     case NAMED_alpha: fmpq_set(value, crawler->alpha); break;
     case NAMED_beta: scallop_rational_fraction(value, crawler, SCALLOP_CONTRACTION); break;
     case NAMED_T: fmpq_set(value, crawler->T); break;
+    case NAMED_pi: fmpq_one(value); break; /* what depends on it has no value here */
     case NAMED_AT_START:
     case NAMED_AT_END: derivative_value(value, &s->list[i], crawler, pi_squared); break;
     }
@@ -166,6 +168,15 @@ symbolic symbolic_coefficient(struct symbols *s, symbolic a, bool under, slong p
   return value;
 }
 
+/* Too many terms were made: what is still asked for is 1, so that the work ends soon. */
+static bool is_given_up(const struct symbols *s) { return s->most_terms > 0 && s->terms > s->most_terms; }
+
+static symbolic counted(struct symbols *s, symbolic value)
+{
+  s->terms += fmpz_mpoly_length(value->over, s->ring) + fmpz_mpoly_length(value->under, s->ring);
+  return value;
+}
+
 /* Takes the greatest common divisor out of a and b. FLINT finds one unless exponents overflow; without it the value is the same. */
 static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct symbols *s)
 {
@@ -181,6 +192,8 @@ static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct symbols *s)
 /* a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q), where only g can have more to cancel */
 static symbolic sum(struct symbols *s, symbolic a, symbolic b, bool sub)
 {
+  if (is_given_up(s))
+    return symbolic_number(s, 1, 1);
   struct symbolic *value = new_value(s);
   fmpz_mpoly_t g, p, q, term;
   fmpz_mpoly_init(g, s->ring);
@@ -201,7 +214,7 @@ static symbolic sum(struct symbols *s, symbolic a, symbolic b, bool sub)
   fmpz_mpoly_clear(p, s->ring);
   fmpz_mpoly_clear(q, s->ring);
   fmpz_mpoly_clear(term, s->ring);
-  return value;
+  return counted(s, value);
 }
 
 symbolic symbolic_add(struct symbols *s, symbolic a, symbolic b) { return sum(s, a, b, false); }
@@ -212,6 +225,8 @@ symbolic symbolic_sub(struct symbols *s, symbolic a, symbolic b) { return sum(s,
 static symbolic product(struct symbols *s, const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpoly_t c,
                         const fmpz_mpoly_t d)
 {
+  if (is_given_up(s))
+    return symbolic_number(s, 1, 1);
   struct symbolic *value = new_value(s);
   fmpz_mpoly_t over, under;
   fmpz_mpoly_init(over, s->ring);
@@ -230,7 +245,7 @@ static symbolic product(struct symbols *s, const fmpz_mpoly_t a, const fmpz_mpol
   }
   fmpz_mpoly_clear(over, s->ring);
   fmpz_mpoly_clear(under, s->ring);
-  return value;
+  return counted(s, value);
 }
 
 symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b) { return product(s, a->over, a->under, b->over, b->under); }

@@ -4,8 +4,8 @@
  * not 0. The formula holds for every crawler of these modes. Never looks at numerics/. Needs FLINT; prints nothing.
  *
  * Values never change once they are made: each belongs to the struct symbols that made it, and ends with that. */
-#ifndef SCALLOP_SYMBOLIC_H
-#define SCALLOP_SYMBOLIC_H
+#ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_SYMBOLIC_H
+#define SCALLOP_ASYMPTOTICS_SYMBOLIC_SYMBOLIC_H
 
 #include <flint/fmpz_mpoly.h>
 
@@ -31,6 +31,7 @@ enum symbol_meaning {
   NAMED_alpha,
   NAMED_beta, /* 1 - alpha, likewise                                                                */
   NAMED_T,
+  NAMED_pi,
   NAMED_AT_START, /* the n-th derivative of l by time at the start of a phase, times (duration)^n   */
   NAMED_AT_END
 };
@@ -54,6 +55,7 @@ struct symbols {
   fmpz_mpoly_ctx_t ring;
   struct symbolic **made; /* all values                                                         */
   size_t made_count, made_room;
+  slong terms, most_terms; /* of all sums and products; 0: of any number, else more of them give the work up */
 };
 /* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the list. symbols_end ends all three. */
 void symbols_init(struct symbols *s);

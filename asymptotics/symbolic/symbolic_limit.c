@@ -4,6 +4,11 @@
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/symbolic/crossing.h"
 
+/* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
+#define MOST_TERMS 10000000
+#define TEXT_OF(number) TEXT_AS(number)
+#define TEXT_AS(number) #number
+
 /* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: the inverses of |l'| near both ends,
  * which are the same where the phase is reversible */
 static struct symbolic_series share_of(struct symbols *s, enum scallop_phase_kind kind, bool reversible, slong length)
@@ -215,12 +220,19 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   limit->modes = limit->sign > 0 ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   slong terms = order < 2 ? 2 : order;
   list_symbols(s, crawler->gait, limit, terms);
+  s->most_terms = s->most_terms > 0 ? s->most_terms : MOST_TERMS;
   symbolic power = symbolic_number(s, limit->sign, 1);
   limit->small = in == LIMIT_IN_ALPHA      ? time_difference(s)
                  : in == LIMIT_IN_FRICTION ? friction_difference(s)
                                            : symbolic_mul(s, time_difference(s), friction_difference(s));
   struct weights w = weights_of(s, in, terms);
   limit->term = solve(s, &w, limit, terms);
+  if (s->terms > s->most_terms) {
+    if (why)
+      *why = "the limit takes more than " TEXT_OF(
+          MOST_TERMS) " terms at this order: ask for a lower --order, or for numbers, without --symbolic";
+    return SCALLOP_EDOMAIN;
+  }
   limit->term.length = order;
   for (slong k = 0; k < order; k++, power = symbolic_mul(s, power, limit->small))
     limit->term.term[k] = symbolic_mul(s, limit->term.term[k], power);

@@ -125,9 +125,15 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
     branch_init(&b);
     int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]) < 0 ? -1 : 1;
     branch_from_ends(&b, &p, at_start, at_end);
-    list_symbols(s, &b, kind, order);
-    expand(s, &b, kind, at_start == 0, order, phase);
-    snprintf(phase->modes, sizeof phase->modes, "%s", numeric.modes);
+    if (b.count > 0 && b.crossing[0].tangent) {
+      status = SCALLOP_EDOMAIN;
+      if (why)
+        *why = "l'' = 0 at the start of the phase, where a body is held first: its motion is not derived as a formula";
+    } else {
+      list_symbols(s, &b, kind, order);
+      expand(s, &b, kind, at_start == 0, order, phase);
+      snprintf(phase->modes, sizeof phase->modes, "%s", numeric.modes);
+    }
     branch_clear(&b);
     phase_constants_clear(&p);
   }

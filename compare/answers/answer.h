@@ -2,8 +2,8 @@
  *
  * Four arithmetics: double, the solver itself; wide, the same walk in 64 or 113 bits; balls, every digit proven; and series in T. The
  * latter two need FLINT (answer_flint.c). Statuses and accuracy are those of numerics/ and asymptotics/. */
-#ifndef SCALLOP_ANSWER_H
-#define SCALLOP_ANSWER_H
+#ifndef SCALLOP_COMPARE_ANSWERS_ANSWER_H
+#define SCALLOP_COMPARE_ANSWERS_ANSWER_H
 
 #include "compare/answers/point.h"
 #include "compare/answers/quantities.h"

@@ -1,6 +1,6 @@
 /* Answers in balls, every digit proven, and in series. Need FLINT. */
-#ifndef SCALLOP_ANSWER_FLINT_H
-#define SCALLOP_ANSWER_FLINT_H
+#ifndef SCALLOP_COMPARE_ANSWERS_ANSWER_FLINT_H
+#define SCALLOP_COMPARE_ANSWERS_ANSWER_FLINT_H
 
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer.h"

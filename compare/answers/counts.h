@@ -1,6 +1,6 @@
 /* What a run of scenes really did: `run --stats` prints it. Each is counted where a scene asks for it; what other commands do is not. */
-#ifndef SCALLOP_COUNTS_H
-#define SCALLOP_COUNTS_H
+#ifndef SCALLOP_COMPARE_ANSWERS_COUNTS_H
+#define SCALLOP_COMPARE_ANSWERS_COUNTS_H
 
 #include "numerics/numerics.h"
 

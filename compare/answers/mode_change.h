@@ -1,6 +1,6 @@
 /* Modes in words: those of a motion, with their times, and what happens where they change. */
-#ifndef SCALLOP_MODE_CHANGE_H
-#define SCALLOP_MODE_CHANGE_H
+#ifndef SCALLOP_COMPARE_ANSWERS_MODE_CHANGE_H
+#define SCALLOP_COMPARE_ANSWERS_MODE_CHANGE_H
 
 #include "compare/answers/answer.h"
 

@@ -1,7 +1,7 @@
 /* A point: a crawler, its gait and, where asked, a phase with a start velocity; and each of its numbers as it was written, so that
  * certified answers can take 0.7 as 7/10. */
-#ifndef SCALLOP_POINT_H
-#define SCALLOP_POINT_H
+#ifndef SCALLOP_COMPARE_ANSWERS_POINT_H
+#define SCALLOP_COMPARE_ANSWERS_POINT_H
 
 #include <stdbool.h>
 

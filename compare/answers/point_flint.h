@@ -1,7 +1,7 @@
 /* A point in fractions, as it was written: what certified answers and derived series are about. And numbers with more digits than a double
  * has, as text. Needs FLINT. */
-#ifndef SCALLOP_POINT_FLINT_H
-#define SCALLOP_POINT_FLINT_H
+#ifndef SCALLOP_COMPARE_ANSWERS_POINT_FLINT_H
+#define SCALLOP_COMPARE_ANSWERS_POINT_FLINT_H
 
 #include "compare/answers/point.h"
 #include "model/exact/ball.h"

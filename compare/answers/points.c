@@ -10,6 +10,7 @@
 #include "compare/answers/gaits.h"
 #include "compare/text/tsv.h"
 #include "compare/text/values.h"
+#include "compare/text/progress.h"
 
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
@@ -307,7 +308,7 @@ static enum exit_code points_of_sweep(const struct request *request, const struc
   do {
     struct point point = request->point;
     sweep_move(&swept, &point, product, index, NULL, NULL);
-    rows++;
+    progress_count(++rows, sweep_points(&request->sweep));
     unsolved += write_row(&table, of, NULL, &point, swept.why[0] != '\0' ? swept.why : NULL) != NULL;
   } while (sweep_next(product, index) && !table_failed(&table));
   return finish(&table, rows, unsolved);

@@ -1,7 +1,7 @@
 /* Points: the one of the command line, those of its lists and ranges, or rows of parameters from a TSV file, one at a time; and what of a
  * point stands in tables. */
-#ifndef SCALLOP_POINTS_H
-#define SCALLOP_POINTS_H
+#ifndef SCALLOP_COMPARE_ANSWERS_POINTS_H
+#define SCALLOP_COMPARE_ANSWERS_POINTS_H
 
 #include "compare/answers/gaits.h"
 #include "compare/answers/point.h"
@@ -34,10 +34,10 @@ struct point_table {
   point_row *row;
   const void *context;
 };
-/* Runs row over the points of request->points, over those of request->sweep, or over the one point of the request itself. Opens and
- * closes the table. */
 /* Are there, or may there be, many points? */
 bool has_many_points(const struct request *request);
+/* Runs row over the points of request->points, over those of request->sweep, or over the one point of the request itself.
+ * Opens and closes the table. */
 enum exit_code for_each_point(const struct request *request, const struct point_table *of);
 
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */

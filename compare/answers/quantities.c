@@ -156,10 +156,10 @@ static const char *name_at(const struct quantities *all, int i, struct quantity 
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
   const char *other;
-  for (int i = 0; (other = name_at(all, i, q)); i++)
+  for (int i = 0; (other = name_at(all, i, q)) && q->kind != QUANTITY_PUBLISHED; i++)
     if (strcmp(other, name) == 0)
       return true;
-  q->formula = formula_named(name); /* by its equation */
+  q->formula = formula_named(name);
   return q->formula != NULL;
 }
 

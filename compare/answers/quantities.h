@@ -16,8 +16,8 @@
  *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
  *     status                                      ok, or why there is no answer
  */
-#ifndef SCALLOP_QUANTITIES_H
-#define SCALLOP_QUANTITIES_H
+#ifndef SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
+#define SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the first slowest; the
  * products of a sweep follow one another. What a variable may set is one table (sweep.c). */
-#ifndef SCALLOP_SWEEP_H
-#define SCALLOP_SWEEP_H
+#ifndef SCALLOP_COMPARE_ANSWERS_SWEEP_H
+#define SCALLOP_COMPARE_ANSWERS_SWEEP_H
 
 #include "compare/answers/point.h"
 #include "compare/answers/quantities.h"

@@ -8,8 +8,23 @@
 /* The formulas of the books that were read, in the order of reading, and the files, which have their texts */
 static struct entry **entries;
 static int count;
+enum { BUCKETS = 16384 };
+static struct entry *buckets[BUCKETS]; /* the entries by their names */
 static struct config **files;
 static int file_count;
+
+static struct entry **bucket_of(const char *name)
+{
+  return &buckets[checksum_after(CHECKSUM_OF_NOTHING, name, strlen(name)) % BUCKETS];
+}
+
+const struct entry *book_entry_named(const char *name)
+{
+  const struct entry *e = *bucket_of(name);
+  while (e && strcmp(e->formula.name, name) != 0)
+    e = e->next;
+  return e;
+}
 
 bool book_keep(struct entry *e)
 {
@@ -18,6 +33,9 @@ bool book_keep(struct entry *e)
     return false;
   entries = more;
   entries[count++] = e;
+  struct entry **bucket = bucket_of(e->formula.name);
+  e->next = *bucket;
+  *bucket = e;
   return true;
 }
 
@@ -45,11 +63,9 @@ static const struct scallop_formula *in_list(const struct scallop_formula *list,
 
 static const struct scallop_formula *in_books(int *i)
 {
-  const struct scallop_formula *f;
-  for (int k = 0; (f = book_formula(k)); k++)
-    if ((*i)-- == 0)
-      return f;
-  return NULL;
+  const struct scallop_formula *f = book_formula(*i);
+  *i -= f ? 0 : count;
+  return f;
 }
 
 const struct scallop_formula *listed_formula(int i)
@@ -94,10 +110,8 @@ static const struct scallop_formula *of_equation(const char *equation, int i)
 
 const struct scallop_formula *formula_named(const char *name)
 {
-  for (int i = 0; book_formula(i); i++)
-    if (strcmp(book_formula(i)->name, name) == 0)
-      return book_formula(i);
-  const struct scallop_formula *f = scallop_formula_named(name);
+  const struct entry *e = book_entry_named(name);
+  const struct scallop_formula *f = e ? &e->formula : scallop_formula_named(name);
   return f || of_equation(name, 1) ? f : of_equation(name, 0);
 }
 
@@ -185,6 +199,7 @@ void books_forget(void)
   }
   while (count > 0)
     free(entries[--count]);
+  memset(buckets, 0, sizeof buckets);
   while (file_count > 0) {
     config_close(files[--file_count]);
     free(files[file_count]);

@@ -2,8 +2,8 @@
  *
  * A book is a file in libconfig's format; docs/formulas.md has its members. Books are read when options are read, before anything is
  * computed, and stay for as long as the program runs; after that any thread may ask. */
-#ifndef SCALLOP_BOOK_H
-#define SCALLOP_BOOK_H
+#ifndef SCALLOP_COMPARE_BOOK_BOOK_H
+#define SCALLOP_COMPARE_BOOK_BOOK_H
 
 #include "asymptotics/published/read.h"
 #include "compare/text/message.h"

@@ -50,13 +50,11 @@ static bool check_name(const struct config *c, const struct entry *e, name_is_ta
   bool is_taken = taken && taken(name);
   if (!is_identifier(name) || formula_is_word(name) || is_taken)
     return refuse_name(c, member_of(e, "name"), name, "formula", is_taken);
-  for (int i = 0; i < book_count(); i++)
-    if (strcmp(book_entry(i)->formula.name, name) == 0) {
-      const char *path = book_entry(i)->path;
-      bool here = strcmp(path, c->path) == 0;
-      return refuse_at(c, member_of(e, "name"), "there is a formula '%s' already%s%s", name, here ? "" : ", in ",
-                       here ? "" : path);
-    }
+  const struct entry *other = book_entry_named(name);
+  bool here = other && strcmp(other->path, c->path) == 0;
+  if (other)
+    return refuse_at(c, member_of(e, "name"), "there is a formula '%s' already%s%s", name, here ? "" : ", in ",
+                     here ? "" : other->path);
   return true;
 }
 

@@ -1,6 +1,6 @@
 /* One formula of a book while it is read and checked. Not for other rooms. */
-#ifndef SCALLOP_BOOK_ENTRY_H
-#define SCALLOP_BOOK_ENTRY_H
+#ifndef SCALLOP_COMPARE_BOOK_ENTRY_H
+#define SCALLOP_COMPARE_BOOK_ENTRY_H
 
 #include "compare/book/book.h"
 #include "compare/config/config.h"
@@ -18,12 +18,14 @@ struct entry {
   int conditions, start, phase, of;
   const char *path;
   const config_setting_t *group; /* NULL: the formula of an option */
+  struct entry *next;            /* behind it in the list of a checksum of names */
 };
 
 /* The entries of all books: how many, and the one at place i; keeps one more, false: out of memory. A file to be read, for as long as its
  * entries are there, or NULL. */
 int book_count(void);
 const struct entry *book_entry(int i);
+const struct entry *book_entry_named(const char *name); /* or NULL */
 bool book_keep(struct entry *entry);
 struct config *book_config(void);
 

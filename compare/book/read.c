@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "compare/book/entry.h"
+#include "compare/text/progress.h"
 #include "compare/text/memory.h"
 #include "compare/text/values.h"
 
@@ -117,8 +118,9 @@ static bool read_list(struct config *c, const char *name, name_is_taken *taken)
   if (list && !config_setting_is_list(list))
     return refuse_at(c, list, "%s is a list of formulas: ( { ... }, { ... } )", name);
   for (int i = 0; list && i < config_setting_length(list); i++)
-    if (!read_entry(c, element_at(list, i), taken))
+    if (progress_count(i, config_setting_length(list)), !read_entry(c, element_at(list, i), taken))
       return false;
+  progress_count(0, 0);
   return true;
 }
 

@@ -1,6 +1,6 @@
 /* Where the expansion breaks down: how far a series in T can be trusted, and what ends it. Needs FLINT. */
-#ifndef SCALLOP_BREAKDOWN_H
-#define SCALLOP_BREAKDOWN_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_BREAKDOWN_H
+#define SCALLOP_COMPARE_BREAKDOWN_BREAKDOWN_H
 
 #include "compare/answers/points.h"
 #include "compare/answers/quantities.h"

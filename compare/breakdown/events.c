@@ -19,8 +19,8 @@ static const double PROVEN = 0x1p-40;
 
 /* What a motion is made of: it changes where the expansion ends. */
 struct signature {
-  struct answer answer;                                     /* its modes are those that have an interval */
-  const struct scallop_piece *piece[2][SCALLOP_MODES_KEPT]; /* in which a mode begins */
+  struct answer answer;
+  const struct scallop_piece *piece[2][SCALLOP_MODES_KEPT]; /* in which a mode begins; NULL: not known */
 };
 
 /* The parts of a phase are the pieces, but where l' goes on with the same analytic function two pieces are one part: number of the one
@@ -51,7 +51,7 @@ struct collector {
 static void collect(void *context, const struct scallop_interval *interval)
 {
   const struct collector *c = context;
-  int n = (int)c->modes->count;
+  int n = c->modes->count;
   const struct scallop_mode *last = n > 0 ? &c->modes->kept[n - 1] : NULL;
   if (n == SCALLOP_MODES_KEPT || (last && last->s1 == interval->mode.s1 && last->s2 == interval->mode.s2))
     return;
@@ -60,20 +60,23 @@ static void collect(void *context, const struct scallop_interval *interval)
   c->modes->count++;
 }
 
+/* Phases that start from the rounded velocities of a steady state may have other modes than the steady state: then the pieces are not known. */
 static bool signature_at(struct signature *out, const struct motion *motion, double T)
 {
   const struct motion m = motion_at(motion, T);
   struct answer *a = &out->answer;
+  struct scallop_modes walked[2] = { { 0 } };
   if (!answer_in_double(a, &m))
     return false;
   for (int phase = 0; phase < phases_of(&m); phase++) {
     enum scallop_phase_kind kind = kind_of(&m, phase);
-    struct collector collector = { &a->modes[phase], out->piece[phase], &m.crawler.gait->phase[kind] };
+    struct collector collector = { &walked[phase], out->piece[phase], &m.crawler.gait->phase[kind] };
     double v = m.of == OF_PHASE ? m.v0 : a->value[phase == 0 ? Q_V_START : Q_V_MID].high;
-    a->modes[phase].count = 0;
     if (scallop_phase_intervals(&m.crawler, kind, v, collect, &collector) < 0)
       return false;
   }
+  if (!same_modes(walked, a->modes))
+    memset(out->piece, 0, sizeof out->piece);
   return true;
 }
 
@@ -84,7 +87,7 @@ static int moved(const struct motion *m, const struct signature *a, const struct
     for (int i = 0; i < a->answer.modes[phase].count; i++) {
       const struct scallop_shape *shape = &m->crawler.gait->phase[kind_of(m, phase)];
       const struct scallop_piece *p = a->piece[phase][i], *q = b->piece[phase][i];
-      if (p != q && part_of(shape, p) != part_of(shape, q))
+      if (p && q && part_of(shape, p) != part_of(shape, q))
         return phase * SCALLOP_MODES_KEPT + i;
     }
   return -1;

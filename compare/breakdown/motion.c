@@ -45,19 +45,30 @@ static double most_acceleration(const struct scallop_shape *shape)
   return most;
 }
 
+/* Does l' jump where a piece begins? */
+static bool jumps(const struct scallop_shape *shape)
+{
+  for (int i = 0; i < shape->count; i++)
+    if (shape->pieces[i].jump)
+      return true;
+  return false;
+}
+
 /* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on, l'' here being
  * that of a phase of duration 1. With equal forces nothing depends on how they differ, and m_j |l''| is to be compared with them. A
- * start velocity is used up after |v0| M/(F1 + F2). */
+ * start velocity is used up after |v0| M/(F1 + F2). Where l' jumps it throws the bodies into motion; the velocity of the centre of mass comes to
+ * the level of one of them at the rate |F1 - F2|/M at least, from as far as the fastest motions of both phases are apart. */
 double motion_last_time(const struct motion *s)
 {
   const struct scallop_crawler *c = &s->crawler;
   const struct scallop_shape *phase = c->gait->phase;
-  double difference = fmax(fabs(c->F1 - c->F2), 1e-12 * (c->F1 + c->F2));
+  double M = c->m1 + c->m2, difference = fmax(fabs(c->F1 - c->F2), 1e-12 * (c->F1 + c->F2));
   if (c->F1 == c->F2)
     difference = c->F1;
   double a = s->of == OF_STEADY ? c->alpha : 1, b = s->of == OF_STEADY ? 1 - c->alpha : 1;
   double most = fmax(most_acceleration(&phase[0]) / (a * a), most_acceleration(&phase[1]) / (b * b));
-  double rest = sqrt(fmax(c->m1, c->m2) * c->L / difference * most);
-  double stop = s->of == OF_STEADY ? 0 : fabs(s->v0) * (c->m1 + c->m2) / (c->F1 + c->F2);
+  double thrown = jumps(&phase[0]) || jumps(&phase[1]) ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
+  double rest = sqrt(fmax(fmax(c->m1, c->m2) * most, M * thrown) * c->L / difference);
+  double stop = s->of == OF_STEADY ? 0 : fabs(s->v0) * M / (c->F1 + c->F2);
   return 2 * fmax(rest, 16 * stop);
 }

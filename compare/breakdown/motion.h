@@ -1,13 +1,13 @@
 /* A motion as a function of T: of a steady state the period, of one phase from velocity v0 its duration. T of the crawler in it is not used, and
  * parameters are the doubles they are. */
-#ifndef SCALLOP_BREAKDOWN_MOTION_H
-#define SCALLOP_BREAKDOWN_MOTION_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_MOTION_H
+#define SCALLOP_COMPARE_BREAKDOWN_MOTION_H
 
 #include "compare/answers/answer.h"
 
 /* The motion at T. A phase is the half of a period: its duration is then exactly T. */
 struct motion motion_at(const struct motion *motion, double T);
-/* The answer in binary128 at T, in 25 us to 0.4 ms. A displacement that is 0 in double is 0. */
+/* The answer in binary128 at T. A displacement that is 0 in double is 0. */
 bool motion_in_wide(const struct motion *motion, double T, struct answer *answer);
 
 /* Is it a quantity of this motion that has a series? */

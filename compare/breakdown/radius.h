@@ -1,6 +1,6 @@
 /* The radius of convergence of a series. */
-#ifndef SCALLOP_BREAKDOWN_RADIUS_H
-#define SCALLOP_BREAKDOWN_RADIUS_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_RADIUS_H
+#define SCALLOP_COMPARE_BREAKDOWN_RADIUS_H
 
 #include "asymptotics/derived/singularity.h"
 #include "compare/breakdown/series.h"

@@ -1,3 +1,4 @@
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -240,7 +241,7 @@ double comparison_limit(const struct comparison *c)
     double here = fabs(look_at_place(c, place).error.value);
     if (here < 1e-14)
       return NAN;
-    if (here > 0.999999 * last && here < 1.000001 * last)
+    if (fabs(here - last) <= DBL_EPSILON * here) /* the steps fall as a power of T does */
       return here;
     last = here;
   }

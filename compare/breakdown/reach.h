@@ -1,6 +1,6 @@
 /* How far a series reaches: the largest T up to which its relative error stays below a tolerance. */
-#ifndef SCALLOP_BREAKDOWN_REACH_H
-#define SCALLOP_BREAKDOWN_REACH_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_REACH_H
+#define SCALLOP_COMPARE_BREAKDOWN_REACH_H
 
 #include "compare/breakdown/series.h"
 

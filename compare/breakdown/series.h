@@ -1,6 +1,6 @@
 /* The series beside a motion: formulas of books and of the paper, the derived terms, the limit. */
-#ifndef SCALLOP_BREAKDOWN_SERIES_H
-#define SCALLOP_BREAKDOWN_SERIES_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_SERIES_H
+#define SCALLOP_COMPARE_BREAKDOWN_SERIES_H
 
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/breakdown.h"

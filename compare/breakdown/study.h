@@ -1,6 +1,6 @@
 /* What is known of one motion as a function of T: its series, its events, and how well the series do. */
-#ifndef SCALLOP_BREAKDOWN_STUDY_H
-#define SCALLOP_BREAKDOWN_STUDY_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_STUDY_H
+#define SCALLOP_COMPARE_BREAKDOWN_STUDY_H
 
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"

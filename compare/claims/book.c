@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/symbolic/left_out.h"
 #include "compare/answers/answer.h"
 #include "compare/answers/point_flint.h"
 #include "compare/answers/quantities.h"
@@ -11,8 +10,6 @@
 #include "compare/claims/evidence.h"
 #include "compare/claims/ledger.h"
 #include "compare/claims/samples.h"
-
-static const double SPEED = 0.37; /* of v0, in units of sqrt(L (F1 + F2)/M): no coincidence */
 
 static struct condition condition_of(const struct scallop_formula *f)
 {
@@ -24,7 +21,7 @@ static struct condition condition_of(const struct scallop_formula *f)
             : f->setting == SCALLOP_AT_REST_START    ? "extension from rest"
             : f->setting == SCALLOP_MOVING_EXTENSION ? "extension, v0 > 0 fixed"
                                                      : "contraction, v0 > 0 fixed",
-    .v0 = moving ? SPEED : 0,
+    .v0 = moving ? CLAIM_SPEED : 0,
     .formula = f,
   };
 }
@@ -42,31 +39,41 @@ static void write_conditions(struct claim_row *row, const struct condition *cond
     snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", turns_text[condition->formula->turns]);
 }
 
-/* The numbers of the crawler that the conditions have changed, as "F1=3/2 F2=1/2" */
+/* v0, and the numbers of the crawler that the conditions have changed, as "v0=8/5 F1=3/2 F2=1/2" */
 static void write_change(struct claim_row *row, const struct scallop_rational_crawler *now,
-                         const struct scallop_rational_crawler *before)
+                         const struct scallop_rational_crawler *before, const fmpq_t v0)
 {
-  const fmpq *const numbers[][2] = { { now->m1, before->m1 }, { now->m2, before->m2 }, { now->F1, before->F1 },
-                                     { now->F2, before->F2 }, { now->L, before->L },   { now->alpha, before->alpha } };
-  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "alpha" };
+  fmpq_t rest;
+  fmpq_init(rest);
+  const fmpq *const numbers[][2] = { { v0, rest },
+                                     { now->m1, before->m1 },
+                                     { now->m2, before->m2 },
+                                     { now->F1, before->F1 },
+                                     { now->F2, before->F2 },
+                                     { now->L, before->L },
+                                     { now->alpha, before->alpha } };
+  static const char *const names[] = { "v0", "m1", "m2", "F1", "F2", "L", "alpha" };
   size_t used = 0;
-  for (int i = 0; i < 6; i++)
+  for (int i = 0; i < 7; i++)
     if (!fmpq_equal(numbers[i][0], numbers[i][1])) {
       char *text = fmpq_get_str(NULL, 10, numbers[i][0]);
       used += (size_t)snprintf(row->measured + used, sizeof row->measured - used, "%s%s=%s", used > 0 ? " " : "", names[i],
                                text);
       flint_free(text);
     }
+  fmpq_clear(rest);
 }
 
-/* Why nothing can be said of the claim, or NULL. trial: NULL where the motion has no expansion. */
+/* Why nothing can be said of the claim, or NULL */
 static const char *undecided(const struct condition *condition, const struct trial *trial, bool is_met)
 {
-  static char text[200];
+  static char text[240];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
-  if (!trial)
-    return "this motion has no expansion in powers of T";
+  if (trial->why) {
+    snprintf(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->why);
+    return text;
+  }
   if (!trial_is_steady(trial) || !condition->formula->turns)
     return NULL;
   enum scallop_turns found = turns_in_modes(trial_modes(trial));
@@ -77,24 +84,8 @@ static const char *undecided(const struct condition *condition, const struct tri
   return text;
 }
 
-/* The leading term of the error as a formula, which must give the coefficient for the crawler where both are fractions */
-static void set_leading_error(struct ledger *ledger, struct claim_row *row, const struct trial *trial,
-                              const struct proof *proof, const struct scallop_formula *f)
-{
-  char message[FORMULA_MESSAGE];
-  fmpq_t derived, of_formula;
-  fmpq_init(derived);
-  fmpq_init(of_formula);
-  row->leading_error = symbolic_left_out(of_formula, f, &trial->crawler, trial->v0, proof->order, message);
-  if (row->leading_error && scallop_gait_is_rational(trial->crawler.gait)
-      && series_rational_coefficient(derived, &proof->left_out, proof->order) && !fmpq_equal(derived, of_formula))
-    ledger_contradict(ledger, row, "the leading error as a formula is another one than as a number");
-  fmpq_clear(derived);
-  fmpq_clear(of_formula);
-}
-
-static void add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *f, bool with_leading_error)
+void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
   struct claim_row row = { .equation = f->equation,
@@ -102,7 +93,7 @@ static void add_formula(struct ledger *ledger, const struct scallop_rational_cra
                            .gait = crawler->gait->name,
                            .source = OF_BOOK,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
-                           .slope = NAN };
+                           .mismatch = NAN };
   struct scallop_rational_crawler fitted;
   struct trial trial;
   struct proof proof;
@@ -112,12 +103,11 @@ static void add_formula(struct ledger *ledger, const struct scallop_rational_cra
   scallop_rational_init(&fitted);
   scallop_rational_copy(&fitted, crawler);
   row.inside = is_given ? condition_allows(&condition, &fitted) : condition_fit(&condition, &fitted);
-  if (!is_given)
-    write_change(&row, &fitted, crawler);
   bool expands = trial_init(&trial, &fitted, &condition, false);
+  write_change(&row, &fitted, crawler, trial.v0);
   trial.samples = expands ? samples_take(&trial) : NULL;
   proof_init(&proof);
-  const char *why = undecided(&condition, expands ? &trial : NULL, is_given || row.inside);
+  const char *why = undecided(&condition, &trial, is_given || row.inside);
   if (!why && !trial_prove(&proof, &trial, f))
     why = proof.why;
   if (why) {
@@ -126,22 +116,18 @@ static void add_formula(struct ledger *ledger, const struct scallop_rational_cra
     bool in_text = strncmp(why, "character", 9) == 0;
     snprintf(row.reason, sizeof row.reason, "%s%s", in_text ? formula_place(place, f) : "", why);
   } else {
-    samples_measure(&row, &trial, f);
-    ledger_judge(&row, &proof);
-    if (with_leading_error && row.proven && !row.exact)
-      set_leading_error(ledger, &row, &trial, &proof, f);
+    samples_measure(&row, &trial, f, &proof.left_out);
+    ledger_judge(ledger, &row, &proof);
+    if (!is_given && proof.general < proof.order && (double)proof.general < row.claimed_order)
+      row.verdict = CLAIM_REFUTED; /* it holds for this crawler by coincidence */
+    row.leading_error = proof.term;
+    proof.term = NULL;
   }
   ledger_enter(ledger, &row);
   samples_free(trial.samples);
   trial_clear(&trial);
   proof_clear(&proof);
   scallop_rational_clear(&fitted);
-}
-
-void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *f)
-{
-  add_formula(ledger, crawler, is_given, f, false);
 }
 
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
@@ -155,7 +141,7 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; (f = book_formula(i)); i++)
       if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)))
-        add_formula(ledger, &c, is_given, f, true);
+        ledger_add_formula(ledger, &c, is_given, f);
   }
   scallop_rational_clear(&c);
 }

@@ -40,6 +40,7 @@ void start_velocity_changes_sign(struct question *q)
 {
   const struct family *f = survey(q);
   q->found[0] = f->boundary;
+  q->row.evidence = CERTIFIED_CRAWLER;
   settle(q, f->found, false);
 }
 
@@ -93,6 +94,7 @@ void one_maximum(struct question *q)
     find(q, 1, low.x);
     find(q, 2, b->x);
     solve_motions(q, false);
+    q->row.evidence = CERTIFIED_CRAWLER; /* of the maxima */
   }
   settle(q, f->maxima == 1, f->maxima > 1);
 }

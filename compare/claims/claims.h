@@ -8,14 +8,14 @@
  *     them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c, boundary.c with family.[ch] and figures.c find
  *     the numbers that some rows need, evidence.[ch] helps them.
  *
- * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. A claim in
- * words is decided by a certified example, by a proof in docs/theory.md that random crawlers accompany, or by a scan; conditions and
- * measured say which ("certified", "quasi-random", what was scanned). What is neither shown nor refuted is undecided. A refuted order
- * names the formula that holds instead. A row that contradicts itself (a measured slope that is not the derived order, a correction
+ * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all
+ * parameters where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in docs/theory.md,
+ * decided by a certified example, or rests on random crawlers or a scan in doubles. `evidence` says which. What is neither shown nor
+ * refuted is undecided. A refuted order names the formula that holds instead. A row that contradicts itself (a measured error that is not what is left out, a correction
  * that does not hold) is an error of the ledger, not a verdict.
  */
-#ifndef SCALLOP_CLAIMS_H
-#define SCALLOP_CLAIMS_H
+#ifndef SCALLOP_COMPARE_CLAIMS_CLAIMS_H
+#define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 
 #include "compare/book/book.h"
 #include "compare/answers/points.h"
@@ -29,10 +29,18 @@
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
 const char *claim_verdict_text(enum claim_verdict verdict);
+struct claim_row;
+const char *claim_evidence_text(const struct claim_row *row); /* overwritten by the next call */
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
+/* v0 of the rows from v0, in units of sqrt(L (F1 + F2)/M), rounded to two digits: no coincidence */
+#define CLAIM_SPEED 0.37
 /* Half the width of the interval that a measured order is to have. */
 #define CLAIM_TOLERANCE 0.02
+
+/* How the verdict of a row is known: for all parameters with which the motion has the modes of the row's; for the crawler that is named; from
+ * `sampled` crawlers, or other cases; from doubles */
+enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
 
 /* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
 enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
@@ -48,12 +56,16 @@ struct claim_row {
   bool exact;           /* every coefficient that was looked at vanishes                    */
   long derived_order;   /* of the first coefficient of what is left out                     */
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
-  char *leading_error;  /* of a book's formula: that term as a formula; the ledger's own, NULL: not known    */
-  double slope;         /* measured between the two smallest T; nan if there is no error    */
+  char *leading_error;  /* of a book's formula proven for all: that term as a formula; the ledger's own, or NULL  */
+  double mismatch; /* between the certified error and what is left out, summed, over the former, at the smallest T where it
+                           has digits; nan if there is none                                             */
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
   int count;
   enum claim_verdict verdict;
+  enum claim_evidence evidence; /* none where the verdict is undecided                            */
+  int sampled;
+  bool in_words;
   char corrected[CLAIM_NAME]; /* of a refuted formula: the row of the one that holds, or ""       */
   char measured[200];         /* of a claim in words: the figure that decides                     */
   char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
@@ -62,6 +74,7 @@ struct claim_row {
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
   int count;
+  long expected;           /* rows, for the time that is left; 0: not known */
   char contradiction[400]; /* "", or what contradicts itself (the last one), or that memory ran out */
 };
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
@@ -73,7 +86,7 @@ void ledger_free(struct ledger *ledger);
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
-/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler, without leading_error. */
+/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
 /* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where it is not given, changed so that the
@@ -89,7 +102,7 @@ struct claims_options {
   struct request request;
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */
-  bool check;
+  bool check, summary;
   const char *formula, *claimed; /* one formula instead of the paper's or of request.book; NULL: none */
   struct given_word of, start, phase;
 };

@@ -20,8 +20,8 @@
  *             {options}: what makes the default crawler the first motion's; {modes:2}, {options:0}: of another. {table}: a command that
  *             prints the steady states, with the numbers in which they differ. {whose}, {gait}: of the row.
  *             {1}: what the decider worded. {+TEXT}, {-TEXT}: where the claim holds, where it is refuted. */
-#ifndef SCALLOP_CLAIMS_DECIDE_H
-#define SCALLOP_CLAIMS_DECIDE_H
+#ifndef SCALLOP_COMPARE_CLAIMS_DECIDE_H
+#define SCALLOP_COMPARE_CLAIMS_DECIDE_H
 
 #include "compare/answers/answer_flint.h"
 #include "compare/claims/claims.h"
@@ -44,6 +44,7 @@ struct claim {
   bool outside;                      /* of the paper's conditions                                              */
   bool of_its_gaits_alone;           /* the paper's: no row for another                                        */
   bool of_its_crawler;               /* the paper's, not the ledger's                                          */
+  bool proven;                       /* for the paper's gaits, in docs/theory.md: The motion in words                 */
 };
 /* In the order of the ledger; the last has name NULL. Decided once; for each gait with the paper's crawler (examples), or with random
  * ones; and for each gait with the paper's crawler and with the ledger's (families). */
@@ -69,8 +70,8 @@ struct question {
   const struct claim *claim;
   struct scallop_crawler crawler; /* with the gait in question                                        */
   bool of_the_paper;              /* it is the one of the paper's figures                             */
-  struct claim_row row;
-  struct moved motion[MOTIONS]; /* [0]: the base crawler, not solved                                */
+  struct claim_row row;           /* its evidence: of the motions that were solved last                    */
+  struct moved motion[MOTIONS];   /* [0]: the base crawler, not solved                                */
   int motions;
   bool solved;             /* all of them                                                              */
   double found[FOUND];     /* x1, x2, ...                                                              */
@@ -90,6 +91,8 @@ double number_of(struct question *q, const char *formula);
 int judge(struct question *q, arb_t excess);
 /* holds or refuted where one of them is proven, and every motion that was asked for is solved, else undecided; and the texts of the row. */
 void settle(struct question *q, bool holds, bool fails);
+/* What was solved last are samples of all that the claim is about: so many. */
+void rest_on_samples(struct question *q, int count);
 /* settle by what the claim says, or by its example */
 void conclude(struct question *q);
 /* Appends a text with its {...}. size: of text */

@@ -1,6 +1,6 @@
 /* What the claims in words are decided with: solutions in double, random crawlers, roots and maxima. Needs FLINT. Not public. */
-#ifndef SCALLOP_CLAIMS_EVIDENCE_H
-#define SCALLOP_CLAIMS_EVIDENCE_H
+#ifndef SCALLOP_COMPARE_CLAIMS_EVIDENCE_H
+#define SCALLOP_COMPARE_CLAIMS_EVIDENCE_H
 
 #include "compare/claims/claims.h"
 #include "numerics/certified/certified.h"

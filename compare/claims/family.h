@@ -1,6 +1,6 @@
 /* Crawlers that differ in one number, and what is proven of their mean velocity. Needs FLINT. Not public. */
-#ifndef SCALLOP_CLAIMS_FAMILY_H
-#define SCALLOP_CLAIMS_FAMILY_H
+#ifndef SCALLOP_COMPARE_CLAIMS_FAMILY_H
+#define SCALLOP_COMPARE_CLAIMS_FAMILY_H
 
 #include "compare/claims/decide.h"
 

@@ -6,12 +6,25 @@
 #include <string.h>
 
 #include "compare/answers/point_flint.h"
+#include "compare/text/progress.h"
 #include "compare/text/memory.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12, DIGITS = 12 };
 /* What is left of the next terms there, many times over. */
 static const double AGREEMENT = 1e-6;
+
+const char *claim_evidence_text(const struct claim_row *row)
+{
+  static char sampled[40];
+  switch (row->evidence) {
+  case PROVEN_FOR_ALL: return "proven for all parameters";
+  case CERTIFIED_CRAWLER: return "certified for the crawler named";
+  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases", row->sampled); return sampled;
+  case MEASURED: return "measured in doubles";
+  default: return "-";
+  }
+}
 
 const char *claim_verdict_text(enum claim_verdict verdict)
 {
@@ -29,6 +42,7 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
   }
   ledger->rows = rows;
   rows[ledger->count++] = *row;
+  progress_count(ledger->count, ledger->expected);
 }
 
 void ledger_free(struct ledger *ledger)
@@ -68,18 +82,47 @@ static void set_coefficient(struct claim_row *row, const struct series *left_out
   arb_clear(x);
 }
 
-static void judge_exact(struct claim_row *row, const struct proof *proof)
+static void add_reason(struct claim_row *row, const char *format, double number)
 {
-  row->verdict = isinf(row->claimed_order) ? CLAIM_HOLDS : CLAIM_SHARPER;
-  if (proof->known >= SERIES_ALL)
-    snprintf(row->reason, sizeof row->reason, "every coefficient vanishes");
-  else
-    snprintf(row->reason, sizeof row->reason, "every coefficient below T^%ld vanishes", (long)proof->known);
+  size_t used = strlen(row->reason);
+  used += (size_t)snprintf(row->reason + used, sizeof row->reason - used, "%s", used > 0 ? "; " : "");
+  if (used < sizeof row->reason)
+    snprintf(row->reason + used, sizeof row->reason - used, format, number);
 }
 
-void ledger_judge(struct claim_row *row, const struct proof *proof)
+/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. */
+static void judge_exact(struct claim_row *row, const struct proof *proof)
+{
+  const bool all = proof->known >= SERIES_ALL;
+  row->verdict = !isinf(row->claimed_order) ? CLAIM_SHARPER : all || proof->for_all ? CLAIM_HOLDS : CLAIM_UNDECIDED;
+  if (all)
+    add_reason(row, "every coefficient vanishes", 0);
+  else
+    add_reason(row, "every coefficient below T^%.0f vanishes", (double)proof->known);
+  if (proof->for_all_below > 0 && !all)
+    add_reason(row, "for all parameters those below T^%.0f", (double)proof->for_all_below);
+  if (row->verdict == CLAIM_UNDECIDED)
+    row->evidence = NO_EVIDENCE;
+}
+
+static void judge_order(struct claim_row *row, const struct proof *proof)
+{
+  set_coefficient(row, &proof->left_out, proof->order);
+  row->verdict = row->derived_order == row->claimed_order  ? CLAIM_HOLDS
+                 : row->derived_order > row->claimed_order ? CLAIM_SHARPER
+                                                           : CLAIM_REFUTED;
+  if (row->verdict == CLAIM_REFUTED && row->derived_order == 0)
+    add_reason(row, "the error does not fall", 0);
+  else if (row->verdict != CLAIM_HOLDS)
+    add_reason(row, "the error goes as T^%.0f", (double)row->derived_order);
+}
+
+void ledger_judge(struct ledger *ledger, struct claim_row *row, const struct proof *proof)
 {
   row->proven = !proof->undecided;
+  row->evidence = proof->undecided ? NO_EVIDENCE : proof->for_all ? PROVEN_FOR_ALL : CERTIFIED_CRAWLER;
+  if (proof->contradicts)
+    ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
   row->exact = !proof->undecided && !proof->found;
   row->derived_order = proof->order;
   row->verdict = CLAIM_UNDECIDED;
@@ -87,32 +130,24 @@ void ledger_judge(struct claim_row *row, const struct proof *proof)
     snprintf(row->reason, sizeof row->reason, "the coefficient of T^%ld cannot be told from 0", (long)proof->order);
     return;
   }
-  if (row->exact) {
-    judge_exact(row, proof);
-    return;
-  }
-  set_coefficient(row, &proof->left_out, proof->order);
-  row->verdict = row->derived_order == row->claimed_order  ? CLAIM_HOLDS
-                 : row->derived_order > row->claimed_order ? CLAIM_SHARPER
-                                                           : CLAIM_REFUTED;
-  if (row->verdict == CLAIM_REFUTED && row->derived_order == 0)
-    snprintf(row->reason, sizeof row->reason, "the error does not fall");
-  else if (row->verdict != CLAIM_HOLDS)
-    snprintf(row->reason, sizeof row->reason, "the error goes as T^%ld", row->derived_order);
+  (row->exact ? judge_exact : judge_order)(row, proof);
   if (proof->general < proof->order)
-    snprintf(row->reason + strlen(row->reason), sizeof row->reason - strlen(row->reason), "%sof other crawlers as T^%ld",
-             *row->reason ? "; " : "", (long)proof->general);
+    add_reason(row, "of other crawlers as T^%.0f", (double)proof->general);
 }
 
-/* The measured slope is the derived order, or the error is enclosed by 0 throughout. */
+/* Is the error enclosed by 0 at every T, or, last, at the smallest? */
+static bool is_enclosed(const struct claim_row *row, bool last)
+{
+  bool enclosed = row->count > 0;
+  for (int i = last ? row->count - 1 : 0; i >= 0 && i < row->count; i++)
+    enclosed = enclosed && fabs(row->points[i].err) <= row->points[i].noise;
+  return enclosed;
+}
+
+/* The measured error is what is left out; of what vanishes as far as was looked at, it is 0 at the smallest T. */
 static bool agrees(const struct claim_row *row)
 {
-  if (!row->proven)
-    return true;
-  for (int i = 0; row->exact && i < row->count; i++)
-    if (!(fabs(row->points[i].err) <= row->points[i].noise))
-      return false;
-  return row->exact ? row->count > 0 : fabs(row->slope - (double)row->derived_order) <= AGREEMENT;
+  return !row->proven || (row->exact ? is_enclosed(row, true) : row->count > 0 && !(row->mismatch > AGREEMENT));
 }
 
 static void fit(struct claim_row *row)
@@ -132,14 +167,24 @@ static void fit(struct claim_row *row)
 void ledger_enter(struct ledger *ledger, struct claim_row *row)
 {
   fit(row);
+  if (row->exact && isinf(row->claimed_order) && row->count > 0 && !is_enclosed(row, false)) {
+    row->verdict = CLAIM_REFUTED;
+    row->evidence = CERTIFIED_CRAWLER;
+    add_reason(row, "but the certified error is not 0 at every T", 0);
+  }
   if (!agrees(row)) {
     char what[120];
-    if (isnan(row->slope) && !row->exact)
-      snprintf(what, sizeof what, "the derived order is %ld, and no slope could be measured", row->derived_order);
+    if (row->count == 0)
+      snprintf(what, sizeof what, "no exact motion has the modes of the expansion");
+    else if (row->exact)
+      snprintf(what, sizeof what, "nothing is left out, and the certified error is not 0");
     else
-      snprintf(what, sizeof what, "the derived order is %ld, the measured slope %.9g", row->derived_order, row->slope);
+      snprintf(what, sizeof what, "the sum of what is left out differs from the certified error by %.1e of it",
+               row->mismatch);
     ledger_contradict(ledger, row, what);
   }
+  if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
+    add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
   /* the corrections are for the gaits of the paper: with others there may be none */

@@ -1,11 +1,11 @@
 /* How a row about an order comes into the ledger. Needs FLINT. Not public. */
-#ifndef SCALLOP_CLAIMS_LEDGER_H
-#define SCALLOP_CLAIMS_LEDGER_H
+#ifndef SCALLOP_COMPARE_CLAIMS_LEDGER_H
+#define SCALLOP_COMPARE_CLAIMS_LEDGER_H
 
 #include "compare/claims/trial.h"
 
-/* The verdict on a claim from what its formula leaves out: derived_order, coefficient, verdict and reason of the row. */
-void ledger_judge(struct claim_row *row, const struct proof *proof);
+/* The verdict on a claim from what its formula leaves out: derived_order, coefficient, verdict, evidence and reason of the row. */
+void ledger_judge(struct ledger *ledger, struct claim_row *row, const struct proof *proof);
 
 /* Notes what a row has that cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *what);

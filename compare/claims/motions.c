@@ -354,6 +354,7 @@ void solve_motions(struct question *q, bool in_balls)
 {
   struct moved *m = begin_motion(q, 0, in_balls);
   q->solved = true;
+  q->row.evidence = in_balls ? CERTIFIED_CRAWLER : MEASURED;
   for (const char *at = q->claim->motions; at && *at; at += strspn(at, "; ")) {
     char word[100];
     size_t length = strcspn(at, "; ");

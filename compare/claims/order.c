@@ -11,8 +11,6 @@
 #include "compare/claims/ledger.h"
 #include "compare/claims/samples.h"
 
-static const double SPEED = 0.37;
-
 #define EXTENSION_AT_REST SCALLOP_AT_REST_START, SCALLOP_EXTENSION
 #define CONTRACTION_AT_REST SCALLOP_AT_REST_START, SCALLOP_CONTRACTION
 #define MOVING_EXTENSION SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION
@@ -26,12 +24,12 @@ static const struct condition conditions[] = {
   { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
   { EXTENSION_AT_REST, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
   { CONTRACTION_AT_REST, "contraction from rest, F2 = F1", .inside = true, .equal_forces = true },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
-  { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = SPEED },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = SPEED, .exchange_forces = true },
-  { MOVING_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -SPEED, .reversed = true },
+  { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { MOVING_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { STEADY, "alpha > 1/2, F1 > F2", .inside = true },
   { STEADY, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
   { STEADY, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
@@ -140,13 +138,14 @@ static void decide(struct part *part, struct claim_row *row, const struct claime
   proof_init(&proof);
   if (!trial || !trial_prove(&proof, trial, f)) {
     row->verdict = CLAIM_UNDECIDED;
-    snprintf(row->reason, sizeof row->reason, "this motion has no expansion in powers of T");
+    snprintf(row->reason, sizeof row->reason, "%s",
+             *proof.why ? proof.why : "no expansion in powers of T is known for this motion");
   } else {
     const struct claimed right = correction(part, claimed, condition);
-    samples_measure(row, trial, f);
+    samples_measure(row, trial, f, &proof.left_out);
     if (claimed->mirrored)
       see_in_mirror(&proof, row, f->quantity);
-    ledger_judge(row, &proof);
+    ledger_judge(part->ledger, row, &proof);
     name_row(row->corrected, &right);
     if (strcmp(row->corrected, row->claim) == 0)
       *row->corrected = '\0';
@@ -163,7 +162,7 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
                            .inside = condition->inside,
                            .source = claimed.ours || claimed.mirrored ? OF_CORRECTED : OF_PAPER,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
-                           .slope = NAN };
+                           .mismatch = NAN };
   /* seen in a mirror the other body is the one that turns */
   row.quantity = formula_quantity_text(f, contraction != claimed.mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
   claimed.of_contraction = claimed.ours && !steady && contraction;
@@ -281,7 +280,7 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
         (struct scallop_order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
   }
   const struct scallop_order_point *finest = &row->points[row->count - 1];
-  row->slope = log(fabs(finest[-1].err / finest[0].err)) / log(4);
+  row->mismatch = fabs(log(fabs(finest[-1].err / finest[0].err)) / log(4) - (double)row->derived_order);
   _arb_vec_clear(x, 4);
 }
 
@@ -306,7 +305,7 @@ static void add_ends(struct part *part)
       continue;
     proof_init(&proof);
     prove_end(&proof, claim, last);
-    ledger_judge(&row, &proof);
+    ledger_judge(part->ledger, &row, &proof);
     measure_end(&row, claim, last);
     ledger_enter(part->ledger, &row);
     proof_clear(&proof);

@@ -100,28 +100,42 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* log |error|, if the ball says something of it */
-static double log_size(const arb_t error)
+/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last terms are */
+static double mismatch_at(const arb_t error, const struct series *left_out, const fmpq_t T, slong precision)
 {
-  arb_t size;
-  arb_init(size);
-  arb_abs(size, error);
-  arb_log(size, size, 64);
-  double value = arb_rel_accuracy_bits(error) >= 20 ? middle(size) : NAN;
-  arb_clear(size);
-  return value;
+  enum { LAST = 2, MORE = 1000 };
+  double mismatch = 0;
+  arb_t x, sum, last;
+  arb_init(x);
+  arb_init(sum);
+  arb_init(last);
+  arb_set_fmpq(x, T, precision);
+  series_value(sum, left_out, x, left_out->known, precision);
+  series_value(last, left_out, x, left_out->known - LAST, precision);
+  arb_sub(last, sum, last, precision);
+  arb_sub(sum, sum, error, precision);
+  arb_div(x, sum, error, precision);
+  arb_div(last, last, error, precision);
+  if (!arb_contains_zero(sum))
+    mismatch = arb_is_finite(x) ? fabs(middle(x)) : INFINITY;
+  if (arb_is_finite(last) && mismatch <= MORE * fabs(middle(last)))
+    mismatch = 0;
+  arb_clear(x);
+  arb_clear(sum);
+  arb_clear(last);
+  return mismatch;
 }
 
-void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f)
+void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
+                     const struct series *left_out)
 {
-  double last = NAN;
+  enum { ACCURATE = 20 };
   arb_t error;
   arb_init(error);
   for (const struct sample *s = m->samples; s && s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
-      double before = last;
-      last = log_size(error);
-      row->slope = (before - last) / log(4);
+      if (arb_rel_accuracy_bits(error) >= ACCURATE)
+        row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
       row->points[row->count++] = (struct scallop_order_point){ .h = nearest_double(s->T),
                                                                 .err = middle(error),
                                                                 .noise = mag_get_d(arb_radref(error)) };

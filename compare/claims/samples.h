@@ -1,6 +1,6 @@
 /* Certified samples of a motion as T falls, and the errors of formulas there. Needs FLINT. Not public. */
-#ifndef SCALLOP_CLAIMS_SAMPLES_H
-#define SCALLOP_CLAIMS_SAMPLES_H
+#ifndef SCALLOP_COMPARE_CLAIMS_SAMPLES_H
+#define SCALLOP_COMPARE_CLAIMS_SAMPLES_H
 
 #include "compare/claims/trial.h"
 
@@ -9,8 +9,9 @@
 struct sample *samples_take(const struct trial *m);
 void samples_free(struct sample *samples);
 
-/* The certified error of the formula at every T where the motion has the modes of the limit: points and count of the row, and slope, the
- * order between the two smallest T (nan if there are not two, or the error is 0). */
-void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula);
+/* The certified error of the formula at every T where the motion has the modes of the limit: points and count of the row, and mismatch.
+ * left_out: the derived expansion minus the formula. */
+void samples_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
+                     const struct series *left_out);
 
 #endif

@@ -128,6 +128,12 @@ void settle(struct question *q, bool holds, bool fails)
 {
   struct claim_row *row = &q->row;
   row->verdict = !q->solved ? CLAIM_UNDECIDED : holds ? CLAIM_HOLDS : fails ? CLAIM_REFUTED : CLAIM_UNDECIDED;
+  if (row->verdict == CLAIM_UNDECIDED)
+    row->evidence = NO_EVIDENCE;
+  else if (row->evidence == NO_EVIDENCE) /* no motion of the claim's own */
+    row->evidence = MEASURED;
+  if (row->verdict == CLAIM_HOLDS && q->claim->proven && scallop_gait_named(q->crawler.gait->name))
+    row->evidence = PROVEN_FOR_ALL;
   say(q, row->conditions, sizeof row->conditions, q->claim->conditions);
   say(q, row->measured, sizeof row->measured, q->solved ? q->claim->measured : "not proven");
   if (row->verdict != CLAIM_HOLDS && q->claim->reason)

@@ -22,6 +22,8 @@ void velocity_in_the_limit(struct question *q)
     }
   }
   q->row.inside = alphas->first > 50;
+  if (fabs(q->found[0]) < 1e-15)
+    rest_on_samples(q, 7);
   conclude(q);
   if (!q->of_the_paper)
     *q->row.reason = '\0';

@@ -1,10 +1,13 @@
 /* The ledger as a table, and its verdicts against those of the ledger that comes with the tool. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/point_flint.h"
 #include "compare/claims/claims.h"
+#include "compare/claims/evidence.h"
 #include "compare/answers/points.h"
+#include "compare/book/book.h"
 #include "compare/text/memory.h"
 #include "compare/text/shipped.h"
 #include "compare/text/tsv.h"
@@ -13,8 +16,8 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
                                        "derived_order", "coefficient", "corrected", "conditions", "inside",
                                        "source",        "measured",    "reason",    NULL };
-
-static const char *const book_columns[] = { "leading_error", NULL }; /* behind those */
+/* Behind those; of the ledger, from the second on */
+static const char *const last_columns[] = { "leading_error", "evidence", NULL };
 
 static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
                                              "inside", "h",        "err",      "pairwise", "use",           NULL };
@@ -68,20 +71,92 @@ static void write_row(struct table *t, const struct claim_row *row)
   write_texts(t, texts, sizeof texts / sizeof *texts);
   if (row->source == OF_BOOK)
     table_text(t, row->leading_error ? row->leading_error : "-");
+  table_text(t, claim_evidence_text(row));
 }
 
+/* One claim of the paper: its rows under the paper's conditions */
+struct summed {
+  const struct claim_row *first, *worst; /* worst: the first one that is refuted or else undecided, or that with
+                                          the weakest evidence                                         */
+  int checks, count[4];
+};
+
+/* Sums up the claim of the row at i, if that is the first of its rows that counts. */
+static bool sum_up(struct summed *sum, const struct ledger *ledger, int i)
+{
+  const struct claim_row *rows = ledger->rows;
+  *sum = (struct summed){ .first = &rows[i], .worst = &rows[i] };
+  if (rows[i].source == OF_CORRECTED || !rows[i].inside)
+    return false;
+  for (int j = 0; j < ledger->count; j++) {
+    if (rows[j].source == OF_CORRECTED || !rows[j].inside || strcmp(rows[j].claim, rows[i].claim) != 0)
+      continue;
+    if (j < i)
+      return false;
+    sum->checks++;
+    sum->count[rows[j].verdict]++;
+    static const int weight[] = { [CLAIM_HOLDS] = 0, [CLAIM_SHARPER] = 0, [CLAIM_UNDECIDED] = 1, [CLAIM_REFUTED] = 2 };
+    int more = weight[rows[j].verdict] - weight[sum->worst->verdict];
+    if (more > 0 || (more == 0 && weight[rows[j].verdict] == 0 && rows[j].evidence > sum->worst->evidence))
+      sum->worst = &rows[j];
+  }
+  return sum->checks > 0;
+}
+
+/* Of all its checks: a claim that fails in one is refuted. */
+static enum claim_verdict verdict_of(const struct summed *sum)
+{
+  const int *n = sum->count;
+  return n[CLAIM_REFUTED]     ? CLAIM_REFUTED
+         : n[CLAIM_UNDECIDED] ? CLAIM_UNDECIDED
+         : n[CLAIM_HOLDS]     ? CLAIM_HOLDS
+                              : CLAIM_SHARPER;
+}
+
+static const char *const summary_columns[] = { "claim",  "equation",  "quantity", "verdict", "checks",
+                                               "failed", "condition", "evidence", NULL };
+
+static void write_summed(struct table *t, const struct summed *sum)
+{
+  const struct claim_row *row = sum->worst;
+  const bool fails = verdict_of(sum) > CLAIM_SHARPER;
+  char condition[240] = "";
+  if (fails)
+    snprintf(condition, sizeof condition, "%s; %s", row->gait, row->conditions);
+  write_texts(
+      t, (const char *const[]){ row->claim, row->equation, sum->first->quantity, claim_verdict_text(verdict_of(sum)) }, 4);
+  table_rounded(t, sum->checks, "%.0f");
+  table_rounded(t, sum->count[CLAIM_REFUTED], "%.0f");
+  write_texts(t, (const char *const[]){ condition, claim_evidence_text(row) }, 2);
+}
+
+/* Checks of remainders, and one verdict for each statement in words */
 static void summarise(const struct ledger *ledger)
 {
-  int verdicts[2][4] = { { 0 } }, ours[4] = { 0 }; /* of the paper's claims, outside and inside of its conditions */
-  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++)
-    (row->source == OF_CORRECTED ? ours : verdicts[row->inside])[row->verdict]++;
-  for (int inside = 1; inside >= 0; inside--) {
-    const int *v = verdicts[inside];
-    fprintf(stderr, "%s the paper's conditions: %d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
-            inside ? "inside " : "outside", v[CLAIM_HOLDS], v[CLAIM_SHARPER], v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
+  int formulas = 0, statements = 0, checks[4] = { 0 }, words[4] = { 0 }, known[MEASURED + 1] = { 0 };
+  for (int i = 0; i < ledger->count; i++) {
+    struct summed sum;
+    if (!sum_up(&sum, ledger, i))
+      continue;
+    if (sum.first->in_words) {
+      statements++;
+      words[verdict_of(&sum)]++;
+      known[sum.worst->evidence] += verdict_of(&sum) <= CLAIM_SHARPER;
+    } else
+      formulas++;
+    for (int v = 0; v < 4 && !sum.first->in_words; v++)
+      checks[v] += sum.count[v];
   }
-  fprintf(stderr, "formulas that take the place of refuted ones: %d hold, %d are sharper than claimed, %d do not hold\n",
-          ours[CLAIM_HOLDS], ours[CLAIM_SHARPER], ours[CLAIM_REFUTED] + ours[CLAIM_UNDECIDED]);
+  fprintf(stderr,
+          "%d checks of %d formulas under the paper's conditions: %d hold, %d errors fall faster than claimed, %d are "
+          "refuted, %d undecided\n",
+          checks[0] + checks[1] + checks[2] + checks[3], formulas, checks[CLAIM_HOLDS], checks[CLAIM_SHARPER],
+          checks[CLAIM_REFUTED], checks[CLAIM_UNDECIDED]);
+  fprintf(stderr,
+          "%d statements in words: %d fail under some condition, %d undecided, %d hold (%d proven, %d certified for one "
+          "crawler, %d sampled, %d measured in doubles)\n",
+          statements, words[CLAIM_REFUTED], words[CLAIM_UNDECIDED], words[CLAIM_HOLDS], known[PROVEN_FOR_ALL],
+          known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
 }
 
 /* inside or outside of the conditions of the formulas */
@@ -128,9 +203,21 @@ static bool has_crawler(const struct point *p)
   return has;
 }
 
+/* As many as in the ledger that comes with the tool, which is of two gaits, or of the books' formulas: for the time that is left */
+static long expected_rows(const struct claims_options *o)
+{
+  long rows = 0;
+  for (int i = 0; is_of_book(o) && book_formula(i); i++)
+    rows += 2;
+  for (const char *line = shipped_text(shipped_ledger, "claims"); !is_of_book(o) && line && *line; line++)
+    rows += line[0] == '\n' && line[1] != '#';
+  return o->request.point.has_gait ? rows / 2 : rows;
+}
+
 /* All rows, or those about the requested errors */
 static void fill(struct ledger *ledger, const struct claims_options *o)
 {
+  ledger->expected = o->errors ? 0 : expected_rows(o);
   const struct point *p = &o->request.point;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
@@ -154,14 +241,19 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
     table_note(table, "book: %s", o->request.book);
   if (o->formula)
     table_note(table, "formula: %s", o->formula);
-  table_note(table, "command: claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
-             o->check ? " --check" : "", o->verdict.given ? " --verdict " : "", o->verdict.given ? o->verdict.value : "");
+  table_note(table, "command: claims%s%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+             o->check ? " --check" : "", o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
+             o->verdict.given ? o->verdict.value : "");
   note_parameters(table, &o->request.point, varied, false);
+  const struct scallop_crawler *c = &o->request.point.crawler;
+  const double v0 = short_number(CLAIM_SPEED * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2)), 2);
+  if (!is_of_book(o))
+    table_note(table, "v0, where it is fixed: %g or %g", v0, -v0);
   if (o->request.point.has_gait)
     table_note(table, "gait: %s", o->request.point.crawler.gait->name);
   table_columns(table, names);
-  if (is_of_book(o) && !o->errors)
-    table_columns(table, book_columns);
+  if (names == columns)
+    table_columns(table, last_columns + !is_of_book(o));
   table_begin_rows(table);
   return true;
 }
@@ -194,9 +286,12 @@ static enum exit_code write_ledger(const struct claims_options *o)
   } else if (is_of_book(o) && ledger.count == 0) {
     complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
     code = EXIT_USAGE;
-  } else if (begin(&table, o, o->errors ? error_columns : columns)) {
+  } else if (begin(&table, o, o->errors ? error_columns : o->summary ? summary_columns : columns)) {
+    struct summed sum;
     for (int i = 0; i < ledger.count; i++)
-      if (is_wanted(&ledger.rows[i], o))
+      if (o->summary && sum_up(&sum, &ledger, i))
+        write_summed(&table, &sum);
+      else if (!o->summary && is_wanted(&ledger.rows[i], o))
         (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
     code = end(&table, &ledger);
   }

@@ -7,16 +7,16 @@
 #include <string.h>
 
 #include "asymptotics/published/read.h"
+#include "asymptotics/symbolic/left_out.h"
 #include "compare/answers/answer.h"
 #include "compare/claims/evidence.h"
 
-enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, IDENTITY_TRIES = 400 };
+enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, MODES_PRECISION = 192, MOST_OF_EQUALITY = 11 };
 
 /* One crawler's expansion, with what the formulas need */
 struct expanded {
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, pi_squared;
-  bool has_pi_squared; /* a random number in place of pi^2                                            */
+  fmpq_t v0;
   slong terms;
   struct scallop_phase_expansion phase;
   struct scallop_steady_expansion steady;
@@ -50,18 +50,17 @@ static void expanded_free(struct expanded *e)
     return;
   scallop_rational_clear(&e->crawler);
   fmpq_clear(e->v0);
-  fmpq_clear(e->pi_squared);
   scallop_phase_expansion_clear(&e->phase);
   scallop_steady_expansion_clear(&e->steady);
   free(e);
 }
 
-static bool expand(struct expanded *e, const struct trial *m, slong terms)
+static bool expand(struct expanded *e, const struct trial *m, slong terms, const char **why)
 {
   e->terms = terms;
-  return (trial_is_steady(m) ? scallop_expand_steady(&e->crawler, terms, PRECISION, &e->steady, NULL)
-                             : scallop_expand_phase(&e->crawler, m->condition->kind, e->v0, terms, PRECISION,
-                                                    e->has_pi_squared ? e->pi_squared : NULL, &e->phase, NULL))
+  return (trial_is_steady(m)
+              ? scallop_expand_steady(&e->crawler, terms, PRECISION, &e->steady, why)
+              : scallop_expand_phase(&e->crawler, m->condition->kind, e->v0, terms, PRECISION, NULL, &e->phase, why))
          == SCALLOP_OK;
 }
 
@@ -75,8 +74,6 @@ static struct expanded *expanded_new(const struct trial *m)
   scallop_rational_copy(&e->crawler, &m->crawler);
   fmpq_init(e->v0);
   fmpq_set(e->v0, m->v0);
-  fmpq_init(e->pi_squared);
-  e->has_pi_squared = false;
   scallop_phase_expansion_init(&e->phase);
   scallop_steady_expansion_init(&e->steady);
   return e;
@@ -91,7 +88,7 @@ static uint64_t random_bits(uint64_t *state)
   return z ^ (z >> 31);
 }
 
-/* a/b, a and b from 1 to 997: an identity of low degree that holds there by chance is a rare one */
+/* a/b, a and b from 1 to 997 */
 static void random_rational(fmpq_t x, uint64_t *state)
 {
   fmpq_set_si(x, (slong)(1 + random_bits(state) % 997), 1 + random_bits(state) % 997);
@@ -115,27 +112,62 @@ static fmpq *parameter_set(struct scallop_rational_crawler *c, const char *when,
   return NULL;
 }
 
+/* One side of a condition, a constant, for the crawler as it is written. False: it has no value, as 1/0 */
+static bool side_value(struct series *value, const char *text, const struct condition *condition,
+                       const struct scallop_rational_crawler *c)
+{
+  const struct ring ring = { 1, PRECISION };
+  struct scallop_formula side = *condition->formula;
+  struct scallop_symbols symbols;
+  char message[FORMULA_MESSAGE];
+  side.text = text;
+  scallop_symbols_init(&symbols);
+  scallop_symbols_set(&symbols, c, condition->kind, NULL, NULL, &ring);
+  bool has = !scallop_formula_expand(value, &side, &symbols, condition->kind, &ring, message);
+  scallop_symbols_clear(&symbols);
+  return has;
+}
+
 /* Sets the parameters that the conditions say to be equal to something; what is no fraction is not set. */
 static void set_equalities(const struct condition *condition, struct scallop_rational_crawler *c)
 {
   const struct scallop_formula *f = condition->formula;
+  enum { AGAIN = 6 };
+  const char *right;
+  struct series value;
+  series_init(&value);
+  for (int again = 0; again < AGAIN; again++) /* one may need what another sets */
+    for (const char *const *when = f ? f->when : NULL; when && *when; when++) {
+      fmpq *parameter = parameter_set(c, *when, &right);
+      if (parameter && side_value(&value, right, condition, c))
+        series_rational_coefficient(parameter, &value, 0);
+    }
+  series_clear(&value);
+}
+
+/* Does LEFT < RIGHT, > or = hold, proven? What depends on a function can be equal to nothing. */
+static bool is_met(const char *when, const struct condition *condition, const struct scallop_rational_crawler *c)
+{
   const struct ring ring = { 1, PRECISION };
-  char message[FORMULA_MESSAGE];
-  for (const char *const *when = f ? f->when : NULL; when && *when; when++) {
-    struct scallop_formula right = *f;
-    struct scallop_symbols symbols;
-    struct series value;
-    fmpq *parameter = parameter_set(c, *when, &right.text);
-    if (!parameter)
-      continue;
-    scallop_symbols_init(&symbols);
-    series_init(&value);
-    scallop_symbols_set(&symbols, c, condition->kind, NULL, NULL, &ring);
-    if (!scallop_formula_expand(&value, &right, &symbols, condition->kind, &ring, message))
-      series_rational_coefficient(parameter, &value, 0);
-    scallop_symbols_clear(&symbols);
-    series_clear(&value);
+  struct scallop_sides sides;
+  struct series left, right;
+  arb_t difference;
+  series_init(&left);
+  series_init(&right);
+  arb_init(difference);
+  char sign = scallop_condition_split(&sides, when);
+  bool met = sign && side_value(&left, sides.left, condition, c) && side_value(&right, sides.right, condition, c);
+  if (met) {
+    series_sub(&left, &left, &right, &ring);
+    series_coefficient(difference, &left, 0, PRECISION);
+    met = sign == '<'   ? arb_is_negative(difference)
+          : sign == '>' ? arb_is_positive(difference)
+                        : series_coefficient_is_zero(&left, 0);
   }
+  series_clear(&left);
+  series_clear(&right);
+  arb_clear(difference);
+  return met;
 }
 
 /* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
@@ -143,7 +175,7 @@ static bool turns_there(const struct scallop_formula *f, const struct scallop_ra
 {
   struct scallop_steady_expansion limit;
   scallop_steady_expansion_init(&limit);
-  bool expands = scallop_expand_steady(c, 1, PRECISION, &limit, NULL) == SCALLOP_OK;
+  bool expands = scallop_expand_steady(c, 1, MODES_PRECISION, &limit, NULL) == SCALLOP_OK;
   bool there = expands && turns_in_modes(limit.modes) == f->turns;
   scallop_steady_expansion_clear(&limit);
   return there;
@@ -152,16 +184,10 @@ static bool turns_there(const struct scallop_formula *f, const struct scallop_ra
 bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *c)
 {
   const struct scallop_formula *f = condition->formula;
-  const struct scallop_crawler rounded = { nearest_double(c->m1),    nearest_double(c->m2),
-                                           nearest_double(c->F1),    nearest_double(c->F2),
-                                           nearest_double(c->L),     1,
-                                           nearest_double(c->alpha), c->gait };
-  const struct scallop_values values = f && f->setting == SCALLOP_STEADY
-                                           ? scallop_steady_values(&rounded)
-                                           : scallop_phase_values(&rounded, condition->kind, condition->v0);
-  return !f
-         || (scallop_crawler_check(&rounded, NULL) == SCALLOP_OK && scallop_formula_is_claimed(f, &values)
-             && (f->turns == SCALLOP_TURNS_IN_BOTH || turns_there(f, c)));
+  bool allowed = !f || scallop_rational_is_valid(c);
+  for (const char *const *when = f ? f->when : NULL; when && *when && allowed; when++)
+    allowed = is_met(*when, condition, c);
+  return allowed && (!f || f->turns == SCALLOP_TURNS_IN_BOTH || turns_there(f, c));
 }
 
 static void random_crawler(struct scallop_rational_crawler *r, uint64_t *state)
@@ -172,57 +198,6 @@ static void random_crawler(struct scallop_rational_crawler *r, uint64_t *state)
   random_rational(r->F2, state);
   random_rational(r->L, state);
   fmpq_set_si(r->alpha, (slong)(1 + random_bits(state) % 996), 997);
-}
-
-/* Another crawler, and with the sinusoidal gait another number in place of pi^2. */
-static void randomise(struct expanded *e, const struct trial *m, uint64_t *state)
-{
-  struct scallop_rational_crawler *r = &e->crawler;
-  int sign = fmpq_sgn(m->v0);
-  random_crawler(r, state);
-  if (m->condition->light_1)
-    fmpq_div_2exp(r->m1, r->m1, 7);
-  if (m->condition->equal_forces)
-    make_forces_equal(r);
-  set_equalities(m->condition, r);
-  if (sign != 0) {
-    random_rational(e->v0, state);
-    fmpq_mul_si(e->v0, e->v0, sign);
-  }
-  random_rational(e->pi_squared, state);
-  e->has_pi_squared = !scallop_gait_is_rational(r->gait) && !trial_is_steady(m);
-}
-
-static int sign_of(int x) { return (x > 0) - (x < 0); }
-
-/* Does the condition allow the random crawler? The same ordering of forces and side of 1/2 */
-static bool is_allowed(const struct scallop_rational_crawler *r, const struct scallop_rational_crawler *c)
-{
-  fmpq_t half;
-  fmpq_init(half);
-  fmpq_set_si(half, 1, 2);
-  bool allowed = sign_of(fmpq_cmp(r->F1, r->F2)) == sign_of(fmpq_cmp(c->F1, c->F2))
-                 && (fmpq_cmp(r->alpha, half) > 0) == (fmpq_cmp(c->alpha, half) > 0);
-  fmpq_clear(half);
-  return allowed;
-}
-
-/* A random crawler with the same modes, or, with a number, that number in the place of pi^2 */
-static struct expanded *expand_another(const struct trial *m, uint64_t *state, slong number)
-{
-  struct expanded *e = expanded_new(m);
-  for (int i = 0; e && i < (number ? 1 : IDENTITY_TRIES); i++) {
-    if (number) {
-      e->has_pi_squared = true;
-      fmpq_set_si(e->pi_squared, number, 1);
-    } else
-      randomise(e, m, state);
-    if (is_allowed(&e->crawler, &m->crawler) && condition_allows(m->condition, &e->crawler) && expand(e, m, TERMS)
-        && strcmp(modes_of(e, m), trial_modes(m)) == 0)
-      return e;
-  }
-  expanded_free(e);
-  return NULL;
 }
 
 bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *c)
@@ -271,29 +246,22 @@ static void set_condition(struct trial *m)
 bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                 bool mirrored)
 {
-  uint64_t state = 20260101;
-  bool rational = scallop_gait_is_rational(crawler->gait);
   *m = (struct trial){ .condition = condition, .mirrored = mirrored };
   fmpq_init(m->v0);
   scallop_rational_init(&m->crawler);
   scallop_rational_copy(&m->crawler, crawler);
   set_condition(m);
   m->expanded = expanded_new(m);
-  bool done = m->expanded && expand(m->expanded, m, TERMS);
-  for (int i = 0; done && (rational || !trial_is_steady(m)) && i < TRIAL_IDENTITIES; i++)
-    m->others[i] = expand_another(m, &state, 0);
-  for (int i = 0; done && !rational && !trial_is_steady(m) && i < TRIAL_NUMBERS; i++)
-    m->numbers[i] = expand_another(m, &state, i + 1);
+  m->why = "out of memory";
+  bool done = m->expanded && expand(m->expanded, m, TERMS, &m->why);
+  if (done)
+    m->why = NULL;
   return done;
 }
 
 void trial_clear(struct trial *m)
 {
   expanded_free(m->expanded);
-  for (int i = 0; i < TRIAL_IDENTITIES; i++)
-    expanded_free(m->others[i]);
-  for (int i = 0; i < TRIAL_NUMBERS; i++)
-    expanded_free(m->numbers[i]);
   scallop_rational_clear(&m->crawler);
   fmpq_clear(m->v0);
 }
@@ -306,7 +274,11 @@ void proof_init(struct proof *p)
   series_init(&p->left_out);
 }
 
-void proof_clear(struct proof *p) { series_clear(&p->left_out); }
+void proof_clear(struct proof *p)
+{
+  series_clear(&p->left_out);
+  free(p->term);
+}
 
 slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
@@ -324,10 +296,12 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
   }
   scallop_symbols_init(&symbols);
   series_init(&value);
-  scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, e->has_pi_squared ? e->pi_squared : NULL, &ring);
+  scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, NULL, &ring);
   series_set(&symbols.value[SCALLOP_SYMBOL_t1], &e->phase.t1);
   series_set(&symbols.value[SCALLOP_SYMBOL_dT], &e->phase.dT);
   series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &e->phase.at_last);
+  for (int i = SCALLOP_SYMBOL_t1; i <= SCALLOP_SYMBOL_x_switch && !trial_is_steady(m) && !e->phase.switches; i++)
+    series_set_unknown(&symbols.value[i]);
   bool expanded = !scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, why);
   if (f->quantity == SCALLOP_VELOCITY_CHANGE) /* the series is that of the velocity */
     series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
@@ -337,13 +311,13 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
   return expanded;
 }
 
-/* The first power whose coefficient is not known to be exactly 0, from T^-4 on; known of the series if there is none. */
+/* The first power whose coefficient is not known to be exactly 0; known of the series if there is none. */
 static slong first_power(const struct series *s)
 {
-  slong k = -4;
-  while (k < s->known && k <= MANY_TERMS && series_coefficient_is_zero(s, k))
+  slong k = s->first, end = s->first + series_terms(s);
+  while (k < end && series_coefficient_is_zero(s, k))
     k++;
-  return k > MANY_TERMS ? s->known : k;
+  return k < end ? k : s->known;
 }
 
 static bool holds_zero(const struct series *s, slong power)
@@ -356,52 +330,81 @@ static bool holds_zero(const struct series *s, slong power)
   return zero;
 }
 
-/* The coefficient vanishes for this very crawler: it does with so many numbers in the place of pi^2 (scallop_zero_tests). */
-static bool vanishes(const struct trial *m, const struct scallop_formula *f, slong power)
-{
-  slong tests = scallop_zero_tests(power);
-  bool zero = !trial_is_steady(m) && power < TERMS && tests <= TRIAL_NUMBERS;
-  struct series difference;
-  char why[FORMULA_MESSAGE];
-  series_init(&difference);
-  for (slong i = 0; zero && i < tests; i++)
-    zero = m->numbers[i] && left_out(&difference, m->numbers[i], m, f, why) && power < difference.known
-           && series_coefficient_is_zero(&difference, power);
-  series_clear(&difference);
-  return zero;
-}
-
 static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
   struct series *difference = &proof->left_out;
   if (!left_out(difference, m->expanded, m, f, proof->why))
     return false;
-  while ((proof->order = first_power(difference)) < difference->known && holds_zero(difference, proof->order)) {
-    proof->undecided = !vanishes(m, f, proof->order);
-    if (proof->undecided)
-      return true;
-    series_set_zero(difference, proof->order);
-  }
+  proof->order = first_power(difference);
+  proof->undecided = proof->order < difference->known && holds_zero(difference, proof->order);
+  if (proof->undecided)
+    return true;
   proof->found = proof->order < difference->known;
   proof->known = difference->known;
   return true;
 }
 
+/* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
+static bool has_equality(const struct scallop_formula *f)
+{
+  bool has = false;
+  for (const char *const *when = f->when; when && *when; when++)
+    has = has || (strchr(*when, '=') && !scallop_condition_is_equal_forces(*when));
+  return has;
+}
+
+static bool is_of_paper(const struct scallop_formula *f)
+{
+  const struct scallop_formula *own = scallop_formula_named(f->name);
+  return own && own->text && strcmp(own->text, f->text) == 0 && (!f->parts || !f->parts->name);
+}
+
+/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of finite sums is proven so,
+ * and one of the paper's formulas for the quadratic gait, whose degree in T is low (docs/theory.md, The ledger's proofs). */
+static void prove_for_all(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
+{
+  const bool equality = f->remainder == SCALLOP_EQUALITY;
+  const bool low_degree = is_of_paper(f) && m->crawler.gait == &scallop_gait_quadratic;
+  const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
+  const slong most = proof->found ? proof->order : looked < proof->known ? looked : proof->known - 1;
+  struct left_out l;
+  char why[FORMULA_MESSAGE];
+  fmpq_t coefficient;
+  left_out_init(&l);
+  fmpq_init(coefficient);
+  if (f->text && !has_equality(f) && most < SYMBOLIC_ORDERS
+      && !symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why)) {
+    proof->general = l.order <= most ? l.order : proof->order;
+    proof->for_all = proof->found ? l.order == proof->order
+                                  : l.order > most && (!equality || proof->known >= SERIES_ALL || low_degree);
+    proof->contradicts = proof->found
+                         && (l.order > most
+                             || (proof->for_all && l.is_number
+                                 && (!series_rational_coefficient(coefficient, &proof->left_out, proof->order)
+                                     || !fmpq_equal(coefficient, l.coefficient))));
+    proof->for_all_below = l.order > most ? most + 1 : l.order;
+    if (proof->for_all) {
+      proof->term = l.term;
+      l.term = NULL;
+    }
+  }
+  fmpq_clear(coefficient);
+  left_out_clear(&l);
+}
+
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
+  if (!trial_series(m, f->quantity)) {
+    snprintf(proof->why, sizeof proof->why, "no body turns in this phase, so that %s does not exist",
+             scallop_quantity_words[f->quantity]);
+    return false;
+  }
   bool expanded = look_for_order(proof, m, f);
   bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
   if (expanded && !proof->found && !proof->undecided && rational && m->expanded->terms < MANY_TERMS) /* perhaps further on */
-    expanded = expand(m->expanded, m, MANY_TERMS) && look_for_order(proof, m, f);
-  struct series other;
-  char why[FORMULA_MESSAGE];
-  series_init(&other);
+    expanded = expand(m->expanded, m, MANY_TERMS, NULL) && look_for_order(proof, m, f);
   proof->general = proof->order;
-  for (int i = 0; expanded && i < TRIAL_IDENTITIES; i++)
-    if (m->others[i]) {
-      slong order = left_out(&other, m->others[i], m, f, why) ? first_power(&other) : -4;
-      proof->general = order < proof->general ? order : proof->general;
-    }
-  series_clear(&other);
+  if (expanded && !proof->undecided)
+    prove_for_all(proof, m, f);
   return expanded;
 }

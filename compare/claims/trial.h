@@ -1,7 +1,7 @@
 /* One motion that claims about an order are about: its expansion as T -> 0, and what a formula leaves out of that. Needs FLINT. Not
  * public. */
-#ifndef SCALLOP_CLAIMS_TRIAL_H
-#define SCALLOP_CLAIMS_TRIAL_H
+#ifndef SCALLOP_COMPARE_CLAIMS_TRIAL_H
+#define SCALLOP_COMPARE_CLAIMS_TRIAL_H
 
 #include "asymptotics/derived/derived.h"
 #include "asymptotics/derived/evaluate.h"
@@ -25,8 +25,6 @@ bool condition_allows(const struct condition *condition, const struct scallop_ra
  * found. */
 bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *crawler);
 
-enum { TRIAL_IDENTITIES = 3, TRIAL_NUMBERS = 32 };
-
 /* The crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a reversed motion becomes one that the
  * paper's formulas are for. */
 struct trial {
@@ -35,11 +33,8 @@ struct trial {
   fmpq_t v0;
   struct scallop_rational_crawler crawler; /* T is not used                                         */
   struct expanded *expanded;               /* of the crawler                                                         */
-  /* of random crawlers with the same modes, with exact coefficients; NULL where there is none */
-  struct expanded *others[TRIAL_IDENTITIES];
-  /* of the crawler, with the numbers 1, 2, ... in the place of pi^2; NULL where pi does not come in */
-  struct expanded *numbers[TRIAL_NUMBERS];
-  struct sample *samples; /* samples.h */
+  const char *why;                         /* it has no expansion: why not                                */
+  struct sample *samples;                  /* samples.h */
 };
 /* False: it has no expansion in powers of T. To be cleared all the same. */
 bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
@@ -53,7 +48,11 @@ struct proof {
   bool found;  /* false: every coefficient below T^known vanishes                                    */
   slong order; /* of the first coefficient that does not                                             */
   slong known;
-  slong general; /* that order for random crawlers; order where there are none                        */
+  slong general;       /* that order for all parameters with these modes; order where that is not known         */
+  bool for_all;        /* general is known, and order                                                   */
+  slong for_all_below; /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
+  char *term;          /* then the first term as a formula, or NULL                                     */
+  bool contradicts;    /* the two routes, by numbers and in names, differ                               */
   struct series left_out;
   bool undecided;            /* a ball that holds 0 came before                                                  */
   char why[FORMULA_MESSAGE]; /* the formula has no expansion: what a series cannot do                       */

@@ -4,8 +4,8 @@
  *
  * A formula takes the double behind a cell, however many digits are printed; of decimals (--certified) the nearest double, of a fraction such as
  * -3/40 its value to an ulp or two; a cell that is no number is nan. */
-#ifndef SCALLOP_COLUMNS_H
-#define SCALLOP_COLUMNS_H
+#ifndef SCALLOP_COMPARE_COLUMNS_COLUMNS_H
+#define SCALLOP_COMPARE_COLUMNS_COLUMNS_H
 
 #include "compare/text/table.h"
 

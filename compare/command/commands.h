@@ -1,6 +1,6 @@
 /* The commands, each in a file of its name. */
-#ifndef SCALLOP_COMMANDS_H
-#define SCALLOP_COMMANDS_H
+#ifndef SCALLOP_COMPARE_COMMAND_COMMANDS_H
+#define SCALLOP_COMPARE_COMMAND_COMMANDS_H
 
 #include "compare/command/options.h"
 

@@ -7,6 +7,7 @@
 /* What stands around the functions of a program, or the formulas of a document */
 static const struct frame {
   const struct language *language;
+  const char *escapes[9];                      /* what would end a text, and what stands in its place; in pairs       */
   const char *head[3];                         /* around and between the lines about where it comes from              */
   const char *comment[2];                      /* around what a function is                                           */
   const char *function, *type, *local, *stop;  /* before a function's name, an argument, a local; behind a statement  */
@@ -14,6 +15,7 @@ static const struct frame {
   const char *begin, *sum, *next, *end, *tail; /* before the body, the terms, each further term; behind these; at last */
 } frames[] = {
   { .language = &language_c,
+    .escapes = { "*/", "* /", "/*", "/ *" },
     .head = { "/* ", "\n * ", " */\n#include <math.h>\n" },
     .comment = { "\n/* ", " */\n" },
     .function = "double ",
@@ -26,6 +28,7 @@ static const struct frame {
     .end = ";\n}\n",
     .tail = "" },
   { .language = &language_python,
+    .escapes = { "\\", "\\\\", "\"", "\\\"" },
     .head = { "\"\"\"", "\n", "\"\"\"\n" },
     .comment = { "\n\n# ", "\n" },
     .function = "def ",
@@ -48,6 +51,7 @@ static const struct frame {
     .end = "\n\\end{align*}\n",
     .tail = "" },
   { .language = &language_mathml,
+    .escapes = { "&", "&amp;", "<", "&lt;", ">", "&gt;", "\"", "&quot;" },
     .head = { "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>Series of the crawling "
               "scallop</title></head>\n"
               "<body>\n<p>",
@@ -71,6 +75,19 @@ static const struct frame *frame_of(const struct language *language)
   return frame;
 }
 
+/* A text, which may be the name of a file, in a comment or a paragraph: nothing in it ends that. */
+static void put_text(FILE *out, const struct frame *frame, const char *text)
+{
+  for (int i; *text; text += frame->escapes[i] ? strlen(frame->escapes[i]) : 1) {
+    for (i = 0; frame->escapes[i] && strncmp(text, frame->escapes[i], strlen(frame->escapes[i])) != 0;)
+      i += 2;
+    if (frame->escapes[i])
+      fputs(frame->escapes[i + 1], out);
+    else
+      fputc((unsigned char)*text < 0x20 || *text == 0x7f ? '?' : *text, out);
+  }
+}
+
 bool emission_open(struct emission *e, const struct style *style, const char *language, const char *command,
                    const char *note)
 {
@@ -81,10 +98,13 @@ bool emission_open(struct emission *e, const struct style *style, const char *la
   int error = file_open(&e->out, style->output);
   if (error != 0)
     return complain(style->command, "cannot write %s: %s", style->output, strerror(error));
-  fprintf(e->out.stream, "%sscallop %s: %s%sT is the duration of the phase, or the period in the steady state.",
-          frame->head[0], SCALLOP_VERSION, command, frame->head[1]);
-  if (note)
-    fprintf(e->out.stream, "%s%s", frame->head[1], note);
+  fprintf(e->out.stream, "%sscallop %s: ", frame->head[0], SCALLOP_VERSION);
+  put_text(e->out.stream, frame, command);
+  fprintf(e->out.stream, "%sT is the duration of the phase, or the period in the steady state.", frame->head[1]);
+  if (note) {
+    fputs(frame->head[1], e->out.stream);
+    put_text(e->out.stream, frame, note);
+  }
   fputs(frame->head[2], e->out.stream);
   return true;
 }

@@ -1,6 +1,6 @@
 /* Series as programs and documents: a function of T in C or Python, or a formula in LaTeX or MathML, for each quantity. */
-#ifndef SCALLOP_EMIT_FLINT_H
-#define SCALLOP_EMIT_FLINT_H
+#ifndef SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
+#define SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
 
 #include "asymptotics/symbolic/language.h"
 #include "compare/answers/points.h"

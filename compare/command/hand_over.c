@@ -9,6 +9,7 @@
 
 #include "compare/command/options.h"
 #include "compare/command/with_flint.h"
+#include "compare/text/progress.h"
 
 /* At its end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the limbs of big
  * integers too, which FLINT holds behind pointers that no checker can read. */
@@ -38,6 +39,7 @@ bool has_flint(const struct arguments *arguments, const char *what)
   if (is_known)
     memcpy(strrchr(path, '/') + 1, other, sizeof other);
   if (is_known && !(earlier && strcmp(earlier, number) == 0) && setenv(marker, number, 1) == 0) {
+    progress_stop();
     execv(path, arguments->all);
     error = errno;
     unsetenv(marker);

@@ -1,7 +1,7 @@
 /* The list of commands, and what --help prints, of the program as a whole and of one command. scripts/dev/man.awk makes the manual from it,
  * and scripts/dev/completion.bash finds commands and options there: two blanks, a name, two blanks or more, what it is for. */
-#ifndef SCALLOP_COMMAND_LIST_H
-#define SCALLOP_COMMAND_LIST_H
+#ifndef SCALLOP_COMPARE_COMMAND_LIST_H
+#define SCALLOP_COMPARE_COMMAND_LIST_H
 
 #include <stdio.h>
 

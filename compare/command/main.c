@@ -12,6 +12,7 @@
 
 #include "compare/command/list.h"
 #include "compare/command/with_flint.h"
+#include "compare/text/progress.h"
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"
 
@@ -177,12 +178,14 @@ int main(int count, char **arguments)
     code = EXIT_USAGE;
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
+    progress_begin(read.options.request.style.quiet);
     if (read.options.request.book)
       hand_over_before(&read, read.options.request.book);
     code = options_book(&read);
     if (code == EXIT_DONE)
       code = options_judge(&read, command->run(&read, &read.options));
   }
+  progress_clear();
   options_free(&read);
   return (int)code;
 }

@@ -1,8 +1,8 @@
 /* The arguments of the command line. A command's options are a struct of its own that begins with struct request (answers/points.h),
  * and a row for each: its name, what it takes, what --help says of it, what holds where it is not given, how it is read, and which
  * field it sets. A new option is a field and a row. */
-#ifndef SCALLOP_OPTIONS_H
-#define SCALLOP_OPTIONS_H
+#ifndef SCALLOP_COMPARE_COMMAND_OPTIONS_H
+#define SCALLOP_COMPARE_COMMAND_OPTIONS_H
 
 #include <float.h>
 #include <stdbool.h>

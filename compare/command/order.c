@@ -13,6 +13,7 @@ struct order_options {
   struct given_word format;
   bool rows;
 };
+_Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options, "arguments has room for them");
 
 /* A number, or a fraction of two: 3/2 */
 static const char *read_order(void *options, const struct option *o, const char *text)
@@ -30,6 +31,17 @@ static const char *read_order(void *options, const struct option *o, const char 
 }
 static const struct option_kind order_option = { read_order, NULL };
 
+/* Each --y adds columns. */
+static const char *read_columns(void *options, const struct option *o, const char *text)
+{
+  struct columns_wanted *wanted = (struct columns_wanted *)((char *)options + o->field);
+  if (*text == '\0' || wanted->ys == MOST_LISTS)
+    return *text == '\0' ? "a column, or several with commas between, is wanted" : "not more than 16 times";
+  wanted->y[wanted->ys++] = text;
+  return NULL;
+}
+static const struct option_kind columns_of_errors = { read_columns, NULL };
+
 #define OPTION_ORDER(name, help, otherwise, member) \
   OPTION(name, "P", help, otherwise, .kind = &order_option, OPTION_FIELD(order_options, member), \
          .allowed = "a finite number, or a fraction such as 3/2")
@@ -41,8 +53,9 @@ static const struct option options_of_order[] = {
                 tolerance, POSITIVE),
   OPTION_TEXT("x", "NAME", "the column of h: its name, or its number from 1", "h, otherwise the first one", order_options,
               columns.x, "a column"),
-  OPTION_TEXT("y", "NAME,...", "the columns of errors", "err, error or value, otherwise each one of numbers right of h",
-              order_options, columns.y, "a column, or several with commas between"),
+  OPTION("y", "NAME,...", "the columns of errors; each --y adds some",
+         "err, error or value, otherwise each one of numbers right of h", .kind = &columns_of_errors,
+         OPTION_FIELD(order_options, columns)),
   OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options, columns.values),
   OPTION_FLAG("rows", "print each row with its pairwise order and its use, and no verdicts", order_options, rows),
   OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
@@ -78,35 +91,34 @@ static bool is_sound(const void *options)
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct order_options *o = options;
-  const bool expects = o->expect.given || o->at_least.given;
   struct series_list list = { 0 };
-  enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < arguments->operand_count && code == EXIT_DONE; i++)
-    code = series_read(&list, "order", arguments->operands[i], &o->columns);
+  enum exit_code read = EXIT_DONE;
+  for (int i = 0; i < arguments->operand_count; i++) {
+    enum exit_code code = series_read(&list, "order", arguments->operands[i], &o->columns);
+    read = code > read ? code : read;
+  }
   struct scallop_order_wanted wanted = { .order = o->expect.given     ? o->expect.value
                                                   : o->at_least.given ? o->at_least.value
                                                                       : NAN,
                                          .tolerance = o->tolerance.value,
                                          .at_least = o->at_least.given };
-  for (int i = 0; i < list.count && code == EXIT_DONE; i++) {
-    wanted.values = list.series[i].values;
-    scallop_order(list.series[i].points, &list.series[i].count, &wanted, &list.series[i].result);
+  for (struct series *s = list.series; s < list.series + list.count; s++) {
+    wanted.values = s->values;
+    if (!s->unread)
+      scallop_order(s->points, &s->count, &wanted, &s->result);
   }
   struct style style = o->request.style;
   const struct report report = { &list, &wanted, format_of(o), &style };
   style.format = report.format < FORMATS ? (enum format)report.format : FORMAT_TSV;
   style.has_format = o->format.given;
   style.plot.file = o->rows ? style.plot.file : NULL; /* the rows are drawn, not the verdicts */
-  if (code == EXIT_DONE)
-    code = (o->rows ? report_write_rows : report_write)(&report);
-  if (code == EXIT_DONE && !o->rows && o->request.style.plot.file)
+  enum exit_code code = (o->rows ? report_write_rows : report_write)(&report);
+  if (code == EXIT_DONE && !o->rows && o->request.style.plot.file && list.rows > 0)
     code = report_draw(&(struct report){ &list, &wanted, FORMAT_TSV, &o->request.style });
-  if (code == EXIT_DONE && report_failed(&report) > 0)
-    code = expects ? EXIT_CHECK_FAILED : EXIT_UNSOLVED;
-  if (code == EXIT_UNSOLVED)
-    complain("order", "a table cannot be judged: h must be positive and different in each row, and no number nan or inf");
+  if (code == EXIT_DONE)
+    code = report_exit(&report);
   series_free(&list);
-  return code;
+  return read > code ? read : code;
 }
 
 const struct command command_order = {
@@ -127,13 +139,17 @@ const struct command command_order = {
            "Columns left of h that hold text name a series: rows with the same texts are judged by themselves,\n"
            "so that `scallop claims --errors rest_dT | scallop order -` gives one order for each gait and set of\n"
            "conditions. Texts that are different in each row name nothing.\n"
-           "interval says what low and high are: confidence-95, the 95 % confidence interval of the slope of\n"
-           "log|err| over log h; limit, the limit of the local order, give or take what separates it from the\n"
+           "interval says what low and high are: confidence-95, the 95 % confidence interval of the order, with\n"
+           "room for a second term that the scatter hides; slope-95, that of the slope of log|err| over log h,\n"
+           "with no such room; limit, the limit of the local order, give or take what separates it from the\n"
            "local order at the finest h; pairwise, the least and the largest of the pairwise orders.\n"
            "verdict: pass; measured (no order was expected); too-low; too-high; drifting (the local order has no\n"
            "limit that can be told); scattered; plateau (err stops falling far above roundoff); floor-limited;\n"
            "insufficient (fewer than three usable rows); invalid. reason says why, and of which rows: the first\n"
            "row of data is row 1. Errors that are all 0, or within their noise, pass. A summary ends the output.\n"
-           "Each table has to pass.",
+           "The exit code is 0 if every table passes, or is measured where no order is expected; 1 if a table\n"
+           "does not pass; 3 if no order is expected and a table gives none. A file that cannot be read (exit\n"
+           "code 4) or is no table (2) is a row with the verdict error, and the other files are judged. With -o\n"
+           "each table that fails is a line on standard error, too.",
   .run = run,
 };

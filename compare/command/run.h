@@ -1,6 +1,6 @@
 /* Scenes from the command line, for the commands that run some. */
-#ifndef SCALLOP_RUN_H
-#define SCALLOP_RUN_H
+#ifndef SCALLOP_COMPARE_COMMAND_RUN_H
+#define SCALLOP_COMPARE_COMMAND_RUN_H
 
 #include "compare/scenes/scene.h"
 

@@ -174,6 +174,7 @@ static enum exit_code run_point(const struct series_options *o)
   }
   if (!table_open(&table, &request->style))
     return EXIT_FILE;
+  table.of = "published";
   table_note(&table, "scallop " SCALLOP_VERSION);
   table_note(&table, "command: series");
   note_parameters(&table, &request->point, NULL, false);

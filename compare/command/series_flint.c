@@ -55,7 +55,7 @@ static bool is_precise(const struct motion_report *m, long order, long digits)
   for (int q = 0; q < QUANTITIES; q++)
     for (slong k = m->derived.value[q] ? m->derived.value[q]->first : order; k < order && precise; k++) {
       const struct series *s = m->derived.value[q];
-      if (s->exact || series_coefficient_is_zero(s, k))
+      if (s->kind != SERIES_BALLS || series_coefficient_is_zero(s, k))
         continue;
       series_coefficient(x, s, k, 64);
       precise = arb_rel_accuracy_bits(x) > bits_of(digits) + 4 || arb_contains_zero(x);
@@ -220,7 +220,8 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
     slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
     solved = enough = solve(m, r, digits < MOST ? digits : MOST);
-    if (i > 0 && !m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->exact && !derive(m, r, order, precision))
+    if (i > 0 && m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->kind == SERIES_BALLS
+        && !derive(m, r, order, precision))
       break;
     arb_set_fmpq(T, m->T, precision);
     for (int q = 0; solved && q < QUANTITIES; q++) {
@@ -324,6 +325,7 @@ static bool begin(struct report *r)
     return begin_document(r, command);
   if (!table_open(&r->table, &o->request.style))
     return false;
+  r->table.of = o->bound ? "bounds" : "derived";
   table_note(&r->table, "scallop " SCALLOP_VERSION);
   table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &o->request.point, NULL, true);

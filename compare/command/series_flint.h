@@ -1,6 +1,6 @@
 /* `scallop series`: its options, and what it prints of derived series. Needs FLINT. */
-#ifndef SCALLOP_SERIES_FLINT_H
-#define SCALLOP_SERIES_FLINT_H
+#ifndef SCALLOP_COMPARE_COMMAND_SERIES_FLINT_H
+#define SCALLOP_COMPARE_COMMAND_SERIES_FLINT_H
 
 #include "compare/answers/points.h"
 #include "compare/text/values.h"

@@ -69,11 +69,11 @@ static void report_series(struct report *r, const struct motion_names *m, const 
   emitted.below = series->length + first;
   emitted.small = small;
   for (slong k = 0; k < series->length; k++) {
-    bool say_zero = k == series->length - 1 && !any;
-    if (symbolic_is_zero(series->term[k], s) && !(say_zero && r->as_table))
+    bool zero = symbolic_is_zero(series->term[k], s), say_zero = r->as_table && k == series->length - 1 && !any;
+    if (zero && !say_zero)
       continue;
     any = true;
-    snprintf(power, sizeof power, "%ld", say_zero ? 0 : (long)(k + first));
+    snprintf(power, sizeof power, "%ld", zero ? 0 : (long)(k + first));
     if (r->as_table)
       write_value(r, m, quantity, power, s, series->term[k]);
     else {

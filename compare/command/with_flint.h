@@ -4,8 +4,8 @@
  * `scallop-flint`, the same program linked with it, which stands beside (hand_over.c). A build with WITH_FLINT=0 has no such
  * program, and these commands print what is missing. A function that needs FLINT is weak where a command calls it: `scallop` is
  * linked without it, and calls it only where has_flint. */
-#ifndef SCALLOP_WITH_FLINT_H
-#define SCALLOP_WITH_FLINT_H
+#ifndef SCALLOP_COMPARE_COMMAND_WITH_FLINT_H
+#define SCALLOP_COMPARE_COMMAND_WITH_FLINT_H
 
 #include <stdbool.h>
 

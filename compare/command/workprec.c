@@ -20,8 +20,8 @@ static const struct option options_of_workprec[] = {
   OPTION_BOOK("the formulas of this book for the steady state too"),
   OPTION_FORMAT("tsv"),
   OPTION_DROPPED("from",
-                 "`awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and installed in "
-                 "share/scallop/"),
+                 "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and "
+                 "installed in share/scallop/"),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };

@@ -1,7 +1,7 @@
 /* Files in libconfig's format, scenes and books of formulas: read whole, checked for what libconfig would misread, and taken member by member
  * into the fields of structs. */
-#ifndef SCALLOP_CONFIG_H
-#define SCALLOP_CONFIG_H
+#ifndef SCALLOP_COMPARE_CONFIG_CONFIG_H
+#define SCALLOP_COMPARE_CONFIG_CONFIG_H
 
 #include <libconfig.h>
 #include <stdbool.h>

@@ -202,6 +202,7 @@ static bool do_curve(struct boundaries *b, struct table *t, long number, struct 
 
 static void begin_table(const struct boundaries *b, struct table *t)
 {
+  t->of = "boundaries";
   axes_head(t, b->options, b->axes, " --boundaries");
   table_note(t, "regions: of the same modes; region_1 is on the left as the points go, x to the right and y up");
   table_note(t, "what: happens from region_1 to region_2; meets: the third region at a junction");

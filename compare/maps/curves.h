@@ -1,6 +1,6 @@
 /* Curves between regions of a square, of which nothing is known but which region a point belongs to. */
-#ifndef SCALLOP_MAP_H
-#define SCALLOP_MAP_H
+#ifndef SCALLOP_COMPARE_MAPS_CURVES_H
+#define SCALLOP_COMPARE_MAPS_CURVES_H
 
 #include <stdbool.h>
 

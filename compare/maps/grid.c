@@ -40,6 +40,15 @@ struct grid {
   struct progress progress;
 };
 
+/* Beside a picture of named columns, where no others are chosen, the table has of the measures those alone that are drawn. */
+static bool is_asked(const struct style *style, const char *name)
+{
+  const char *const *y = style->plot.y;
+  while (*y && strcmp(*y, name) != 0)
+    y++;
+  return !style->plot.file || !style->plot.y[0] || style->choice || *y;
+}
+
 static void add_measure(struct grid *g, enum breakdown_source source, const struct scallop_formula *formula,
                         double tolerance)
 {
@@ -52,6 +61,7 @@ static void add_measure(struct grid *g, enum breakdown_source source, const stru
     snprintf(order, sizeof order, "_%ld", g->options->order.value);
   *m = (struct measure){ source, formula, tolerance, .name = "" };
   snprintf(m->name, NAME, "%s_%s%s", what, formula ? formula->name : breakdown_sources[source], order);
+  g->width -= !is_asked(&g->options->request.style, m->name);
 }
 
 static const struct motion any_motion = { .of = OF_STEADY };
@@ -158,7 +168,7 @@ static void compute_all(struct grid *g)
 #endif
       {
         journal_add(j, row, values);
-        progress_show(&g->progress, "%ld of %ld", j->done_count, j->rows);
+        progress_count(j->done_count, j->rows);
       }
     }
     flint_cleanup();
@@ -247,6 +257,7 @@ static bool write_row(const struct grid *g, struct table *t, bool is_head, long 
 /* The head, which tells what is used of a row. False: the table has failed. */
 static bool begin_table(struct grid *g, struct table *t)
 {
+  t->of = "map";
   axes_head(t, g->options, g->axes, "");
   table_note(
       t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",

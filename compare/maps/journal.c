@@ -14,7 +14,7 @@ enum { NUMBER = 32, LINE = (JOURNAL_WIDTH + 2) * NUMBER };
 bool journal_init(struct journal *j, long rows, int width)
 {
   *j = (struct journal){ .rows = rows, .width = width };
-  j->values = calloc((size_t)(rows * width), sizeof *j->values);
+  j->values = calloc((size_t)(rows * width) + 1, sizeof *j->values);
   j->done = calloc((size_t)rows, sizeof *j->done);
   return j->values && j->done;
 }

@@ -3,8 +3,8 @@
  * The first line is a title, with all that the numbers depend on; the journal of another computation is neither used nor touched. Each
  * further line has the number of a row, its numbers as hexadecimal doubles, and a checksum, so that a damaged or half-written line is
  * noticed: the journal ends before it. */
-#ifndef SCALLOP_JOURNAL_H
-#define SCALLOP_JOURNAL_H
+#ifndef SCALLOP_COMPARE_MAPS_JOURNAL_H
+#define SCALLOP_COMPARE_MAPS_JOURNAL_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* Maps over two parameters of a crawler, its axes: one row for each point of a grid, or the curves between the regions of the same modes. */
-#ifndef SCALLOP_MAPS_H
-#define SCALLOP_MAPS_H
+#ifndef SCALLOP_COMPARE_MAPS_MAPS_H
+#define SCALLOP_COMPARE_MAPS_MAPS_H
 
 #include "compare/breakdown/breakdown.h"
 

@@ -1,6 +1,6 @@
 /* Regions of a square along a path: where one ends and the next begins. */
-#ifndef SCALLOP_PATH_H
-#define SCALLOP_PATH_H
+#ifndef SCALLOP_COMPARE_MAPS_PATH_H
+#define SCALLOP_COMPARE_MAPS_PATH_H
 
 #include <stdbool.h>
 

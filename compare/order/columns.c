@@ -63,6 +63,9 @@ static const char *chosen(int *place, const struct tsv *t, const char *option, c
 
 static const char *add_y(struct layout *l, int place, bool values)
 {
+  for (int i = 0; i < l->ys; i++)
+    if (l->y[i] == place)
+      return NULL;
   if (l->ys == MOST_Y)
     return "more than 64 columns of errors: choose some with --y";
   l->values[l->ys] = values;
@@ -70,16 +73,16 @@ static const char *add_y(struct layout *l, int place, bool values)
   return NULL;
 }
 
-static const char *chosen_ys(struct layout *l, const struct tsv *t, const struct columns_wanted *wanted)
+static const char *chosen_ys(struct layout *l, const struct tsv *t, const char *list, bool values)
 {
   const char *wrong = NULL;
-  for (const char *at = wanted->y; at && !wrong; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+  for (const char *at = list; at && !wrong; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
     char name[COLUMN_NAME];
     int place, length = (int)strcspn(at, ",");
     snprintf(name, sizeof name, "%.*s", length < COLUMN_NAME ? length : COLUMN_NAME - 1, at);
     wrong = chosen(&place, t, "y", name);
     if (!wrong)
-      wrong = place == l->x ? "--y: this column is x" : add_y(l, place, wanted->values || strcmp(name, "value") == 0);
+      wrong = place == l->x ? "--y: this column is x" : add_y(l, place, values || strcmp(name, "value") == 0);
   }
   return wrong;
 }
@@ -117,7 +120,8 @@ static const char *find_x(struct layout *l, const struct tsv *t, const struct co
   l->x = only_column(t, h);
   if (l->x == -2)
     return "the column 'h' is there twice";
-  l->x = l->x < 0 ? 0 : l->x;
+  if (l->x < 0) /* the first one, but for the index without a name that pandas writes */
+    l->x = t->columns > 1 && *t->column[0] == '\0';
   return NULL;
 }
 
@@ -135,13 +139,13 @@ const char *columns_find(struct layout *l, const struct tsv *t, const struct col
   l->noise = only_column(t, noise);
   if (l->noise == -2)
     return "the column 'noise' is there twice";
-  if (wanted->y)
-    wrong = chosen_ys(l, t, wanted);
-  else if (named == -2)
+  for (int i = 0; i < wanted->ys && !wrong; i++)
+    wrong = chosen_ys(l, t, wanted->y[i], wanted->values);
+  if (wanted->ys == 0 && named == -2)
     return "one column 'err', 'error' or 'value' is wanted, not two: choose with --y";
-  else if (named >= 0 && named != l->x)
+  if (wanted->ys == 0 && named >= 0 && named != l->x)
     wrong = add_y(l, named, wanted->values || t->column[named][0] == 'v');
-  else
+  else if (wanted->ys == 0)
     wrong = other_ys(l, t, wanted->values);
   l->noise = l->ys == 1 ? l->noise : -1;
   return wrong;

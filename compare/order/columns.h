@@ -1,20 +1,22 @@
 /* Which columns of a table of h and err are which. */
-#ifndef SCALLOP_ORDER_COLUMNS_H
-#define SCALLOP_ORDER_COLUMNS_H
+#ifndef SCALLOP_COMPARE_ORDER_COLUMNS_H
+#define SCALLOP_COMPARE_ORDER_COLUMNS_H
 
 #include <stdbool.h>
 
 #include "compare/text/tsv.h"
 
+enum { MOST_Y = 64, MOST_LISTS = 16, COLUMN_NAME = 100 };
+
 /* Which columns are read: names in the header, or numbers from 1. */
 struct columns_wanted {
-  const char *x; /* NULL: h, and where no column has this name the first one                                             */
-  const char *y; /* with commas between; NULL: err, error or value, and where none has such a name each right of x that holds
-                    numbers, but for noise and for orders                                                                */
-  bool values;   /* y are values; without it, only a column of this name                                                 */
+  const char *x; /* NULL: h, and where no column has this name the first one that has a name                             */
+  const char
+      *y[MOST_LISTS]; /* lists with commas between names; where there is none: err, error or value, and where none has such a
+                            name each right of x that holds numbers, but for noise and for orders                        */
+  int ys;             /* how many lists                                                                               */
+  bool values;        /* y are values; without it, only a column of this name                                         */
 };
-
-enum { MOST_Y = 64, COLUMN_NAME = 100 };
 
 struct layout {
   int columns;   /* of a row                                          */

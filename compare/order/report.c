@@ -8,22 +8,57 @@
 
 const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "tap", "junit", NULL };
 
-static bool has_failed(const struct report *r, const struct series *s)
+/* What a table is counted as: judged well, judged otherwise, or not read. Where no order was expected none passes:
+ * well is measured. */
+enum outcome { WELL, FAILED, UNREAD, OUTCOMES };
+
+static bool expects(const struct report *r) { return !isnan(r->wanted->order); }
+
+static enum outcome outcome_of(const struct report *r, const struct series *s)
 {
-  return isnan(r->wanted->order) ? s->result.verdict == SCALLOP_ORDER_INVALID : s->result.verdict != SCALLOP_ORDER_PASS;
+  enum scallop_order_verdict well = expects(r) ? SCALLOP_ORDER_PASS : SCALLOP_ORDER_MEASURED;
+  return s->unread ? UNREAD : s->result.verdict == well ? WELL : FAILED;
 }
 
-int report_failed(const struct report *r)
+static bool has_failed(const struct report *r, const struct series *s) { return outcome_of(r, s) != WELL; }
+
+static const char *verdict_of(const struct series *s)
 {
-  int failed = 0;
+  return s->unread ? "error" : scallop_order_verdict_text(s->result.verdict);
+}
+
+static int count_of(const struct report *r, enum outcome outcome)
+{
+  int count = 0;
   for (int i = 0; i < r->list->count; i++)
-    failed += has_failed(r, &r->list->series[i]);
-  return failed;
+    count += outcome_of(r, &r->list->series[i]) == outcome;
+  return count;
+}
+
+/* "1 passed, 0 failed", and how many could not be read */
+static const char *counts_of(const struct report *r)
+{
+  static char text[100];
+  int unread = count_of(r, UNREAD);
+  int used = snprintf(text, sizeof text, "%d %s, %d failed", count_of(r, WELL), expects(r) ? "passed" : "measured",
+                      count_of(r, FAILED));
+  if (unread > 0)
+    snprintf(text + used, sizeof text - (size_t)used, ", %d not read", unread);
+  return text;
+}
+
+enum exit_code report_exit(const struct report *r)
+{
+  for (const struct series *s = r->list->series; r->style->output && s < r->list->series + r->list->count; s++)
+    if (outcome_of(r, s) == FAILED)
+      complain(r->style->command, "%s: %s%s%s: %s: %s", s->file, s->name, *s->name ? ": " : "", s->y, verdict_of(s),
+               s->result.reason);
+  return count_of(r, FAILED) == 0 ? EXIT_DONE : expects(r) ? EXIT_CHECK_FAILED : EXIT_UNSOLVED;
 }
 
 static const char *test_of(const struct report *r)
 {
-  return isnan(r->wanted->order) ? "none" : r->wanted->at_least ? "at-least" : "equal";
+  return !expects(r) ? "none" : r->wanted->at_least ? "at-least" : "equal";
 }
 
 static void write_verdict(struct table *t, const struct report *r, const struct series *s, bool grids)
@@ -44,17 +79,15 @@ static void write_verdict(struct table *t, const struct report *r, const struct 
   table_text(t, test_of(r));
   table_number(t, r->wanted->order);
   table_number(t, r->wanted->tolerance);
-  table_text(t, scallop_order_verdict_text(v->verdict));
+  table_text(t, verdict_of(s));
   table_text(t, v->reason);
 }
 
 static void write_counts(struct table *t, const struct report *r)
 {
-  static const char *const counts[] = { "tables", "passed", "failed", NULL };
-  int failed = report_failed(r);
+  const char *const counts[] = { "tables", expects(r) ? "passed" : "measured", "failed", "errors", NULL };
   if (t->format != FORMAT_JSON) {
-    table_note(t, "%d %s: %d passed, %d failed", r->list->count, r->list->count == 1 ? "table" : "tables",
-               r->list->count - failed, failed);
+    table_note(t, "%d %s: %s", r->list->count, r->list->count == 1 ? "table" : "tables", counts_of(r));
     return;
   }
   if (t->choice) /* of the columns of the verdicts */
@@ -62,8 +95,8 @@ static void write_counts(struct table *t, const struct report *r)
   t->count = 0;
   table_columns(t, counts);
   table_rounded(t, r->list->count, "%.0f");
-  table_rounded(t, r->list->count - failed, "%.0f");
-  table_rounded(t, failed, "%.0f");
+  for (int outcome = 0; outcome < OUTCOMES; outcome++)
+    table_rounded(t, count_of(r, (enum outcome)outcome), "%.0f");
 }
 
 static enum exit_code write_table(const struct report *r)
@@ -119,49 +152,36 @@ enum exit_code report_write_rows(const struct report *r) { return write_rows(r, 
 
 enum exit_code report_draw(const struct report *r) { return write_rows(r, "/dev/null"); }
 
-/* Text in which what means something to the format is written otherwise; what is no printable ASCII becomes '?' */
-static void put(FILE *out, const char *text, const char *special, const char *const *instead)
+/* What means something to a format, and what is written instead */
+struct escapes {
+  const char *special, *instead[7];
+};
+static const struct escapes in_xml = { "&<>\"", { "&amp;", "&lt;", "&gt;", "&quot;" } },
+                            in_tap = { "#\\", { "\\#", "\\\\" } }, in_quotes = { "\"\\", { "\\\"", "\\\\" } },
+                            in_cell = { "|\\<`*_", { "\\|", "\\\\", "&lt;", "\\`", "\\*", "\\_" } };
+
+/* What is no printable ASCII becomes '?'. */
+static void put(FILE *out, const char *text, const struct escapes *escapes)
 {
   for (; *text; text++) {
-    const char *found = strchr(special, *text);
+    const char *found = strchr(escapes->special, *text);
     if (found)
-      fputs(instead[found - special], out);
+      fputs(escapes->instead[found - escapes->special], out);
     else
       putc(*text >= 0x20 && *text <= 0x7e ? *text : '?', out);
   }
 }
 
-static void put_xml(FILE *out, const char *text)
-{
-  static const char *const entities[] = { "&amp;", "&lt;", "&gt;", "&quot;" };
-  put(out, text, "&<>\"", entities);
-}
-static void put_tap(FILE *out, const char *text)
-{
-  static const char *const escaped[] = { "\\#", "\\\\" };
-  put(out, text, "#\\", escaped);
-}
-static void put_quoted(FILE *out, const char *text)
-{
-  static const char *const escaped[] = { "\\\"", "\\\\" };
-  put(out, text, "\"\\", escaped);
-}
-static void put_cell(FILE *out, const char *text)
-{
-  static const char *const escaped[] = { "\\|", "\\\\", "&lt;", "\\`", "\\*", "\\_" };
-  put(out, text, "|\\<`*_", escaped);
-}
-
 /* "file: series: y" */
-static void put_name(FILE *out, const struct series *s, void (*put_text)(FILE *, const char *))
+static void put_name(FILE *out, const struct series *s, const struct escapes *escapes)
 {
-  put_text(out, s->file);
-  fputs(": ", out);
-  if (*s->name) {
-    put_text(out, s->name);
-    fputs(": ", out);
-  }
-  put_text(out, s->y);
+  const char *const parts[] = { s->name, s->y };
+  put(out, s->file, escapes);
+  for (int i = 0; i < 2; i++)
+    if (*parts[i]) {
+      fputs(": ", out);
+      put(out, parts[i], escapes);
+    }
 }
 
 static void write_tap(FILE *out, const struct report *r)
@@ -170,33 +190,33 @@ static void write_tap(FILE *out, const struct report *r)
   for (int i = 0; i < r->list->count; i++) {
     const struct series *s = &r->list->series[i];
     fprintf(out, "%s %d - ", has_failed(r, s) ? "not ok" : "ok", i + 1);
-    put_name(out, s, put_tap);
+    put_name(out, s, &in_tap);
     fprintf(out, "\n  ---\n  verdict: %s\n  order: %.4f\n  low: %.4f\n  high: %.4f\n  interval: %s\n  reason: \"",
-            scallop_order_verdict_text(s->result.verdict), s->result.order, s->result.low, s->result.high,
-            scallop_order_interval_text(s->result.interval));
-    put_quoted(out, s->result.reason);
+            verdict_of(s), s->result.order, s->result.low, s->result.high, scallop_order_interval_text(s->result.interval));
+    put(out, s->result.reason, &in_quotes);
     fputs("\"\n  ...\n", out);
   }
-  fprintf(out, "# passed %d, failed %d\n", r->list->count - report_failed(r), report_failed(r));
+  fprintf(out, "# %s\n", counts_of(r));
 }
 
 static void write_junit(FILE *out, const struct report *r)
 {
-  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites tests=\"%d\" failures=\"%d\" errors=\"0\">\n",
-          r->list->count, report_failed(r));
-  fprintf(out, "<testsuite name=\"scallop order\" tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"0\">\n",
-          r->list->count, report_failed(r));
+  char counts[100];
+  snprintf(counts, sizeof counts, "tests=\"%d\" failures=\"%d\" errors=\"%d\"", r->list->count, count_of(r, FAILED),
+           count_of(r, UNREAD));
+  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
+  fprintf(out, "<testsuite name=\"scallop order\" %s skipped=\"0\">\n", counts);
   for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++) {
     fputs("<testcase classname=\"", out);
-    put_xml(out, s->file);
+    put(out, s->file, &in_xml);
     fputs("\" name=\"", out);
-    put_name(out, s, put_xml);
+    put_name(out, s, &in_xml);
     fputs("\">", out);
     if (has_failed(r, s))
-      fprintf(out, "<failure type=\"%s\" message=\"", scallop_order_verdict_text(s->result.verdict));
+      fprintf(out, "<%s type=\"%s\" message=\"", s->unread ? "error" : "failure", verdict_of(s));
     else
       fputs("<system-out>", out);
-    put_xml(out, s->result.reason);
+    put(out, s->result.reason, &in_xml);
     fputs(has_failed(r, s) ? "\"/></testcase>\n" : "</system-out></testcase>\n", out);
   }
   fputs("</testsuite>\n</testsuites>\n", out);
@@ -207,13 +227,13 @@ static void write_markdown(FILE *out, const struct report *r)
   fputs("| verdict | table | order | from | to | interval | reason |\n|---|---|---|---|---|---|---|\n", out);
   for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++) {
     const struct scallop_order_result *v = &s->result;
-    fprintf(out, has_failed(r, s) ? "| **%s** | " : "| %s | ", scallop_order_verdict_text(v->verdict));
-    put_name(out, s, put_cell);
+    fprintf(out, has_failed(r, s) ? "| **%s** | " : "| %s | ", verdict_of(s));
+    put_name(out, s, &in_cell);
     fprintf(out, " | %.4f | %.4f | %.4f | %s | ", v->order, v->low, v->high, scallop_order_interval_text(v->interval));
-    put_cell(out, v->reason);
+    put(out, v->reason, &in_cell);
     fputs(" |\n", out);
   }
-  fprintf(out, "\n%d passed, %d failed.\n", r->list->count - report_failed(r), report_failed(r));
+  fprintf(out, "\n%s.\n", counts_of(r));
 }
 
 enum exit_code report_write(const struct report *r)

@@ -1,6 +1,6 @@
 /* The verdicts on series, in the formats that people and CI servers read. */
-#ifndef SCALLOP_ORDER_REPORT_H
-#define SCALLOP_ORDER_REPORT_H
+#ifndef SCALLOP_COMPARE_ORDER_REPORT_H
+#define SCALLOP_COMPARE_ORDER_REPORT_H
 
 #include "compare/order/series.h"
 #include "compare/text/table.h"
@@ -18,8 +18,9 @@ struct report {
   const struct style *style;
 };
 
-/* How many series have failed: those without a pass or, where no order was expected, those that are invalid. */
-int report_failed(const struct report *report);
+/* EXIT_CHECK_FAILED if a table is not of the order that is expected, EXIT_UNSOLVED if none is expected and none can be measured. Where the
+ * report went to a file, each such table is a line on stderr. */
+enum exit_code report_exit(const struct report *report);
 /* Writes a verdict for each series and a summary to the output of the style. */
 enum exit_code report_write(const struct report *report);
 /* Writes each row with its pairwise order and its use, in a format of tables. */

@@ -1,5 +1,6 @@
 #include "compare/order/series.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -148,6 +149,19 @@ static const char *take_row(struct tsv *t, struct reader *r, const struct column
   return wrong ? wrong : read_row(t, r);
 }
 
+/* In place of the series of a file: one that says why there are none */
+static void add_unread(struct reader *r, const char *why)
+{
+  while (r->list->count > r->first)
+    series_clear(&r->list->series[--r->list->count]);
+  struct series *s = series_named(r, "", "", false);
+  if (!s)
+    return;
+  s->unread = true;
+  scallop_order(NULL, &s->count, &(struct scallop_order_wanted){ .order = NAN, .tolerance = 1 }, &s->result);
+  snprintf(s->result.reason, sizeof s->result.reason, "%s", why);
+}
+
 enum exit_code series_read(struct series_list *list, const char *command, const char *file,
                            const struct columns_wanted *wanted)
 {
@@ -155,18 +169,20 @@ enum exit_code series_read(struct series_list *list, const char *command, const 
   struct reader r = { .list = list, .first = list->count };
   const char *wrong = NULL;
   bool is_first = true;
-  if (tsv_open(&t, file, TSV_ANY)) {
-    r.file = t.name;
-    while (!wrong && tsv_next(&t))
-      wrong = take_row(&t, &r, wanted, &is_first);
-  }
+  bool open = tsv_open(&t, file, TSV_ANY);
+  r.file = t.name;
+  while (open && !wrong && tsv_next(&t))
+    wrong = take_row(&t, &r, wanted, &is_first);
   if (!wrong && list->count > r.first && !join_single_points(&r))
     wrong = out_of_memory;
-  bool failed = tsv_error(&t) != NULL, empty = list->count == r.first;
-  if (wrong || failed)
-    complain(command, "%s", wrong ? tsv_at(&t, "%s", wrong) : tsv_error(&t));
-  else if (empty)
-    complain(command, "%s: no data: lines of 'h err' are wanted", t.name);
+  const char *failure = tsv_error(&t);
+  enum exit_code code = failure ? EXIT_FILE : wrong || list->count == r.first ? EXIT_USAGE : EXIT_DONE;
+  if (code == EXIT_USAGE)
+    failure = wrong ? tsv_at(&t, "%s", wrong) : tsv_at_line(&t, 0, "no data: lines of 'h err' are wanted");
+  if (code != EXIT_DONE) {
+    complain(command, "%s", failure);
+    add_unread(&r, failure);
+  }
   tsv_close(&t);
-  return failed ? EXIT_FILE : wrong || empty ? EXIT_USAGE : EXIT_DONE;
+  return code;
 }

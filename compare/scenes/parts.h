@@ -1,6 +1,6 @@
 /* What the files of this folder share. Not public. */
-#ifndef SCALLOP_SCENE_PARTS_H
-#define SCALLOP_SCENE_PARTS_H
+#ifndef SCALLOP_COMPARE_SCENES_PARTS_H
+#define SCALLOP_COMPARE_SCENES_PARTS_H
 
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
  *
  * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are replaced together, when
  * all are complete. */
-#ifndef SCALLOP_SCENE_H
-#define SCALLOP_SCENE_H
+#ifndef SCALLOP_COMPARE_SCENES_SCENE_H
+#define SCALLOP_COMPARE_SCENES_SCENE_H
 
 #include "compare/answers/counts.h"
 #include "compare/answers/quantities.h"

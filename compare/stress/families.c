@@ -197,6 +197,13 @@ static bool phase_small_period(struct stress_case *s, const double *x)
   return phase_ordinary(s, x);
 }
 
+static bool phase_from_rest(struct stress_case *s, const double *x)
+{
+  s->crawler.T = decades(x[6], -100, 0);
+  choose_phase(s, x[7]);
+  return true;
+}
+
 /* From rest, or of a size from 10^lo to 10^hi */
 static bool start(struct stress_case *s, const double *x, double lo, double hi)
 {
@@ -273,6 +280,14 @@ const struct stress_family stress_families[] = {
   { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306, .make = phase_range },
   { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, .make = phase_wild },
   { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, .make = phase_boundaries },
+  { "high-degree", "every parameter anywhere in 16 decades or more, l as s^15 at first", STRESS_STEADY,
+    .gait = "polynomial:0,0,0,0,0,0,0,0,0,0,0,0,0,0,16,-15", .make = wild },
+  { "high-degree-short-phase", "alpha within 1e-9 of 0 or 1, l as s^8 at first", STRESS_STEADY, .eps = { -6, 20 },
+    .gait = "polynomial:0,0,0,0,0,0,0,6435,-40040,108108,-163800,150150,-83160,25740,-3432", .make = short_phase },
+  { "short-ramps", "F1/F2 - 1 and 2 alpha - 1 down to 1e-15, and 0; l' rises and falls within 1e-30 of a phase",
+    STRESS_STEADY, .equal_forces = 7, .equal_phases = 8, .gait = "constant:1e-30" },
+  { "phase-high-degree", "a phase from rest, T from 1e-100 to 1, l as s^7 at first", STRESS_PHASE,
+    .gait = "polynomial:0,0,0,0,0,0,8,-7", .make = phase_from_rest },
   { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
     .eps = { -6, 0 }, .make = trajectory },
   { .name = NULL },

@@ -1,6 +1,6 @@
 /* The cases of `stress`: families of crawlers, phases and trajectories for which digits are in danger. */
-#ifndef SCALLOP_STRESS_FAMILIES_H
-#define SCALLOP_STRESS_FAMILIES_H
+#ifndef SCALLOP_COMPARE_STRESS_FAMILIES_H
+#define SCALLOP_COMPARE_STRESS_FAMILIES_H
 
 #include "compare/answers/answer.h"
 #include "compare/answers/gaits.h"
@@ -25,6 +25,7 @@ struct stress_family {
   int masses, forces;             /* which x moves their ratio by up to 12 decades either way; 0: none */
   int equal_forces, equal_phases; /* which x brings their difference near 0; 0: none */
   double scale;                   /* m, F and L each times 10^-scale to 10^scale */
+  const char *gait;               /* the one gait that it is made for, unless another is given; NULL: it is made for all */
   bool (*make)(struct stress_case *stressed, const double *x); /* what else, or NULL. False: x gives none */
 };
 extern const struct stress_family stress_families[]; /* the last has no name */

@@ -7,8 +7,8 @@
  *
  * B and C from D(v* - d), D(v*) and D(v* + d). For other gaits that holds but for terms of order d^3 and, in v_n, d^2: d is then no more
  * than the rounding of v* to a double. */
-#ifndef SCALLOP_STRESS_PERIODS_H
-#define SCALLOP_STRESS_PERIODS_H
+#ifndef SCALLOP_COMPARE_STRESS_PERIODS_H
+#define SCALLOP_COMPARE_STRESS_PERIODS_H
 
 #include "compare/answers/answer_flint.h"
 #include "compare/stress/families.h"

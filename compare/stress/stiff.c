@@ -125,6 +125,7 @@ static bool begin(struct book *b)
   struct table *t = &b->table;
   if (!table_open(t, &o->request.style))
     return false;
+  t->of = o->summary ? "stiff orders" : "stiff";
   table_note(t, "scallop " SCALLOP_VERSION);
   table_note(t, "command: stress --stiff%s%s", o->quick ? " --quick" : "", o->summary ? " --summary" : "");
   for (int i = 0; i < b->scene_count; i++)

@@ -1,7 +1,7 @@
 /* Friction smoothed over delta (numerics/rivals/smoothed.h): one period from the exact steady start by each of the stiff steppers, as
  * delta -> 0: certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
-#ifndef SCALLOP_STRESS_STIFF_MEASURE_H
-#define SCALLOP_STRESS_STIFF_MEASURE_H
+#ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
+#define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 
 #include "compare/answers/answer.h"
 #include "asymptotics/observed/order.h"

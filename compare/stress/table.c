@@ -174,7 +174,8 @@ struct run {
   struct stress_judgement *judgements;
   double *errors;
   struct progress progress;
-  int broken; /* rows */
+  int broken;            /* rows  */
+  long judged, to_judge; /* cases */
 };
 
 /* Prints the first few broken promises of a family, each as one command. */
@@ -201,8 +202,13 @@ static void judge_all(struct run *run, int count)
 #pragma omp parallel num_threads(threads_for(0, count))
   {
 #pragma omp for schedule(dynamic)
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
       stress_judge(&run->stressed[i], &run->judgements[i]);
+#ifdef _OPENMP
+#pragma omp critical
+#endif
+      progress_count(++run->judged, run->to_judge);
+    }
     flint_cleanup();
   }
 }
@@ -232,12 +238,12 @@ static const struct stress_family *family_named(const char *name)
   return f->name ? f : NULL;
 }
 
-/* The gait that is given; else those of the paper or, for a check, one of each kind. NULL after the last. */
-static const struct scallop_gait *gait_of_run(const struct stress_options *o, int i)
+/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after the last. */
+static const struct scallop_gait *gait_of_run(const struct stress_options *o, const struct stress_family *f, int i)
 {
   if (o->request.point.has_gait)
     return i == 0 ? o->request.point.crawler.gait : NULL;
-  const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
+  const char *name = f->gait ? (i == 0 ? f->gait : NULL) : o->check ? gait_sample(i) : scallop_gait_name(i);
   return name ? gait_of_text(name).gait : NULL;
 }
 
@@ -246,7 +252,10 @@ static void run_families(struct run *run)
   const struct stress_options *o = run->options;
   const struct scallop_gait *gait;
   for (const struct stress_family *f = stress_families; f->name; f++)
-    for (int g = 0; (gait = gait_of_run(o, g)) && !table_failed(&run->table); g++)
+    for (int g = 0; (!o->family || f == family_named(o->family)) && gait_of_run(o, f, g); g++)
+      run->to_judge += cases_of(o, f->kind);
+  for (const struct stress_family *f = stress_families; f->name; f++)
+    for (int g = 0; (gait = gait_of_run(o, f, g)) && !table_failed(&run->table); g++)
       if (!o->family || f == family_named(o->family))
         run_family(run, f, gait);
 }
@@ -341,6 +350,7 @@ enum exit_code stress_point(const struct stress_options *o)
   flint_cleanup();
   if (!table_open(&t, &o->request.style))
     return EXIT_FILE;
+  t.of = "stress of a point";
   stress_arguments(&s, arguments);
   table_note(&t, "scallop " SCALLOP_VERSION);
   table_note(&t, "command: stress %s", arguments);

@@ -41,7 +41,7 @@ static void write_velocities(FILE *page, const struct summary *s, int digits)
   fprintf(page, "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
           digits, value(s, Q_V_START), digits, value(s, Q_V_MID));
   if (value(s, Q_MULTIPLIER) == 0)
-    fputs("  Whatever velocity it starts with, it moves like this after a period.\n", page);
+    fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", page);
   else
     fprintf(page, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", digits,
             value(s, Q_MULTIPLIER));

@@ -1,7 +1,7 @@
 /* One crawler on one page: what it does, what the paper's formulas are worth for it, and where the expansion ends. Nothing is computed here:
  * the motion is that of `steady`, verdicts are those of `claims`, events, reaches and orders those of `breakdown`. Needs FLINT. */
-#ifndef SCALLOP_SUMMARY_H
-#define SCALLOP_SUMMARY_H
+#ifndef SCALLOP_COMPARE_SUMMARY_SUMMARY_H
+#define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
 #include "compare/book/book.h"
 #include "compare/breakdown/study.h"

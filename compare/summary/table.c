@@ -94,7 +94,7 @@ static void write_page(FILE *page, const struct point *point, const struct summa
   page_of_reversals(page, s, digits);
   page_of_place(page, s, digits);
   fputs("\nMore: scallop steady --certified       proven digits\n"
-        "      scallop claims                   every claim of the paper\n"
+        "      scallop claims                   the claims of the paper\n"
         "      scallop series --source derived  the expansion\n"
         "      scallop breakdown --all          every event and reach\n",
         page);

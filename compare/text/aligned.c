@@ -39,8 +39,11 @@ void aligned_end_cell(struct aligned *a)
   a->count += !a->lost;
 }
 
+bool aligned_is_full(const struct aligned *a) { return !a->is_open && a->count >= (ALIGNED_ROWS + 1L) * a->columns; }
+
 void aligned_free(struct aligned *a)
 {
+  free(a->column);
   for (long i = 0; i < a->count + a->is_open; i++)
     free(a->cells[i]);
   free(a->cells);
@@ -156,13 +159,15 @@ static void print_text(FILE *file, const char *text, int left)
   }
 }
 
-/* Has a text of the column several parts, and is there more to say of it? */
-static bool has_parts(const struct aligned *a, int column, const struct column_meaning *m)
+struct aligned_column {
+  int width;
+  bool numbers;   /* on the right             */
+  bool has_parts; /* some text has several     */
+};
+
+static const char *between(const struct aligned_column *c, const struct column_meaning *m)
 {
-  bool has = false;
-  for (long k = column + a->columns; k < a->count && m->between && !has; k += a->columns)
-    has = strstr(a->cells[k], " | ") != NULL;
-  return has;
+  return m->between && c->has_parts ? m->between : "";
 }
 
 /* One a line: name, value and unit, and what it is */
@@ -183,7 +188,7 @@ static void print_upright(const struct aligned *a, FILE *file, column_meaning *m
     fprintf(file, "%s%s", *unit ? " " : "", unit);
     if (m)
       fprintf(file, "%*s  %s%s%s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence,
-              has_parts(a, i, m) ? "; " : "", has_parts(a, i, m) ? m->between : "");
+              *between(&a->column[i], m) ? "; " : "", between(&a->column[i], m));
     fputc('\n', file);
   }
 }
@@ -204,62 +209,79 @@ static bool is_number(const char *text)
          || strcmp(text, "inf") == 0;
 }
 
-static void print_row(const struct aligned *a, FILE *file, const char *const *cells, const int *width, const bool *numbers)
+static void print_row(const struct aligned *a, FILE *file, const char *const *cells)
 {
   for (int i = 0; i < a->columns; i++) {
     bool last = i + 1 == a->columns;
-    if (numbers[i])
-      fprintf(file, "%*s%s", width[i], cells[i], last ? "" : "  ");
+    if (a->column[i].numbers)
+      fprintf(file, "%*s%s", a->column[i].width, cells[i], last ? "" : "  ");
     else
-      fprintf(file, "%-*s%s", last ? 0 : width[i], cells[i], last ? "" : "  ");
+      fprintf(file, "%-*s%s", last ? 0 : a->column[i].width, cells[i], last ? "" : "  ");
   }
   fputc('\n', file);
 }
 
-static void print_columns(const struct aligned *a, FILE *file, column_meaning *meaning, int *width, bool *numbers,
-                          const char **units)
+/* Widens the columns to what is kept; of the first block also finds those of numbers. */
+static void measure(struct aligned *a, column_meaning *meaning, bool first)
+{
+  for (int i = 0; i < a->columns; i++) {
+    struct aligned_column *c = &a->column[i];
+    const int least = (int)strlen(unit_of(meaning, a->cells[i]));
+    c->width = least > c->width ? least : c->width;
+    c->numbers = first ? a->count > a->columns : c->numbers;
+    for (long k = i; k < a->count; k += a->columns) {
+      int length = (int)strlen(a->cells[k]);
+      c->width = length > c->width ? length : c->width;
+      c->numbers = c->numbers && (!first || k == i || is_number(a->cells[k]));
+      c->has_parts = c->has_parts || (k > i && strstr(a->cells[k], " | "));
+    }
+  }
+}
+
+static void print_rows(struct aligned *a, FILE *file, column_meaning *meaning, const char **units, bool first)
 {
   bool has_units = false;
   for (int i = 0; i < a->columns; i++) {
     units[i] = unit_of(meaning, a->cells[i]);
     has_units = has_units || *units[i];
-    width[i] = (int)strlen(units[i]);
-    numbers[i] = a->count > a->columns;
-    for (long k = i; k < a->count; k += a->columns) {
-      int length = (int)strlen(a->cells[k]);
-      width[i] = length > width[i] ? length : width[i];
-      numbers[i] = numbers[i] && (k == i || is_number(a->cells[k]));
-    }
   }
-  for (long k = 0; k < a->count; k += a->columns) {
-    print_row(a, file, (const char *const *)(a->cells + k), width, numbers);
+  for (long k = first ? 0 : a->columns; k < a->count; k += a->columns) {
+    print_row(a, file, (const char *const *)(a->cells + k));
     if (k == 0 && has_units)
-      print_row(a, file, units, width, numbers);
+      print_row(a, file, units);
   }
+  for (; a->count > a->columns; a->count--)
+    free(a->cells[a->count - 1]);
+}
+
+static void print_legend(const struct aligned *a, FILE *file, column_meaning *meaning)
+{
   for (int i = 0; i < a->columns; i++) {
     const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
     if (m && m->has_symbols)
-      fprintf(file, "%s: %s%s%s\n", a->cells[i], m->sentence, has_parts(a, i, m) ? "; " : "",
-              has_parts(a, i, m) ? m->between : "");
+      fprintf(file, "%s: %s%s%s\n", a->cells[i], m->sentence, *between(&a->column[i], m) ? "; " : "",
+              between(&a->column[i], m));
   }
 }
 
-bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning)
+bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning, bool last)
 {
   size_t columns = (size_t)(a->columns > 0 ? a->columns : 1);
-  int *width = calloc(columns, sizeof *width);
-  bool *numbers = calloc(columns, sizeof *numbers), lost = a->lost;
+  bool first = !a->column, lost = a->lost, upright = first && last && a->columns > 2 && a->count == 2L * a->columns;
   const char **units = calloc(columns, sizeof *units);
-  if (!lost && width && numbers && units) {
-    if (a->columns > 2 && a->count == 2L * a->columns)
+  a->column = first ? calloc(columns, sizeof *a->column) : a->column;
+  if (!lost && a->column && units) {
+    measure(a, meaning, first);
+    if (upright)
       lost = !print_wrapped(a, file, meaning);
     else
-      print_columns(a, file, meaning, width, numbers, units);
+      print_rows(a, file, meaning, units, first);
+    if (!upright && last)
+      print_legend(a, file, meaning);
   } else
     lost = true;
-  free(width);
-  free(numbers);
   free(units);
-  aligned_free(a);
+  if (last || lost)
+    aligned_free(a);
   return !lost;
 }

@@ -1,7 +1,8 @@
 /* Text for people. A table: cells are kept, and printed in columns of equal width; a single row is printed upright, its long texts in
- * several lines. And prose, in the columns of the terminal. */
-#ifndef SCALLOP_ALIGNED_H
-#define SCALLOP_ALIGNED_H
+ * several lines. Of a long table the first ALIGNED_ROWS rows decide how wide columns are and which hold numbers; further rows come in blocks
+ * of as many, and a column is wider from the block on that needs it. And prose, in the columns of the terminal. */
+#ifndef SCALLOP_COMPARE_TEXT_ALIGNED_H
+#define SCALLOP_COMPARE_TEXT_ALIGNED_H
 
 #include <stdarg.h>
 #include <stdbool.h>
@@ -16,8 +17,10 @@ struct column_meaning {
 };
 typedef const struct column_meaning *column_meaning(const char *name);
 
+enum { ALIGNED_ROWS = 1000 };
 struct aligned {
-  char **cells;
+  char **cells;                  /* the names of the columns, and rows that are not yet printed */
+  struct aligned_column *column; /* NULL: nothing is printed yet                                */
   int columns;
   long count;   /* cells */
   bool is_open; /* a cell that has not ended */
@@ -27,8 +30,11 @@ struct aligned {
 /* Keeps a copy of a cell, part after part, until it ends. */
 void aligned_put(struct aligned *a, const char *text, size_t size);
 void aligned_end_cell(struct aligned *a);
-/* Prints what was kept: the names of the columns are its first row. Forgets it. meaning may be NULL. False: memory ran out. */
-bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning);
+/* Is a whole block of rows kept, to be printed? */
+bool aligned_is_full(const struct aligned *a);
+/* Prints what was kept: the names of the columns are its first row. last: the legend behind it, and forgets all; else more rows are to come.
+ * meaning may be NULL. False: memory ran out. */
+bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning, bool last);
 void aligned_free(struct aligned *a);
 
 /* The columns of a terminal; 0: the file is none, or does not tell. */

@@ -3,8 +3,8 @@
  * Each way has a quick form, in 128-bit integers, that knows when it cannot tell how C's library would round, and then leaves
  * the answer to it: the same text and the same double for every input. Needs IEEE doubles, rounding to nearest and the 128-bit integers
  * of gcc and clang. */
-#ifndef SCALLOP_DIGITS_H
-#define SCALLOP_DIGITS_H
+#ifndef SCALLOP_COMPARE_TEXT_DIGITS_H
+#define SCALLOP_COMPARE_TEXT_DIGITS_H
 
 #include <stdbool.h>
 #include <stddef.h>

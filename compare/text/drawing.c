@@ -12,82 +12,73 @@
 
 #define PARAMETERS "T", "alpha", "F1", "F2", "m1", "m2", "L", "gait"
 
-/* The first row all of whose columns a table has is its kind. Lists end with NULL. A name that ends in '.' stands for the columns that begin so. */
+/* What is drawn of a table, by what it is of (struct table); of several rows the first whose first column of y there is. Lists end with
+ * NULL. A name that ends in '.' stands for the columns that begin so. */
 static const struct drawing {
-  const char *has[6];
+  const char *of;
   const char *program;               /* a script of scripts/plots/                                          */
   const char *x;                     /* NULL: that of vary which varies most                                */
   const char *vary[12];              /* and a curve is of each value of the others of them that vary        */
   const char *y[PLOT_COLUMNS + 1];   /* columns                                                             */
   const char *by[PLOT_COLUMNS + 1];  /* a curve is of each of their values                                  */
   enum { AS_IS, LOG_Y, LOG_XY } log; /* as the values ask for it, or logarithmic whatever they are          */
-  const char *map;                   /* a map: the head has this command, and the axes; else NULL                          */
+  bool map;                          /* the head has the axes                                                              */
   bool magnitudes;                   /* are drawn                                                                          */
   const char *over;                  /* the column that y is divided by                                                    */
   const char *limit;                 /* the head has this text, and behind it a number that is a limit                    */
 } drawings[] = {
-  { .has = { "t", "x1", "x2", "xC" }, .program = "curves", .x = "t", .y = { "x1", "x2", "xC" } },
-  { .has = { "series", "row", "h", "err" },
+  { .of = "trajectory", .program = "curves", .x = "t", .y = { "x1", "x2", "xC" } },
+  { .of = "order",
     .program = "curves",
     .x = "h",
     .y = { "err" },
     .by = { "file", "series", "y" },
     .log = LOG_XY,
     .magnitudes = true },
-  { .has = { "power", "coefficient", "sum", "error" },
+  { .of = "derived",
     .program = "curves",
     .x = "power",
     .y = { "error" },
     .by = { "phase", "quantity" },
     .log = LOG_Y,
     .magnitudes = true },
-  { .has = { "formula", "phase", "published", "exact", "error" },
-    .program = "dots",
-    .y = { "error" },
-    .by = { "formula", "phase", "quantity" },
-    .over = "exact" },
-  { .has = { "quantity", "C", "T0", "bound" }, .program = "dots", .y = { "bound" }, .by = { "quantity" } },
-  { .has = { "what", "series", "tolerance", "T" }, .program = "reach", .x = "T" },
-  { .has = { "region_1", "region_2", "curve" }, .map = "breakdown --map", .program = "boundaries" },
-  { .has = { "modes", "regime" }, .map = "breakdown --map", .program = "map", .y = { "modes" } },
-  { .has = { "method", "kind", "gait", "quantity", "time_median" },
-    .program = "workprec",
-    .x = "time_median",
-    .y = { "error" } },
-  { .has = { "wanted_error", "next_ratio", "rival_over_exact" },
+  { .of = "published", .program = "dots", .y = { "error" }, .by = { "formula", "phase", "quantity" }, .over = "exact" },
+  { .of = "bounds", .program = "dots", .y = { "bound" }, .by = { "quantity" } },
+  { .of = "breakdown", .program = "reach", .x = "T" },
+  { .of = "boundaries", .map = true, .program = "boundaries" },
+  { .of = "map", .map = true, .program = "map", .y = { "modes" } },
+  { .of = "workprec", .program = "workprec", .x = "time_median", .y = { "error" } },
+  { .of = "ratios",
     .program = "dots",
     .y = { "next_ratio", "rival_over_exact", "simulation_over_exact" },
     .by = { "gait", "T", "quantity", "wanted_error" } },
-  { .has = { "family", "gait", "cases", "units" },
+  { .of = "stress",
     .program = "dots",
     .y = { "units", "rounding", "perturbed" },
     .by = { "family", "gait" },
     .limit = "promised, in units: error " },
-  { .has = { "quantity", "certified", "units" },
-    .program = "dots",
-    .y = { "units", "rounding", "perturbed" },
-    .by = { "quantity" } },
-  { .has = { "scene", "stepper", "delta", "v_end_error" },
+  { .of = "stress of a point", .program = "dots", .y = { "units", "rounding", "perturbed" }, .by = { "quantity" } },
+  { .of = "stiff",
     .program = "curves",
     .x = "delta",
     .y = { "displacement_error" },
     .by = { "scene", "gait", "stepper" },
     .log = LOG_XY,
     .magnitudes = true },
-  { .has = { "scene", "stepper", "order_low" },
+  { .of = "stiff orders",
     .program = "dots",
     .y = { "order", "order_low", "order_high" },
     .by = { "scene", "gait", "stepper", "quantity" } },
-  { .has = { "m1", "phase", "v0", "dxC" }, .program = "curves", .vary = { PARAMETERS, "phase", "v0" }, .y = { "dxC" } },
-  { .has = { "m1", "froude", "mean_velocity" }, .program = "curves", .vary = { PARAMETERS }, .y = { "mean_velocity" } },
-  { .has = { "m1", "v0", "relative." },
+  { .of = "phase", .program = "curves", .vary = { PARAMETERS, "phase", "v0" }, .y = { "dxC" } },
+  { .of = "steady", .program = "curves", .vary = { PARAMETERS }, .y = { "mean_velocity" } },
+  { .of = "series",
     .program = "curves",
     .vary = { PARAMETERS, "v0" },
     .y = { "relative." },
     .log = LOG_XY,
     .magnitudes = true },
-  { .has = { "m1", "v0", "text_steady_xC" }, .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
-  { .has = { NULL },
+  { .of = "series", .program = "curves", .vary = { PARAMETERS, "v0" }, .y = { "text_steady_xC" } },
+  { .of = NULL,
     .program = "curves",
     .vary = { PARAMETERS, "phase", "v0" } }, /* any other: y is named, and x where nothing varies */
 };
@@ -160,14 +151,6 @@ static int columns_of(const struct seen *s, const char *name, const char *column
   return count;
 }
 
-static bool has_all(const struct seen *s, const char *const *names)
-{
-  const char *columns[PLOT_COLUMNS + 1];
-  while (*names && columns_of(s, *names, columns) > 0)
-    names++;
-  return !*names;
-}
-
 /* What stands behind begin in the '#' line of the head that begins so, until the next call; NULL: no line does. */
 static const char *in_head(const struct seen *s, const char *begin)
 {
@@ -183,10 +166,13 @@ static const char *in_head(const struct seen *s, const char *begin)
   return found ? line + 2 + length : NULL;
 }
 
+/* A picture of all of a table, which has no columns y, is not that of those that are named. */
 static bool is_drawn_by(const struct seen *s, const struct drawing *d)
 {
-  const char *command = d->map ? in_head(s, "command: ") : NULL;
-  return has_all(s, d->has) && (!d->map || (command && strncmp(command, d->map, strlen(d->map)) == 0));
+  const char *columns[PLOT_COLUMNS + 1];
+  return !d->of
+         || (strcmp(d->of, s->plot->of) == 0
+             && (d->map || (d->y[0] ? columns_of(s, d->y[0], columns) > 0 : !s->plot->y[0])));
 }
 
 static const struct drawing *drawing_of(const struct seen *s)
@@ -308,6 +294,8 @@ static bool choose(struct seen *s)
   const struct drawing *d = drawing_of(s);
   if (d->map && (p->x || p->by[0]))
     return refuse(s, "the axes of a map are those of --map", "");
+  if (d->map && p->y[0] && p->y[1])
+    return refuse(s, "a map shows one column", "");
   p->program = shipped_text(shipped_scripts, d->program);
   p->x = p->x ? p->x : d->x;
   if (!p->y[0])
@@ -319,9 +307,9 @@ static bool choose(struct seen *s)
     choose_map(s);
   else
     choose_varied(s, d);
-  if (!p->x && d->vary[0] && d->has[0])
+  if (!p->x && d->vary[0] && d->of)
     return refuse(s, "no parameter varies: a curve needs several points: --T 0.1:1:20, or --points FILE", "");
-  if (!d->has[0] && (!p->x || !p->y[0]))
+  if (!d->of && (!p->x || !p->y[0]))
     return refuse(s, "--plot-x NAME and --plot-y NAME choose the columns of this table", "");
   if (!d->map)
     choose_axes(s, d);

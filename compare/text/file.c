@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum { NAME = 4096, LONGEST_HEAD = 200 };
@@ -18,8 +19,14 @@ static void remove_unfinished(void)
       unlink(unfinished[i]);
 }
 
+static volatile pid_t child; /* that writes to one of these files, or 0 */
+
+void file_written_by(pid_t process) { child = process; }
+
 static void end_by(int signal_number)
 {
+  if (child > 0 && kill(child, SIGKILL) == 0) /* else it would make its file again */
+    waitpid(child, NULL, 0);
   remove_unfinished();
   signal(signal_number, SIG_DFL);
   raise(signal_number);

@@ -4,11 +4,12 @@
  * 200 bytes), is brought to the disk, and only then renamed to TARGET: until then an earlier TARGET stays, and two programs that write
  * the same TARGET do not mix. A failure, exit, SIGHUP, SIGINT and SIGTERM remove the temporary file; SIGKILL, any other signal and a
  * power cut can leave it. Standard output, a pipe or a device has nothing to replace and is written directly. */
-#ifndef SCALLOP_FILE_H
-#define SCALLOP_FILE_H
+#ifndef SCALLOP_COMPARE_TEXT_FILE_H
+#define SCALLOP_COMPARE_TEXT_FILE_H
 
 #include <stdbool.h>
 #include <stdio.h>
+#include <sys/types.h>
 
 enum { FILES_OPEN = 64 }; /* temporary files at a time, opened and closed by one thread */
 
@@ -23,6 +24,8 @@ struct file {
 int file_open(struct file *file, const char *path);
 /* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
 int file_flush(struct file *file);
+/* While a process that was started writes to such a file by its name, what ends this one ends that one first; 0: it has ended. */
+void file_written_by(pid_t process);
 /* Closes the file; keep: and a plain one replaces its target. Returns 0 or an error: then the earlier file stays. */
 int file_close(struct file *file, bool keep);
 

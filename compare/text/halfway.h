@@ -1,6 +1,6 @@
 /* Bisection to the last bit: for (double x; halfway(&x, low, high);) *(belongs_to_low(x) ? &low : &high) = x; */
-#ifndef SCALLOP_HALFWAY_H
-#define SCALLOP_HALFWAY_H
+#ifndef SCALLOP_COMPARE_TEXT_HALFWAY_H
+#define SCALLOP_COMPARE_TEXT_HALFWAY_H
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 /* Memory: lists that grow by one item at a time, and checksums. */
-#ifndef SCALLOP_MEMORY_H
-#define SCALLOP_MEMORY_H
+#ifndef SCALLOP_COMPARE_TEXT_MEMORY_H
+#define SCALLOP_COMPARE_TEXT_MEMORY_H
 
 #include <stdint.h>
 #include <stdlib.h>

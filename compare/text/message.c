@@ -4,16 +4,27 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "compare/text/progress.h"
 
 bool complain(const char *command, const char *format, ...)
 {
   va_list arguments;
+  char *text = NULL;
+  size_t size;
+  progress_clear();
   va_start(arguments, format);
-  fprintf(stderr, "scallop %s: ", command);
-  vfprintf(stderr, format, arguments);
-  fputc('\n', stderr);
+  FILE *kept = open_memstream(&text, &size);
+  if (kept)
+    vfprintf(kept, format, arguments);
   va_end(arguments);
+  bool written = kept && fclose(kept) == 0;
+  for (char *c = text; written && *c; c++) /* of a file's name, say, to which a terminal would listen */
+    *c = ((unsigned char)*c < 0x20 && *c != '\n') || *c == 0x7f ? '?' : *c;
+  fprintf(stderr, "scallop %s: %s\n", command, written ? text : "out of memory");
+  free(text);
   return false;
 }
 

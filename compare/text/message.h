@@ -1,6 +1,6 @@
 /* Messages: exit codes, what is printed on stderr, and the name that a mistyped one was meant to be. */
-#ifndef SCALLOP_MESSAGE_H
-#define SCALLOP_MESSAGE_H
+#ifndef SCALLOP_COMPARE_TEXT_MESSAGE_H
+#define SCALLOP_COMPARE_TEXT_MESSAGE_H
 
 #include <stdbool.h>
 #include <stddef.h>

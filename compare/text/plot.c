@@ -2,8 +2,10 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -119,19 +121,33 @@ static bool fail(const struct plot *p, const char *command, const char *what, in
   return false;
 }
 
-/* Starts gnuplot with these for input and output. Returns an error, or 0. The script was opened first: said is not descriptor 0. */
+/* Starts gnuplot with these for input and output, in a locale with UTF-8, which the scripts are in: in another gnuplot complains.
+ * Returns an error, or 0. The script was opened first: said is not descriptor 0. */
 static int start(pid_t *process, FILE *script, FILE *said)
 {
   static char name[] = "gnuplot", plain[] = "-d"; /* without the settings of the user */
   char *const arguments[] = { name, plain, NULL };
   posix_spawn_file_actions_t places;
+  if (setenv("LC_ALL", "C.UTF-8", 1) != 0)
+    return ENOMEM;
   int error = posix_spawn_file_actions_init(&places);
   if (error != 0)
     return error;
   for (int to = 0; error == 0 && to < 3; to++)
     error = posix_spawn_file_actions_adddup2(&places, fileno(to == 0 ? script : said), to);
-  if (error == 0)
-    error = posix_spawnp(process, name, &places, NULL, arguments, environ);
+  posix_spawnattr_t attributes;
+  sigset_t all, before;
+  sigfillset(&all);
+  if (error == 0 && (error = posix_spawnattr_init(&attributes)) == 0) {
+    pthread_sigmask(SIG_BLOCK, &all, &before); /* no signal comes between its start and the note of it */
+    posix_spawnattr_setsigmask(&attributes, &before);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    error = posix_spawnp(process, name, &places, &attributes, arguments, environ);
+    if (error == 0)
+      file_written_by(*process);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    posix_spawnattr_destroy(&attributes);
+  }
   posix_spawn_file_actions_destroy(&places);
   return error;
 }
@@ -176,6 +192,7 @@ static bool run(const struct plot *p, const char *command, FILE *script, FILE *s
   if (error != 0)
     return fail(p, command, "cannot run gnuplot", error);
   bool well = ends_well(process);
+  file_written_by(0);
   if (!well || p->script)
     pass_on(said, command);
   if (!well)

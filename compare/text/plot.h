@@ -4,8 +4,8 @@
  * "png" or "pdf"; title and x_column; the arrays y_columns and by_columns, of which ys and bys elements are used; log_x and log_y, 0 or
  * 1; width and height, 0: those of the script; low_x, high_x, low_y and high_y, where has_x_range or has_y_range is 1; abs_y, 1: magnitudes; over_column; limit; unit(column), a
  * function: the unit of a column, or "". Texts reach gnuplot as quoted bytes: no name or path can be taken for a command. */
-#ifndef SCALLOP_PLOT_H
-#define SCALLOP_PLOT_H
+#ifndef SCALLOP_COMPARE_TEXT_PLOT_H
+#define SCALLOP_COMPARE_TEXT_PLOT_H
 
 #include <stdbool.h>
 
@@ -19,6 +19,7 @@ struct plot_range {
 };
 
 struct plot {
+  const char *of;                   /* what the table is of: a name in drawing.c, or any other                */
   const char *table;                /* a file, in TSV                                                       */
   const char *file;                 /* the picture: its name ends in .svg, .png or .pdf; NULL: no picture   */
   const char *program;              /* the text of a script that comes with the tool; NULL: curves.gp       */
@@ -42,8 +43,8 @@ const char *plot_kind(const char *file);
  * the next call. */
 const char *plot_set(struct plot *plot, const char *option, const char *text);
 
-/* Fills in, from the names of the columns and from the rows of plot->table, what the plot leaves open: the script for this kind of table,
- * the columns of both axes and of the curves, and whether an axis is logarithmic. False: the message is on stderr: a column that is
+/* Fills in, from what the table is of and from the rows of plot->table, what the plot leaves open: the script for this kind of table, the
+ * columns of both axes and of the curves, and whether an axis is logarithmic. False: the message is on stderr: a column that is
  * named is not there, or the table cannot be drawn. */
 bool plot_choose(struct plot *plot, const char *command);
 

@@ -1,20 +1,117 @@
 #include "compare/text/progress.h"
 
+#include <errno.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
-struct progress progress_begin(bool quiet) { return (struct progress){ .shown = !quiet && isatty(STDERR_FILENO) }; }
+enum { LEAST = 2, LINE = 200 };
+static const double again = 0.5; /* seconds */
+
+static struct {
+  bool begun;
+  double first, next; /* when the work began, and the next line may be written */
+  char what[LINE / 2];
+  long done, all;
+} work;
+static volatile sig_atomic_t is_changing, is_written;
+
+static double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void put(const char *line)
+{
+  ssize_t written = write(STDERR_FILENO, line, strlen(line));
+  (void)written; /* there is no other place to say it */
+}
+
+/* In a signal handler: of whole numbers and a text, snprintf neither allocates nor waits. */
+static void tick(int signal)
+{
+  const int error = errno;
+  const double time = now(), passed = time - work.first;
+  char line[LINE + 32], part[LINE / 2] = "";
+  (void)signal;
+  if (is_changing || passed < LEAST || time < work.next)
+    return;
+  if (work.all > 0 && work.done > 0 && work.done <= work.all)
+    snprintf(part, sizeof part, " %ld of %ld, %ld s, about %ld s left", work.done, work.all, (long)passed,
+             (long)(passed * (double)(work.all - work.done) / (double)work.done + 0.5));
+  else
+    snprintf(part, sizeof part, " %ld s", (long)passed);
+  snprintf(line, sizeof line, "\r\033[Kscallop: %s%s", work.what, part);
+  put(line);
+  is_written = true;
+  work.next = time + again;
+  errno = error;
+}
+
+static void set_timer(long seconds)
+{
+  const struct itimerval timer = { { 0, seconds > 0 ? 100000 : 0 }, { seconds, 0 } };
+  setitimer(ITIMER_VIRTUAL, &timer, NULL);
+}
+
+struct progress progress_begin(bool quiet)
+{
+  struct progress p = { .shown = !quiet && isatty(STDERR_FILENO) };
+  struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
+  if (p.shown && !work.begun) {
+    work.begun = true;
+    work.first = now();
+    sigaction(SIGVTALRM, &action, NULL);
+    set_timer(1);
+  }
+  return p;
+}
+
+void progress_stop(void)
+{
+  progress_clear();
+  set_timer(0);
+  signal(SIGVTALRM, SIG_IGN); /* what is under way already */
+}
 
 void progress_show(const struct progress *p, const char *format, ...)
 {
   va_list arguments;
   if (!p->shown)
     return;
-  fputs("\r\033[K", stderr);
+  is_changing = true;
   va_start(arguments, format);
-  vfprintf(stderr, format, arguments);
+  vsnprintf(work.what, sizeof work.what, format, arguments);
   va_end(arguments);
+  is_changing = false;
 }
 
-void progress_end(const struct progress *p) { progress_show(p, "%s", ""); }
+void progress_count(long done, long all)
+{
+  is_changing = true;
+  work.done = done;
+  work.all = all;
+  is_changing = false;
+}
+
+void progress_clear(void)
+{
+  if (!is_written)
+    return;
+  put("\r\033[K");
+  is_written = false;
+  work.next = now() + again;
+}
+
+void progress_end(const struct progress *p)
+{
+  progress_clear();
+  progress_show(p, "%s", "");
+  progress_count(0, 0);
+}

@@ -1,6 +1,8 @@
-/* One line about long work, on standard error if that is a terminal. Each new one replaces the last. */
-#ifndef SCALLOP_PROGRESS_H
-#define SCALLOP_PROGRESS_H
+/* One line about work that takes more than two seconds, on standard error if that is a terminal: what is done, how much of it, the seconds
+ * that have passed, and those that are left. A timer of the processor time writes it anew twice a second, whatever the program is doing: a
+ * loop only says how far it is. */
+#ifndef SCALLOP_COMPARE_TEXT_PROGRESS_H
+#define SCALLOP_COMPARE_TEXT_PROGRESS_H
 
 #include <stdbool.h>
 
@@ -8,8 +10,14 @@ struct progress {
   bool shown;
 };
 
+/* Starts the timer, the first time; quiet, or no terminal: there is no line. progress_stop before another program takes the process over. */
 struct progress progress_begin(bool quiet);
+void progress_stop(void);
+/* What is being done, and then how much; all: 0 where that is not known. By one thread at a time. */
 void progress_show(const struct progress *progress, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void progress_end(const struct progress *progress); /* clears the line */
+void progress_count(long done, long all);
+/* Clears the line, before something else is written: the next one comes half a second later at the earliest. */
+void progress_clear(void);
+void progress_end(const struct progress *progress); /* and forgets what was done */
 
 #endif

@@ -1,6 +1,6 @@
 /* Texts that are part of the program, each under the name of its file without folder and ending. scripts/dev/embed.sh writes them. */
-#ifndef SCALLOP_SHIPPED_H
-#define SCALLOP_SHIPPED_H
+#ifndef SCALLOP_COMPARE_TEXT_SHIPPED_H
+#define SCALLOP_COMPARE_TEXT_SHIPPED_H
 
 struct shipped {
   const char *name, *text;

@@ -1,7 +1,7 @@
 /* Timing that can be believed: the clock's own cost is known and kept below a thousandth of what is timed, calls are batched
  * until they are long enough, results are consumed, and a median comes with its spread. */
-#ifndef SCALLOP_STOPWATCH_H
-#define SCALLOP_STOPWATCH_H
+#ifndef SCALLOP_COMPARE_TEXT_STOPWATCH_H
+#define SCALLOP_COMPARE_TEXT_STOPWATCH_H
 
 #include <stdbool.h>
 

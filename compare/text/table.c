@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "compare/text/message.h"
+#include "compare/text/progress.h"
 #include "compare/text/values.h"
 
 enum { PEOPLE_DIGITS = 6 };
@@ -52,6 +53,7 @@ static bool open_pictured(struct table *t)
 static bool draw_pictured(const struct table *t, struct pictured *p)
 {
   struct plot plot = t->style->plot;
+  plot.of = t->of;
   plot.table = p->copy.out.temporary;
   plot.meaning = t->style->meaning;
   if (p->copy.error != 0 || fflush(p->copy.file) != 0)
@@ -69,7 +71,7 @@ static void end_pictured(struct table *t)
 
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
-  *t = (struct table){ .style = style, .output = output, .format = format_of(style, output) };
+  *t = (struct table){ .style = style, .output = output, .format = format_of(style, output), .of = style->command };
   int error = file_open(&t->out, output);
   if (error != 0)
     complain(style->command, "cannot write %s: %s", output, strerror(error));
@@ -113,6 +115,7 @@ static void end_head(struct table *t, bool keep)
 
 static void hand_on(struct table *t)
 {
+  progress_clear();
   note_error(t, fwrite(t->part, 1, t->used, t->file) < t->used);
   t->used = 0;
 }
@@ -133,20 +136,12 @@ static void put(struct table *t, const char *text, size_t size)
 }
 
 static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
-static void put_char(struct table *t, char c)
-{
-  if (t->format == FORMAT_TABLE) {
-    put(t, &c, 1);
-    return;
-  }
-  if (t->used == TABLE_PART)
-    hand_on(t);
-  t->part[t->used++] = c;
-}
+static void put_char(struct table *t, char c) { put(t, &c, 1); }
 
-static void print_aligned(struct table *t)
+static void print_aligned(struct table *t, bool last)
 {
-  if (t->aligned.count > 0 && !aligned_print(&t->aligned, t->file, t->style->meaning) && t->error == 0)
+  progress_clear();
+  if (t->aligned.count > 0 && !aligned_print(&t->aligned, t->file, t->style->meaning, last) && t->error == 0)
     t->error = ENOMEM;
 }
 
@@ -155,7 +150,7 @@ static void put_note(struct table *t, const char *format, va_list arguments)
   if ((t->format != FORMAT_TSV && t->format != FORMAT_TABLE) || table_failed(t))
     return;
   if (t->format == FORMAT_TABLE)
-    print_aligned(t);
+    print_aligned(t, true);
   hand_on(t);
   note_error(t, !wrap_note(t->file, format, arguments));
 }
@@ -244,8 +239,11 @@ static void end_cell(struct table *t)
   if (++t->at < t->count)
     return;
   t->at = 0;
-  if (t->format == FORMAT_TABLE)
+  if (t->format == FORMAT_TABLE) {
+    if (aligned_is_full(&t->aligned))
+      print_aligned(t, false);
     return;
+  }
   put_text(t, marks[t->format].end);
   hand_on(t);
 }
@@ -430,7 +428,7 @@ bool table_close(struct table *t)
 {
   end_head(t, true);
   if (t->format == FORMAT_TABLE)
-    print_aligned(t);
+    print_aligned(t, true);
   int error = file_close(&t->out, t->error == 0);
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0 && !(t->style->choice && t->style->choice->refused))

@@ -1,7 +1,7 @@
 /* Tables: TSV with '#' lines on top, JSON with one object a line, CSV, Markdown, or aligned for people, to standard output, to a file that appears when it is complete
  * (compare/text/file.h), or to a pipe or a device. */
-#ifndef SCALLOP_TABLE_H
-#define SCALLOP_TABLE_H
+#ifndef SCALLOP_COMPARE_TEXT_TABLE_H
+#define SCALLOP_COMPARE_TEXT_TABLE_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -58,6 +58,7 @@ struct table {
   FILE *file;
   const struct style *style;
   enum format format;
+  const char *of;         /* what kind of table its picture is of: the command, where that does not say another */
   struct aligned aligned; /* what is kept of a FORMAT_TABLE */
   const char *output;     /* its name, NULL: standard output */
   struct file out;

@@ -112,7 +112,7 @@ static void split(struct tsv *tsv, char *rest, const char *separators, bool runs
     rest = *rest ? rest : NULL;
     if (rest)
       *rest++ = '\0';
-    if (runs && *(cell = trimmed(cell, " ")) == '\0')
+    if (runs && *(cell = trimmed(cell, " ")) == '\0' && (*separators != ',' || !rest))
       continue;
     if (tsv->count == TSV_CELLS) {
       tsv->fault = "this line has more than 256 columns";

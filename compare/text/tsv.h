@@ -2,8 +2,8 @@
  *
  * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is
  * dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault; one that is too long is the last. */
-#ifndef SCALLOP_TSV_H
-#define SCALLOP_TSV_H
+#ifndef SCALLOP_COMPARE_TEXT_TSV_H
+#define SCALLOP_COMPARE_TEXT_TSV_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -13,7 +13,7 @@ enum { TSV_CELLS = 256, TSV_MESSAGE = 480, LONGEST_LINE = 1 << 20 };
 enum tsv_style {
   TSV_TABS, /* each tab ends a cell                                                                            */
   TSV_WORDS, /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of theirs */
-  TSV_ANY /* the same, but in a line without a tab and with a comma each comma ends a cell                                   */
+  TSV_ANY /* the same, but in a line without a tab and with a comma each comma ends a cell, which may be empty               */
 };
 
 struct tsv {

@@ -1,6 +1,6 @@
 /* The values of options: numbers from text, and what is said of a text that is not allowed. */
-#ifndef SCALLOP_VALUES_H
-#define SCALLOP_VALUES_H
+#ifndef SCALLOP_COMPARE_TEXT_VALUES_H
+#define SCALLOP_COMPARE_TEXT_VALUES_H
 
 #include <stdbool.h>
 

@@ -2,8 +2,8 @@
  *
  * A method is a way to get the steady state; a setting is a method with its tolerance, number of terms or digits. The settings of a
  * reference are made by methods.c and rivals.c, timed and held to the certified answer by measure.c, and printed by table.c and summary.c. */
-#ifndef SCALLOP_WORKPREC_SETTING_H
-#define SCALLOP_WORKPREC_SETTING_H
+#ifndef SCALLOP_COMPARE_WORKPREC_SETTING_H
+#define SCALLOP_COMPARE_WORKPREC_SETTING_H
 
 #include "compare/answers/answer_flint.h"
 #include "compare/text/progress.h"

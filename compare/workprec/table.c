@@ -74,6 +74,7 @@ static bool begin(struct run *r)
   table_note(
       t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
   if (o->summary) {
+    t->of = "ratios";
     table_note(t, "ratios: of median times of one run on one machine");
     summary_begin(t);
   } else {

@@ -1,6 +1,6 @@
 /* `scallop workprec`: error against run time of every method for the steady state. Needs FLINT. */
-#ifndef SCALLOP_WORKPREC_TABLE_H
-#define SCALLOP_WORKPREC_TABLE_H
+#ifndef SCALLOP_COMPARE_WORKPREC_TABLE_H
+#define SCALLOP_COMPARE_WORKPREC_TABLE_H
 
 #include "compare/answers/points.h"
 #include "compare/text/message.h"

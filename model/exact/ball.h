@@ -6,8 +6,8 @@
  * Everything about a gait is in the units of model.h: the phase lasts 1, the amplitude is 1. u is an offset
  * from the anchor of a piece, speed is |l'|, and derivatives are with respect to time, not u.
  */
-#ifndef SCALLOP_BALL_H
-#define SCALLOP_BALL_H
+#ifndef SCALLOP_MODEL_EXACT_BALL_H
+#define SCALLOP_MODEL_EXACT_BALL_H
 
 #include "model/exact/flint.h"
 #include "model/model.h"

@@ -1,6 +1,6 @@
 /* FLINT's complex balls, see flint.h. */
-#ifndef SCALLOP_FLINT_COMPLEX_H
-#define SCALLOP_FLINT_COMPLEX_H
+#ifndef SCALLOP_MODEL_EXACT_FLINT_COMPLEX_H
+#define SCALLOP_MODEL_EXACT_FLINT_COMPLEX_H
 
 #include "model/exact/flint.h"
 #if __FLINT_RELEASE >= 30000

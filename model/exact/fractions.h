@@ -1,8 +1,8 @@
 /* Gaits in fractions: what a gait's own numbers make of it as they were written, where the doubles nearest to them make another one; or what
  * the doubles make of it, once for all who ask. Needs FLINT; allocates through it.
  */
-#ifndef SCALLOP_FRACTIONS_H
-#define SCALLOP_FRACTIONS_H
+#ifndef SCALLOP_MODEL_EXACT_FRACTIONS_H
+#define SCALLOP_MODEL_EXACT_FRACTIONS_H
 
 #include "model/exact/flint.h"
 #include "model/families.h"

@@ -7,8 +7,8 @@
  * A motion that no precision decides is SCALLOP_EUNDECIDED: a body that touches v = 0 exactly, a force exactly at its limit where l''
  * varies. Needs FLINT. Parameters are exact rationals: nothing is rounded on the way in.
  */
-#ifndef SCALLOP_CERTIFIED_H
-#define SCALLOP_CERTIFIED_H
+#ifndef SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
+#define SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
 
 #include "model/exact/ball.h"
 #include "numerics/numerics.h"

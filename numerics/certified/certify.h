@@ -1,6 +1,6 @@
 /* What certified.c (a phase) and certified_steady.c share. Not public. */
-#ifndef SCALLOP_CERTIFY_H
-#define SCALLOP_CERTIFY_H
+#ifndef SCALLOP_NUMERICS_CERTIFIED_CERTIFY_H
+#define SCALLOP_NUMERICS_CERTIFIED_CERTIFY_H
 
 #include "numerics/certified/certified.h"
 #include "numerics/certified/march.h"

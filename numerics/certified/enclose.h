@@ -1,7 +1,7 @@
 /* Zeros in ball arithmetic: the part of the certified solver that proves where something becomes 0 first, or that it
  * does not. Private to numerics/certified/. Times s run from 0 to 1 over a phase; l' and its derivatives are signed. */
-#ifndef SCALLOP_ENCLOSE_H
-#define SCALLOP_ENCLOSE_H
+#ifndef SCALLOP_NUMERICS_CERTIFIED_ENCLOSE_H
+#define SCALLOP_NUMERICS_CERTIFIED_ENCLOSE_H
 
 #include "model/exact/ball.h"
 

@@ -1,7 +1,7 @@
 /* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to numerics/certified/.
  * Unit of time: the phase; of length: L. */
-#ifndef SCALLOP_MARCH_H
-#define SCALLOP_MARCH_H
+#ifndef SCALLOP_NUMERICS_CERTIFIED_MARCH_H
+#define SCALLOP_NUMERICS_CERTIFIED_MARCH_H
 
 #include "model/exact/ball.h"
 #include "model/exact/fractions.h"

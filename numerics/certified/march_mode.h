@@ -1,6 +1,6 @@
 /* The march in one mode, for march.c: its changes are there. Private to march.c. */
-#ifndef SCALLOP_MARCH_MODE_H
-#define SCALLOP_MARCH_MODE_H
+#ifndef SCALLOP_NUMERICS_CERTIFIED_MARCH_MODE_H
+#define SCALLOP_NUMERICS_CERTIFIED_MARCH_MODE_H
 
 #include "numerics/certified/enclose.h"
 #include "numerics/certified/march.h"

@@ -3,8 +3,8 @@
  *
  * What it saves, as in ramps.h (else motion.c would do): 4291 for 11681 for a period of the sinusoidal gait.
  */
-#ifndef SCALLOP_CONCAVE_H
-#define SCALLOP_CONCAVE_H
+#ifndef SCALLOP_NUMERICS_EVENT_CONCAVE_H
+#define SCALLOP_NUMERICS_EVENT_CONCAVE_H
 
 #include "numerics/event/motion.h"
 

@@ -8,8 +8,8 @@
  * What it saves, as in ramps.h (else a search by ramps.c, and a walk for the ways of the bodies): 1575 for 2345 for a steady state with
  * stick-slip, 1121 for 1686 in a batch.
  */
-#ifndef SCALLOP_HELD_H
-#define SCALLOP_HELD_H
+#ifndef SCALLOP_NUMERICS_EVENT_HELD_H
+#define SCALLOP_NUMERICS_EVENT_HELD_H
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* The root of a function in a bracket, by values alone and in hardly more of them than halving takes. Not public. */
-#ifndef SCALLOP_ITP_H
-#define SCALLOP_ITP_H
+#ifndef SCALLOP_NUMERICS_EVENT_ITP_H
+#define SCALLOP_NUMERICS_EVENT_ITP_H
 
 #include "numerics/event/root.h"
 

@@ -3,11 +3,11 @@
  * A piece of a spline, or a dwell, can be as short as 1e-8 of the phase. A time in such a piece keeps its digits only if it is measured from
  * a knot of the piece, and not from an end of the phase:
  *     a dwell, a piece of a spline           one leg, measured from where the piece begins
- *     the last piece of a spline             two legs of equal length; the second is measured from the end of the phase
+ *     one that ends with l' = 0              two legs of equal length; the second is measured from where the piece ends
  *     a piece of a spline, cut at half time  one leg, measured from its knot
  *     any other piece                        one leg, the piece itself */
-#ifndef SCALLOP_LEG_H
-#define SCALLOP_LEG_H
+#ifndef SCALLOP_NUMERICS_EVENT_LEG_H
+#define SCALLOP_NUMERICS_EVENT_LEG_H
 
 #include <math.h>
 
@@ -67,7 +67,7 @@ static inline void leg_first(struct leg *leg, const struct scallop_piece *given)
     double length = given->law->bernstein.far - given->law->bernstein.near;
     bool whole = fabs(given->end - given->begin) == length;
     leg_from_knot(leg, whole && given->anchor == SCALLOP_FROM_END);
-    leg->goes_on = whole && given->end == 0;
+    leg->goes_on = whole && given->law->bernstein.b[given->anchor == SCALLOP_FROM_START ? 2 : 0] == 0;
     if (leg->goes_on)
       leg->part.end = length / 2;
   }

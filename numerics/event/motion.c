@@ -83,6 +83,12 @@ void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, str
     *modes = motion->modes;
 }
 
+double motion_left(const struct scallop_shape *shape, const struct motion *motion)
+{
+  double c = fabs(motion->c_end);
+  return !shape->ramps && c < 0x1p-3 * motion->furthest ? c / motion->furthest : 1;
+}
+
 static struct walk_input walk_input_of(const struct motion_input *in)
 {
   const struct scallop_scaled *s = in->scaled;
@@ -107,6 +113,7 @@ static void solve(const struct motion_input *in, double c0, struct audience *aud
   motion->extra_impulse = r.extra_impulse;
   motion->slope = r.slope;
   motion->stretch = r.stretch;
+  motion->furthest = r.furthest;
   motion->forgets = r.forgets;
   motion->delicate = r.delicate;
   motion->sticks = r.sticks;

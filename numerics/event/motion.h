@@ -1,7 +1,7 @@
 /* The exact motion over one phase, in units where the phase lasts 1, L is 1 and forces are in
  * F1 + F2. Used by phase.c, steady.c and trajectory.c; not public. */
-#ifndef SCALLOP_MOTION_H
-#define SCALLOP_MOTION_H
+#ifndef SCALLOP_NUMERICS_EVENT_MOTION_H
+#define SCALLOP_NUMERICS_EVENT_MOTION_H
 
 #include "model/law.h"
 #include "numerics/numerics.h"
@@ -38,6 +38,7 @@ struct motion {
                                meaningless if it forgets                                                */
   double slope;         /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets     */
   double stretch;       /* d c_end / d c_0, as a product without cancellation; likewise              */
+  double furthest;      /* the largest |c| since a body was held, of a phase of many pieces; else 0         */
   bool forgets;         /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
   bool delicate;        /* a curve was crossed nearly at a tangent, or where it is nearly level: slope and stretch depend on
                                where in the last digit                                                  */
@@ -53,6 +54,10 @@ struct motion {
 struct motion_ways {
   double way[3], size[3], path[2];
 };
+
+/* What friction has left of the velocity at the end, as a fraction, if that is so little that rounding of what is gone shows in it; else 1,
+ * as for two ramps, for which ramps_solve does not set furthest. */
+double motion_left(const struct scallop_shape *shape, const struct motion *motion);
 
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);
 

@@ -135,6 +135,12 @@ enum scallop_status solve_period(const struct scallop_crawler *crawler, double v
   result->v_end = v_end;
   result->displacement = displacement;
   bool ramps = scaled.gait->phase[0].ramps && scaled.gait->phase[1].ramps;
-  doubt->left = period_cancels(period.travel, period.size, ramps) ? fabs(period.travel) / period.size : 1;
+  const struct scallop_shape *phase = scaled.gait->phase;
+  doubt->left = 1;
+  for (int kind = 0; kind < 2 && !ramps; kind++)
+    doubt->left *= motion_left(&phase[kind], &period.phase[kind]);
+  doubt->amplified = doubt->left < 1;
+  if (period_cancels(period.travel, period.size, ramps))
+    doubt->left *= fabs(period.travel) / period.size;
   return SCALLOP_OK;
 }

@@ -1,6 +1,6 @@
 /* The period map in units of L, T and F1 + F2. Not public. */
-#ifndef SCALLOP_PERIOD_H
-#define SCALLOP_PERIOD_H
+#ifndef SCALLOP_NUMERICS_EVENT_PERIOD_H
+#define SCALLOP_NUMERICS_EVENT_PERIOD_H
 
 #include "model/scaling.h"
 #include "numerics/event/motion.h"

@@ -62,9 +62,10 @@ enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scal
     return status;
   struct motion_input input = motion_input_of(&scaled, kind);
   motion_solve_ways(&input, c0, &motion, &ways);
+  doubt->left = motion_left(input.shape, &motion);
+  doubt->amplified = doubt->left < 1;
   const double body_1[3] = { -stroke * scaled.mu2, 0, -stroke }, body_2[3] = { stroke * scaled.mu1, stroke, 0 };
   const double middle[3] = { 0.5 * stroke * scaled.mu_difference, 0.5 * stroke, -0.5 * stroke };
-  doubt->left = 1;
   const double way[3] = { best_way(&ways, body_1, &doubt->left), best_way(&ways, body_2, &doubt->left),
                           best_way(&ways, middle, &doubt->left) };
   struct scallop_phase_result answer = {

@@ -2,11 +2,10 @@
  * quadratic gait. What motion.c finds by walking from event to event is here a tree of closed forms, one division an
  * event; and nothing is rounded that motion.c keeps. Not public.
  *
- * What it saves, in instructions an answer (make instructions; else concave.c and motion.c would do): 1320 for 2116 for a period of regular
- * modes, 1575 for 2035 for a steady state with stick-slip.
+ * Without it concave.c and motion.c would give the same answers; `make instructions` counts what it saves.
  */
-#ifndef SCALLOP_RAMPS_H
-#define SCALLOP_RAMPS_H
+#ifndef SCALLOP_NUMERICS_EVENT_RAMPS_H
+#define SCALLOP_NUMERICS_EVENT_RAMPS_H
 
 #include "numerics/event/motion.h"
 

@@ -17,8 +17,8 @@
  * What it saves, as in ramps.h (else a search, period by period): 900 for 2495 for a steady state of the quadratic gait, 5622 for 16307 of the
  * sinusoidal one.
  */
-#ifndef SCALLOP_REGULAR_H
-#define SCALLOP_REGULAR_H
+#ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
+#define SCALLOP_NUMERICS_EVENT_REGULAR_H
 
 #include "model/scaling.h"
 #include "numerics/numerics.h"

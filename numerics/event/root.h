@@ -1,6 +1,6 @@
 /* The root of a monotone and convex (or concave) function on an interval. Not public. */
-#ifndef SCALLOP_ROOT_H
-#define SCALLOP_ROOT_H
+#ifndef SCALLOP_NUMERICS_EVENT_ROOT_H
+#define SCALLOP_NUMERICS_EVENT_ROOT_H
 
 #include <float.h>
 

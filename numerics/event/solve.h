@@ -1,6 +1,6 @@
 /* A phase, a period and a steady state in double alone; numerics.c mends by wider arithmetic what these doubt. Not public. */
-#ifndef SCALLOP_SOLVE_H
-#define SCALLOP_SOLVE_H
+#ifndef SCALLOP_NUMERICS_EVENT_SOLVE_H
+#define SCALLOP_NUMERICS_EVENT_SOLVE_H
 
 #include "numerics/numerics.h"
 
@@ -9,6 +9,7 @@ struct doubt {
       left; /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
   bool
       delicate; /* a change of the start velocity by less than an ulp changes the multiplier                                     */
+  bool amplified; /* left is of a velocity: rounding of times, or of what friction has taken, is many ulp of it */
 };
 
 /* As scallop_phase, scallop_period and scallop_steady. */

@@ -1,6 +1,6 @@
 /* Where a period begins, for all that solve one. Not public. */
-#ifndef SCALLOP_START_H
-#define SCALLOP_START_H
+#ifndef SCALLOP_NUMERICS_EVENT_START_H
+#define SCALLOP_NUMERICS_EVENT_START_H
 
 #include <float.h>
 #include <math.h>

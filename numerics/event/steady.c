@@ -202,13 +202,15 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
   return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: halving ends before STEPS */
 }
 
+static bool has_ramps(const struct scallop_gait *gait) { return gait->phase[0].ramps && gait->phase[1].ramps; }
+
 /* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that level: friction may
- * change c by less than an ulp of c, but this change decides where on the plateau c meets the curve, and so the modes and the multiplier. */
-static void find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
+ * change c by less than an ulp of c, but this change decides where on the plateau c meets the curve, and so the modes and the multiplier.
+ * False: the search from there finds no root, or one from which c goes far from the level. */
+static bool find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
 {
-  const double c = p->c_start, rounding = 4 * DBL_EPSILON, reach = 2 * s->eps; /* friction changes c by eps at most */
-  if (!(s->eps < 0x1p-20 * fabs(c)))
-    return;
+  const double c = p->c_start, rounding = 4 * DBL_EPSILON;
+  const double reach = fmin(2 * s->eps, 0x1p-19 * fabs(c)); /* friction changes c by eps at most */
   for (int kind = 0; kind < 2; kind++) {
     const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
     const struct motion_input other = motion_input_of(s, (enum scallop_phase_kind)(1 - kind));
@@ -222,16 +224,29 @@ static void find_from_level(const struct scallop_scaled *s, struct period *p, st
     period_begin(&q);
     q.base[kind] = level;
     q.base[1 - kind] = same != 0 ? same : there;
-    if (find_root(s, 0, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach) {
+    if (find_root(s, 0, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach && fabs(q.c_mid) < 2 * reach) {
       period_sum_up(s, &q);
       q.base[0] = q.base[1] = 0;
       q.c_start += base;
       q.c_mid += base;
       q.c_end += base;
       *p = q;
-      return;
+      return true;
     }
   }
+  return false;
+}
+
+/* Whether a phase begins on such a level, as far as c tells */
+static bool begins_on_level(const struct scallop_scaled *s, const struct period *p)
+{
+  bool on_level = false;
+  for (int kind = 0; kind < 2; kind++) {
+    const struct motion_input in = motion_input_of(s, (enum scallop_phase_kind)kind);
+    double c = (kind == SCALLOP_EXTENSION ? p->c_start : p->c_mid) * s->fraction[kind];
+    on_level |= motion_level(&in, c, 0x1p-48 * fabs(c)) != 0;
+  }
+  return on_level;
 }
 
 /* A steady state as each of the solvers below tells it */
@@ -240,7 +255,7 @@ struct steady {
       period;         /* velocities in L/T, the displacement in L; v_start: that of the state               */
   struct bracket all; /* steady start velocities                                                         */
   double size;        /* of the parts that the displacement is the sum of; 0: nothing cancels            */
-  bool delicate;      /* as in struct doubt                                                              */
+  struct doubt doubt; /* left: of the velocities                                                       */
   struct scallop_work work;
 };
 
@@ -256,7 +271,7 @@ static void set_regular(struct steady *at, const struct regular *r)
   p->regime = SCALLOP_SLIDING;
   regular_modes(r->c_start > 0, p->modes);
   at->size = 0;
-  at->delicate = r->delicate;
+  at->doubt.delicate = r->delicate;
 }
 
 static void set_held(struct steady *at, const struct held *h)
@@ -269,31 +284,45 @@ static void set_held(struct steady *at, const struct held *h)
   p->regime = held_regime(h->starts, h->ends, h->stuck);
   held_modes(h->starts, h->ends, h->stuck, h->grip, p->modes);
   at->size = h->size;
-  at->delicate = false;
 }
 
-static bool has_ramps(const struct scallop_gait *gait) { return gait->phase[0].ramps && gait->phase[1].ramps; }
-
-static void set_searched(const struct scallop_scaled *s, struct steady *at, const struct period *period)
+/* Where |l'| rises with the n-th power of the time, c meets it at a time that goes with the n-th root of c. Rounding of the times, of which
+ * the balance is the sum, is magnified n-fold in c then: with n = 14 the results of the four rounding modes were up to 91 units apart. It
+ * matters where an ulp of F1, F2 or alpha does less to the balance. */
+static bool is_amplified(const struct scallop_scaled *s, const struct period *p)
 {
-  period_result(s, period, &at->period);
-  at->size = period->size;
-  at->delicate = !period->forgets
-                 && (period->phase[0].delicate || period->phase[1].delicate
-                     || (!has_ramps(s->gait)
-                         && at->period.multiplier < 0.0625)); /* of ramps it does not depend on the velocity */
+  const double most = 6; /* as for n = 3, where half of the sum balances the other half */
+  double alpha = s->fraction[SCALLOP_EXTENSION], driven = fabs(period_driven(s->gait, alpha));
+  double unit = fabs(p->balance_slope * p->c_start) + 4 * s->f1 * s->f2 * driven + alpha * fabs(s->delta);
+  bool linear = s->gait->phase[0].concave && s->gait->phase[1].concave;
+  return !linear && !p->forgets && p->noise > most * DBL_EPSILON * unit;
 }
 
-/* A displacement is the sum of a part for each mode and straight piece. With more than three pieces in a phase the results of the four
+/* on_level: a phase begins on the level of a plateau, as far as c tells. */
+static void look_for_doubt(const struct scallop_scaled *s, const struct period *p, bool on_level, struct steady *at)
+{
+  const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
+  const int many = 8; /* a crossing adds an ulp or two to the error of the multiplier */
+  bool crosses_often = e->work.events + c->work.events > many;
+  struct doubt *doubt = &at->doubt;
+  doubt->delicate = !p->forgets
+                    && (on_level || e->delicate || c->delicate || crosses_often || at->period.multiplier < 0.0625);
+  if (at->all.lo == at->all.hi)
+    doubt->left = motion_left(&s->gait->phase[0], e) * motion_left(&s->gait->phase[1], c)
+                  * (is_amplified(s, p) ? 0x1p-3 : 1);
+  doubt->amplified = doubt->left < 1;
+}
+
+/* A displacement is the sum of a part for each mode and piece. With more than three straight pieces in a phase the results of the four
  * rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
-static bool has_many_straight(const struct scallop_shape *shape) { return shape->count > 3 && shape->pieces[0].linear; }
+static bool has_many(const struct scallop_shape *shape) { return shape->count > (shape->pieces[0].linear ? 3 : 4); }
 
 /* As in struct doubt */
 static double left_of(const struct scallop_gait *gait, double alpha, double travel, double size)
 {
   const struct scallop_shape *phase = gait->phase;
   bool cancels = period_cancels(travel, size, has_ramps(gait));
-  if (has_many_straight(&phase[0]) || has_many_straight(&phase[1]))
+  if (has_many(&phase[0]) || has_many(&phase[1]))
     cancels = fabs(travel) < 0x1p-1 * size;
   double left = cancels ? fabs(travel) / size : 1, driven = period_driven(gait, alpha);
   return travel != 0 && period_undoes(driven) ? fmin(left, fabs(driven)) : left;
@@ -347,7 +376,8 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
   if (status != SCALLOP_OK)
     return status; /* GCOVR_EXCL_LINE: halving ends before that */
   period_sum_up(s, &period);
-  find_from_level(s, &period, &at->work);
+  bool ramps = has_ramps(s->gait);
+  bool on_level = !ramps && !find_from_level(s, &period, &at->work) && begins_on_level(s, &period);
   at->all = steady_states(s, period.c_start);
   if (at->all.lo < at->all.hi) {
     period_begin(&period);
@@ -356,7 +386,10 @@ static enum scallop_status search(const struct scallop_scaled *s, enum regular_o
     status = SCALLOP_INTERVAL;
   } else if (is_mirrored(s) || is_thrown_back(s, &period))
     period.travel = period.size = 0;
-  set_searched(s, at, &period);
+  period_result(s, &period, &at->period);
+  at->size = period.size;
+  if (!ramps) /* of ramps the multiplier does not depend on the velocity, and a phase has few straight lines */
+    look_for_doubt(s, &period, on_level, at);
   return status;
 }
 
@@ -364,6 +397,7 @@ static enum scallop_status find(const struct scallop_scaled *s, struct steady *a
 {
   struct regular regular;
   at->work = (struct scallop_work){ 0 };
+  at->doubt = (struct doubt){ .left = 1 };
   enum regular_outcome outcome = regular_solve(s, &regular, &at->work);
   if (outcome == REGULAR_FOUND) {
     set_regular(at, &regular);
@@ -391,8 +425,9 @@ enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct s
   if (!scaling_keeps(1, froude) || !scaling_keeps(p->v_start, v_start) || !scaling_keeps(p->v_mid, v_mid)
       || !scaling_keeps(travel, displacement) || !scaling_keeps(travel, mean_velocity))
     return SCALLOP_ERANGE;
-  doubt->left = at.size > 0 ? left_of(s.gait, crawler->alpha, travel, at.size) : 1;
-  doubt->delicate = at.delicate;
+  *doubt = at.doubt;
+  if (at.size > 0)
+    doubt->left *= left_of(s.gait, crawler->alpha, travel, at.size);
   p->v_start = v_start;
   p->v_mid = v_mid;
   p->v_end *= s.velocity;

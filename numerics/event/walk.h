@@ -13,14 +13,15 @@
  */
 #include "numerics/event/walk_meet.h"
 
-/* At a node within the phase, where c = 0. A slightly larger c, which the derivative is for, has crossed the curves that c comes to from
- * below. */
+/* At a node within the phase. c is below it if c has crossed the curves that come to the node downwards, nearer to it than u tells. At c = 0 a
+ * slightly larger c, which the derivative is for, has crossed them upwards. */
 static void come_to_node(struct walk *w)
 {
-  if (w->region == 2)
-    meet(w, 1, true);
+  int first = w->c < 0 ? 0 : 1;
+  if (w->region == 2 * first)
+    meet(w, first, true);
   if (w->region == 1 && w->stuck < 0)
-    meet(w, 0, true);
+    meet(w, 1 - first, true);
 }
 
 /* The piece does not touch the end of the phase that it is anchored at, or |l'| goes to 0 at its other end: an ulp of u is more than an
@@ -39,6 +40,22 @@ static bool line_tells_better(const struct walk *w, int j, const struct rates *t
   return magnitude(w->slope[w->region] - next) < magnitude(w->curve[j] * there->rate - next);
 }
 
+static inline void begin_line(struct walk *w, real lost)
+{
+  w->line_rest = w->rest;
+  w->lost = lost;
+  w->line_time = 0;
+}
+
+/* That rest if there are many pieces: counted from where the line began, so that no error adds up from piece to piece. lost: what rounding drops */
+static real rest_on_line(struct walk *w, real duration, real *lost)
+{
+  real gained = w->lost + w->slope[w->region] * (w->line_time + duration), rest = w->line_rest + gained;
+  *lost = dropped(rest, w->line_rest, gained);
+  w->out->furthest = magnitude(w->c) > w->out->furthest ? magnitude(w->c) : w->out->furthest;
+  return rest;
+}
+
 static void slide(struct walk *w)
 {
   real u = w->piece->end, candidate;
@@ -53,16 +70,22 @@ static void slide(struct walk *w)
     at_node = true;
     met = 0;
   }
-  real duration = w->sense * (u - w->u), rest = w->rest + w->slope[w->region] * duration;
+  real duration = w->sense * (u - w->u), lost = 0;
+  real rest = w->many ? rest_on_line(w, duration, &lost) : w->rest + w->slope[w->region] * duration;
   struct rates there = met >= 0 && u != w->piece->end ? rates_at(w, u) : w->end;
   bool on_line = met >= 0
                  && (w->in->base != 0 ? there.rate != 0 : is_vague(w, u, &there) && line_tells_better(w, met, &there));
-  if (met >= 0 && !on_line)
+  if (met >= 0 && !on_line) {
     rest = w->curve[met] * there.speed - w->in->base; /* on the curve to the last digit: the body's velocity is 0 */
+    lost = 0;
+  }
   w->out->extra_impulse += w->extra[w->region] * duration;
   go_straight(w, u, rest, &there, on_line ? -1 : met);
-  if (met < 0)
+  if (met < 0) {
+    w->line_time += duration;
     return;
+  }
+  begin_line(w, lost);
   if (at_node)
     come_to_node(w);
   else
@@ -93,6 +116,8 @@ static void stick(struct walk *w)
   }
   struct rates there = to >= 0 ? rates_at(w, u) : w->end;
   go_along(w, u, &there);
+  w->out->furthest = 0;
+  begin_line(w, 0);
   if (to >= 0) {
     w->out->work.events++;
     w->stuck = -1;
@@ -189,15 +214,15 @@ static void enter(struct walk *w, const struct scallop_piece *piece, const struc
   if (w->in->base != 0)
     look_from_level(w, before, speed_before, next);
   bool anew = !before || from_node || piece->jump || piece->direction != before->direction || w->here.speed == 0;
-  if (w->many) {
+  if (w->many)
     carry_over(w);
-    keep_to_line(w, before && piece->anchor == before->anchor && !piece->jump);
-  }
   if (anew) {
     if (before && !piece->jump)
       w->here.speed = 0;
     set_regions(w);
     place(w);
+    if (w->region == 1 || piece->jump) /* then c may go on with another slope */
+      begin_line(w, 0);
   } else if (w->stuck >= 0)
     look_again(w);
   /* once a piece: a compiler that contracts might round it for one body and not for the other */
@@ -228,6 +253,7 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   w.leg.given = NULL;
   w.audience = audience;
   w.rest = c0;
+  begin_line(&w, 0);
   w.c = input->base + c0;
   w.end.speed = 0;
   w.stuck = w.left = -1;

@@ -15,7 +15,8 @@ struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are i
 struct walk_result { /* as in struct motion                                                                */
   real c_end, extra_impulse, slope, stretch, first_switch, last_switch;
   real way[3], size[3];
-  real path[2]; /* of body 1 and body 2: how far each slides, one way and the other */
+  real path[2];  /* of body 1 and body 2: how far each slides, one way and the other */
+  real furthest; /* the largest |c| since a body was held, if there are many pieces; else 0 */
   bool forgets, delicate, sticks, never_moved[2];
   struct scallop_work work;
   struct scallop_modes *modes;
@@ -51,7 +52,7 @@ static real walk_level(const struct walk_input *in, real c, real near)
 }
 
 /* The sum of few parts is as good as they are; of more it keeps what rounding drops. */
-enum { WALK_FEW_PIECES = 16 };
+enum { WALK_FEW_PIECES = 4 };
 
 /* Over one piece the plane of (time, c) has three regions, divided by two curves. With `front` the
  * body that l' drives forward and `rear` the other:
@@ -79,8 +80,8 @@ struct walk {
   real extra[3];            /* what a region adds to extra_impulse per unit of time                    */
   real u, c;                /* where we are                                                            */
   real rest;                /* c minus in->base, which is known better than c unless base is 0          */
-  real line_u, line_rest;   /* where rest and its line were, when a piece began of those that it has followed since   */
-  long line_events;         /* the events by then                                       */
+  real line_rest, lost;     /* rest where the line began that c follows, and what rounding dropped of that      */
+  real line_time;           /* since then                                                              */
   struct walk_sums carried; /* over from out, if there are many pieces                   */
   bool many;                /* pieces                                                                  */
   bool node;                /* the piece ends at a node within the phase                               */
@@ -184,11 +185,14 @@ static inline void body_comes(struct walk *w, int j, real x, real size)
   w->out->path[body - 1] += magnitude(x);
 }
 
-/* Adds x and keeps what rounding drops, as Neumaier's variant of Kahan's sum does. */
+/* What rounding drops of x + y, whose rounded sum is given (Neumaier's variant of Kahan's sum) */
+static inline real dropped(real sum, real x, real y) { return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x; }
+
+/* Adds x and keeps what rounding drops. */
 static void add(struct walk_sum *sum, real *x)
 {
   real total = sum->total + *x;
-  sum->lost += magnitude(sum->total) >= magnitude(*x) ? (sum->total - total) + *x : (*x - total) + sum->total;
+  sum->lost += dropped(total, sum->total, *x);
   sum->total = total;
   *x = 0;
 }
@@ -201,20 +205,6 @@ static void carry_over(struct walk *w)
   for (int i = 0; i < 2; i++)
     add(&w->carried.path[i], &w->out->path[i]);
   add(&w->carried.extra_impulse, &w->out->extra_impulse);
-}
-
-/* Where a piece begins, of many. If c has followed one line since an earlier one did, measured from the same anchor, it is counted from there, so
- * that no error adds up from piece to piece. */
-static void keep_to_line(struct walk *w, bool goes_on)
-{
-  if (goes_on && w->stuck < 0 && w->out->work.events == w->line_events)
-    advance(w, w->u, w->line_rest + w->slope[w->region] * (w->sense * w->leg.turn * (w->leg.given->begin - w->line_u)),
-            &w->here);
-  else {
-    w->line_u = w->leg.given->begin;
-    w->line_rest = w->rest;
-    w->line_events = w->out->work.events;
-  }
 }
 
 /* What |l'| covers from here to u. */

@@ -1,8 +1,8 @@
 /* The crawler on SUNDIALS ARKODE: an explicit Runge-Kutta method of order 5 with step control (ERKStep), which meets the events by its
  * own root finder, in the interpolant of each step. What rival.h promises, and where odeiv.h says how its events are decided, the same
  * holds here. ARKODE starts anew at each event and at each piece of the gait, and never steps over the end of one. */
-#ifndef SCALLOP_ARKODE_H
-#define SCALLOP_ARKODE_H
+#ifndef SCALLOP_NUMERICS_RIVALS_ARKODE_H
+#define SCALLOP_NUMERICS_RIVALS_ARKODE_H
 
 #include "numerics/rivals/rival.h"
 

@@ -1,8 +1,8 @@
 /* The crawler on SUNDIALS CVODE: Adams's method of variable order and step, which meets the events by its own root finder. What
  * rival.h promises, and where odeiv.h says how its events are decided, the same holds here. CVODE starts anew at each event and at
  * each piece of the gait, and never steps over the end of one. */
-#ifndef SCALLOP_CVODE_H
-#define SCALLOP_CVODE_H
+#ifndef SCALLOP_NUMERICS_RIVALS_CVODE_H
+#define SCALLOP_NUMERICS_RIVALS_CVODE_H
 
 #include "numerics/rivals/rival.h"
 

@@ -10,8 +10,8 @@
  * Sources: J. J. Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988; M. Jean, Comput.
  * Methods Appl. Mech. Eng. 177 (1999) 235; V. Acary and B. Brogliato, "Numerical methods for nonsmooth dynamical
  * systems", 2008, chapter 10. */
-#ifndef SCALLOP_MOREAU_H
-#define SCALLOP_MOREAU_H
+#ifndef SCALLOP_NUMERICS_RIVALS_MOREAU_H
+#define SCALLOP_NUMERICS_RIVALS_MOREAU_H
 
 #include "numerics/rivals/rival.h"
 
@@ -25,7 +25,7 @@ extern "C" {
  * for the whole step. So the error lies anywhere below its bound, by where in the step that happens, and does not fall
  * smoothly. Worst seen in 10000 periods, in v_end in L/T and in the displacement in L: 1.8 eps/steps, eps =
  * T^2 (F1 + F2)/(M L); tests/numerics/rivals/test_moreau.c holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps,
- * and overtakes that at about 1e8 steps. 3 ns a step where l' is linear, 13 ns for the sinusoidal gait. */
+ * and overtakes that at about 1e8 steps. */
 struct scallop_rival *scallop_moreau_rival(long steps);
 
 #ifdef __cplusplus

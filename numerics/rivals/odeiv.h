@@ -10,8 +10,8 @@
  * have changed sign, the step is taken again up to the zero (Newton's method on the length of the step,
  * kept inside a bracket), and the forces decide whether the body reverses, goes on or sticks. The motion
  * of a stuck body needs no integration: x1' = 0, or x1' = -l'. */
-#ifndef SCALLOP_ODEIV_H
-#define SCALLOP_ODEIV_H
+#ifndef SCALLOP_NUMERICS_RIVALS_ODEIV_H
+#define SCALLOP_NUMERICS_RIVALS_ODEIV_H
 
 #include "numerics/rivals/rival.h"
 

@@ -5,8 +5,8 @@
  * steady state is found as its user would find it: by simulating periods until they repeat, or as the root of
  * the map. Rivals allocate, when they are made; they print nothing and hold no state between calls.
  */
-#ifndef SCALLOP_RIVAL_H
-#define SCALLOP_RIVAL_H
+#ifndef SCALLOP_NUMERICS_RIVALS_RIVAL_H
+#define SCALLOP_NUMERICS_RIVALS_RIVAL_H
 
 #include "numerics/numerics.h"
 

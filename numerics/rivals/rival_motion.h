@@ -5,8 +5,8 @@
  *     x1'' = -(m2/M) l'' - (F1 s1 + F2 s2)/M,   x2' = x1' + l'        (the paper, section 2)
  *
  * in (x1', x1) while both bodies move. Units throughout: L, and the duration of the phase. Private to the rivals. */
-#ifndef SCALLOP_RIVAL_MOTION_H
-#define SCALLOP_RIVAL_MOTION_H
+#ifndef SCALLOP_NUMERICS_RIVALS_RIVAL_MOTION_H
+#define SCALLOP_NUMERICS_RIVALS_RIVAL_MOTION_H
 
 #include "numerics/rivals/rival_phases.h"
 

@@ -5,8 +5,8 @@
  *
  * is integrated in (c, X) over each piece of the gait with the analytic Jacobian, which needs l'' and no higher
  * derivative. The method starts anew at each piece, as l'' may jump there. */
-#ifndef SCALLOP_SMOOTHED_H
-#define SCALLOP_SMOOTHED_H
+#ifndef SCALLOP_NUMERICS_RIVALS_SMOOTHED_H
+#define SCALLOP_NUMERICS_RIVALS_SMOOTHED_H
 
 #include "numerics/rivals/rival.h"
 

@@ -1,8 +1,8 @@
 /* What the rivals on SUNDIALS share: the context, the vector of the state, the equation of motion, its events as roots, and the way
  * from one event to the next. A rival brings the calls of its integrator. Only where the program is built with SUNDIALS, whose headers
  * this one needs. Private to the rivals. */
-#ifndef SCALLOP_SUNDIALS_H
-#define SCALLOP_SUNDIALS_H
+#ifndef SCALLOP_NUMERICS_RIVALS_SUNDIALS_H
+#define SCALLOP_NUMERICS_RIVALS_SUNDIALS_H
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_nonlinearsolver.h>

@@ -5,8 +5,8 @@
  * Domain: gaits with exact laws (scallop_gait_is_exact); others are SCALLOP_EDOMAIN, as are steady states that fill an interval, which they
  * can where l' jumps. Parameters are exactly the doubles given. Allocates nothing.
  */
-#ifndef SCALLOP_WIDE_H
-#define SCALLOP_WIDE_H
+#ifndef SCALLOP_NUMERICS_WIDE_WIDE_H
+#define SCALLOP_NUMERICS_WIDE_WIDE_H
 
 #include "numerics/numerics.h"
 

@@ -1,6 +1,6 @@
 /* The wider solver in each of its types (wide_solve.h), without any look at the arguments. Not public. */
-#ifndef SCALLOP_WIDE_PARTS_H
-#define SCALLOP_WIDE_PARTS_H
+#ifndef SCALLOP_NUMERICS_WIDE_WIDE_PARTS_H
+#define SCALLOP_NUMERICS_WIDE_WIDE_PARTS_H
 
 #include "numerics/wide/wide.h"
 

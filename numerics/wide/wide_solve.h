@@ -294,8 +294,9 @@ static real friction_work(const struct scallop_crawler *c, const struct wide_per
 /* As in steady.c. */
 static void find_from_level(const struct wide_scaled *s, struct scallop_modes modes[2], struct wide_period *p)
 {
-  const real c = p->c_start, rounding = 8 * ROUNDING, reach = 2 * s->eps;
-  for (int kind = 0; kind < 2 && s->eps * (1 << 20) < magnitude(c); kind++) {
+  const real c = p->c_start, rounding = 8 * ROUNDING, near = magnitude(c) / (1 << 19);
+  const real reach = 2 * s->eps < near ? 2 * s->eps : near;
+  for (int kind = 0; kind < 2; kind++) {
     real a = s->fraction[kind], b = s->fraction[1 - kind];
     real level = walk_level(&s->phase[kind], c * a, (reach + 8 * rounding * magnitude(c)) * a);
     if (level == 0)
@@ -306,7 +307,8 @@ static void find_from_level(const struct wide_scaled *s, struct scallop_modes mo
     struct wide_period q;
     from_level.phase[kind].base = level;
     from_level.phase[1 - kind].base = same != 0 ? same : base * b;
-    if (find_steady(&from_level, 0, reach, these, &q) && 4 * magnitude(q.c_start) < 3 * reach) {
+    if (find_steady(&from_level, 0, reach, these, &q) && 4 * magnitude(q.c_start) < 3 * reach
+        && magnitude(q.c_mid) < 2 * reach) {
       q.c_start += base;
       q.c_mid += base;
       q.c_end += base;

@@ -5,6 +5,7 @@ set -eu
 what=$1 build=$2 version=$3 abi=$4 headers=$5 programs=$6
 data=$DESTDIR$datadir/scallop
 
+escaped() { printf '%s\n' "$1" | sed 's/[\\&|]/\\&/g'; } # for the right side of s|||
 put() { # FOLDER FILE...
   folder=$1
   shift
@@ -15,7 +16,8 @@ if [ "$what" = uninstall ]; then
   rm -f "$DESTDIR$bindir/scallop" "$DESTDIR$bindir/scallop-flint" "$DESTDIR$completionsdir/scallop" \
     "$DESTDIR$mandir"/man1/scallop.1 "$DESTDIR$mandir"/man1/scallop-*.1
   for name in scallop-core scallop; do
-    rm -f "$DESTDIR$pkgconfigdir/$name.pc" "$DESTDIR$libdir/lib$name".a "$DESTDIR$libdir/lib$name".so*
+    rm -f "$DESTDIR$pkgconfigdir/$name.pc" "$DESTDIR$libdir/lib$name".a "$DESTDIR$libdir/lib$name".so "$DESTDIR$libdir/lib$name.so.$abi" \
+      "$DESTDIR$libdir/lib$name.so.$abi".*
   done
   rm -rf "$DESTDIR$includedir/scallop" "$data" "$DESTDIR$datadir/doc/scallop"
   exit 0
@@ -28,7 +30,8 @@ for name in scallop-core scallop; do
   ln -sf "lib$name.so.$abi.$version" "$DESTDIR$libdir/lib$name.so.$abi"
   ln -sf "lib$name.so.$abi" "$DESTDIR$libdir/lib$name.so"
   put "$pkgconfigdir" "$build/$name.pc"
-  sed -i -e "s|@PREFIX@|$PREFIX|" -e "s|@libdir@|$libdir|" -e "s|@includedir@|$includedir|" "$DESTDIR$pkgconfigdir/$name.pc"
+  sed -i -e "s|@PREFIX@|$(escaped "$PREFIX")|" -e "s|@libdir@|$(escaped "$libdir")|" -e "s|@includedir@|$(escaped "$includedir")|" \
+    "$DESTDIR$pkgconfigdir/$name.pc"
 done
 for header in $headers; do
   "$INSTALL" -m 644 -D "$header" "$DESTDIR$includedir/scallop/$header"
@@ -39,10 +42,10 @@ mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
 put "$datadir/scallop/python" scripts/python/scallop.py scripts/python/scallop_exact.py
 # The Python module knows the number of the interface, and finds the library from its own place
 sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
-  -e "s|^BESIDE = .*|BESIDE = \"$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")\"|" scripts/python/scallop_library.py \
+  -e "s|^BESIDE = .*|BESIDE = \"$(escaped "$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
-put "$datadir/doc/scallop" docs/*
+put "$datadir/doc/scallop" docs/* LICENSE
 # A link to a file of the sources becomes the name of the file
 sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg

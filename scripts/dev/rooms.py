@@ -4,7 +4,7 @@ A room is model, asymptotics, numerics, a folder in one of them, a folder of com
 object file takes a function or data from one of its objects, so that a table of function pointers counts too. A header named like its
 folder, numerics/numerics.h, is what the rooms within that folder all speak of: they may include it. The list is rooms.txt
 beside this script. Refused are: an arrow that is not in the list, a circle among rooms, a circle among the units of one room of
-compare/ (a unit is a .c with its .h), and more than the limits below. Exit code 1 if something is refused. --size prints sizes."""
+compare/ (a unit is a .c with its .h), headers with the same include guard, and more than the limits below. Exit code 1 if something is refused. --size prints sizes."""
 import collections
 import glob
 import os
@@ -137,6 +137,13 @@ def refusals(build):
     sizes = [(f, len(sources(f)), "files", MOST_FILES) for f in COMPARE]
     sizes += [(p, len(lines_of(p)), "lines", MOST_LINES) for f in COMPARE for p in sources(f)]
     sizes += [(f"{p}: {n}", lines, "lines", MOST_FUNCTION) for f in FOLDERS for p in sources(f) for n, lines in functions(p)]
+    guards = collections.defaultdict(list)
+    for p in sorted(glob.glob("**/*.h", recursive=True)):
+        for guard in re.findall(r"^#ifndef (\w+)\n#define \1\n", "\n".join(lines_of(p)) + "\n", re.M)[:1]:
+            guards[guard].append(p)
+    for guard, paths in guards.items():
+        if len(paths) > 1:
+            yield f"{guard} guards {' and '.join(paths)}"
     for what, count, of, most in sizes:
         if count > most:
             yield f"{what}: {count} {of}, {most} are allowed"

@@ -1,89 +1,89 @@
 #!/bin/sh
-# Makes sure that what a build needs is there: installs it as root or with sudo on Debian, and
-# otherwise says exactly what to install. Usage: [WITH_FLINT=0] scripts/dev/setup.sh GOAL..., make's goals
+# Makes sure that what make's goals need is there: installs it on Debian, as root or with a sudo that asks for no password, and elsewhere
+# prints what to install. Usage: [CC=cc CPPFLAGS=... WITH_FLINT=0] scripts/dev/setup.sh [--missing] GOAL...; --missing: only prints it
 set -eu
+CC=${CC:-cc}
 
-has_header() { printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1; }
-
-need() { missing="$missing $1"; }
-purposes() { # GOAL...
+purposes() { # GOAL...: the first column of the table below
   for goal in "$@"; do
-    case $goal in
-      help | size | clean | uninstall | gates) ;;
-      check | asan) echo build tests ;;
-      fuzz | lint | valgrind | matrix | coverage) echo "build tests $goal" ;;
-      reproduce) echo build plots ;;
-      check-report) echo build plots report ;;
-      explorer) echo build explorer ;;
-      check-explorer) echo build explorer report ;;
-      *) echo build ;;
+    echo "${goal##*/}"
+    case ${goal##*/} in
+      help | clean | uninstall | gates | size | release | core.wasm) continue ;;
+      check | asan | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
+      explorer | check-explorer) echo core.wasm ;;
+      test_*) echo test ;;
     esac
+    echo build
+    [ "${WITH_FLINT:-1}" = 0 ] || echo flint
   done
 }
-look() { # GOAL...: what is missing
-  missing=""
-  command -v cc >/dev/null 2>&1 || need "gcc libc6-dev"
-  for purpose in $(purposes "$@" | tr ' ' '\n' | sort -u); do
-    case $purpose in
-      build)    has_header gsl/gsl_roots.h || need libgsl-dev
-                has_header libconfig.h || need libconfig-dev
-                if [ "${WITH_FLINT:-1}" != 0 ]; then
-                  has_header gmp.h || need libgmp-dev
-                  if ! has_header flint/fmpq.h; then
-                    need libflint-dev
-                  elif ! has_header arb.h && ! has_header flint/arb.h; then
-                    need libflint-arb-dev # beside FLINT 2; FLINT 3 has it inside
-                  fi
-                fi ;;
-      plots)    command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
-                /usr/bin/python3 -c 'import jinja2' 2>/dev/null || need "python3 python3-jinja2" ;;
-      report)   command -v chromium >/dev/null 2>&1 || need chromium ;;
-      explorer) command -v clang >/dev/null 2>&1 || need clang
-                command -v wasm-ld >/dev/null 2>&1 || need lld
-                command -v wasm-opt >/dev/null 2>&1 || need binaryen
-                [ -f /usr/lib/wasm32-wasi/libc.a ] || need wasi-libc
-                ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 || need libclang-rt-dev-wasm32
-                command -v node >/dev/null 2>&1 || need nodejs
-                command -v npm >/dev/null 2>&1 || need npm ;;
-      tests)    has_header cmocka.h || need libcmocka-dev
-                command -v pkg-config >/dev/null 2>&1 || need pkgconf
-                command -v gnuplot >/dev/null 2>&1 || need "gnuplot-nox fonts-dejavu-core"
-                /usr/bin/python3 -c 'import mpmath' 2>/dev/null || need "python3 python3-mpmath"
-                /usr/bin/python3 -c 'import jinja2' 2>/dev/null || need python3-jinja2
-                /usr/bin/python3 -c 'import numpy' 2>/dev/null || need python3-numpy ;;
-      lint)     command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
-                command -v clang-format >/dev/null 2>&1 || need clang-format
-                command -v cppcheck >/dev/null 2>&1 || need cppcheck ;;
-      fuzz)     command -v clang >/dev/null 2>&1 || need clang
-                ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-dev ;;
-      valgrind) command -v valgrind >/dev/null 2>&1 || need valgrind ;;
-      matrix)   command -v clang >/dev/null 2>&1 || need clang ;;
-      coverage) command -v gcovr >/dev/null 2>&1 || need gcovr ;;
-    esac
-  done
+# What for; packages, by their Debian names; the command that tells whether they are there
+table() {
+  cat <<'ROWS'
+build                 | ${compiler##*/} libc6-dev     | found "${CC%% *}"
+build                 | libgsl-dev                    | header gsl/gsl_roots.h
+build                 | libconfig-dev                 | header libconfig.h
+flint                 | libgmp-dev                    | header gmp.h
+flint                 | libflint-dev                  | header flint/fmpq.h
+flint                 | libflint-arb-dev              | header arb.h || header flint/arb.h || flint_has_it
+test tests flint3 bare | libcmocka-dev                 | header cmocka.h
+tests reproduce bare  | gnuplot-nox fonts-dejavu-core | found gnuplot
+tests reproduce bare  | python3 python3-jinja2        | module jinja2
+tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
+tests                 | pkgconf                       | found pkg-config
+tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
+rooms size check-report check-explorer | python3      | found /usr/bin/python3
+check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
+lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
+fuzz matrix core.wasm | clang                         | found clang
+fuzz                  | libclang-rt-dev               | there /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*
+coverage              | gcovr                         | found gcovr
+valgrind instructions | valgrind                      | found valgrind
+release               | mmdebstrap                    | found mmdebstrap
+core.wasm             | lld                           | found wasm-ld
+core.wasm             | binaryen                      | found wasm-opt
+core.wasm             | wasi-libc                     | there /usr/lib/wasm32-wasi/libc.a
+core.wasm             | libclang-rt-dev-wasm32        | there /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a
+core.wasm             | nodejs                        | found node
+explorer check-explorer | npm                         | found npm
+ROWS
 }
-look "$@"
+found() { command -v "$1"; }
+there() { [ -e "$1" ]; } # of several, the first
+module() { /usr/bin/python3 -c "import $1"; }
+header() { printf '#include <%s>\n' "$1" | eval "$CC ${CPPFLAGS:-} -E -"; }
+flint_has_it() { ! header flint/fmpq.h && ! apt-cache show libflint-arb-dev; } # FLINT 3, which comes without that package
+case ${CC%% *} in cc | c99) compiler=gcc ;; *) compiler=${CC%% *} ;; esac
+
+look() { # GOAL...: the packages that are missing
+  wanted=" $(purposes "$@" | tr '\n' ' ')"
+  table | while IFS='|' read -r purposes packages test; do
+    for purpose in $purposes; do
+      case $wanted in *" $purpose "*) eval "$test" </dev/null >/dev/null 2>&1 || eval echo "$packages" ;; esac
+    done
+  done | tr ' ' '\n' | sort -u | tr '\n' ' '
+}
+[ "$1" != --missing ] || { shift; look "$@"; exit; }
+missing=$(look "$@")
 [ -n "$missing" ] || exit 0
 
-if [ "$(id -u)" = 0 ]; then
-  as_root=""
-elif sudo -n true 2>/dev/null; then
-  as_root="sudo"
-else
-  as_root="none"
-fi
-if [ "$as_root" = none ] || ! command -v apt-get >/dev/null 2>&1; then
-  echo "These packages (Debian names) are missing and cannot be installed from here:$missing" >&2
-  echo "Install them, as root: apt-get install$missing" >&2
+as_root=$([ "$(id -u)" = 0 ] || echo sudo -n)
+if ! $as_root true 2>/dev/null || ! found apt-get >/dev/null; then
+  echo "These packages (Debian names) are missing: $missing" >&2
+  echo "make installs packages only on Debian, as root or with a sudo that asks for no password." >&2
+  echo "Install them, as root: apt-get install $missing" >&2
   exit 2
 fi
-export DEBIAN_FRONTEND=noninteractive
-for again in 1 2 3; do # one package shows whether another is wanted; and the compiler comes before its headers are seen
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+$as_root apt-get update -qq >"$log" 2>&1 || true
+for _ in 1 2 3 4; do # what apt knows now, or one package, may show that another is missing
+  missing=$(look "$@")
   [ -n "$missing" ] || exit 0
-  echo "Installing:$missing" >&2
+  echo "Installing: $missing" >&2
   # shellcheck disable=SC2086
-  { [ $again -gt 1 ] || $as_root apt-get update -qq; } >&2 &&
-    $as_root apt-get install -y -qq --no-install-recommends $missing >&2
-  look "$@"
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >>"$log" 2>&1 || break
 done
-[ -z "$missing" ] || { echo "Still missing:$missing" >&2; exit 2; }
+cat "$log" >&2
+echo "Still missing: $missing" >&2
+exit 2

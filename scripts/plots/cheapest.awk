@@ -1,5 +1,5 @@
 # Who is cheapest for a wanted error: from a table of `scallop workprec`, the table that `scallop workprec --summary` measures anew.
-#   awk -f scripts/plots/cheapest.awk data/workprec.tsv
+#   LC_ALL=C awk -f scripts/plots/cheapest.awk data/workprec.tsv
 BEGIN {
   FS = OFS = "\t"
   quantities = split("v_start displacement", quantity, " ")

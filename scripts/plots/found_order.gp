@@ -11,7 +11,7 @@ set logscale xy
 set format y "10^{%T}"
 set xlabel "period T"
 set ylabel "relative error of (28)"
-set key bottom right
+set key bottom right spacing 1.35
 set xrange [1e-3:1]
 plot table using 2:(strcol(1) eq gaits[2] ? abs($3) : NaN) skip 1 with linespoints lw 2 pt 7 ps 0.5 pointinterval 3 lc rgb two title slopes[2], \
      table using 2:(strcol(1) eq gaits[1] ? abs($3) : NaN) skip 1 with linespoints lw 2 pt 5 ps 0.5 pointinterval 3 lc rgb one title slopes[1], \

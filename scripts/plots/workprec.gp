@@ -24,7 +24,7 @@ if (slowest < fastest) { exit error "no row has a time" }
 shown = periods > 3 ? 3 : periods # of more the first, the middle one and the last
 panel_T(i) = period[periods <= 3 ? i : i == 1 ? 1 : i == 2 ? (periods + 1) / 2 : periods]
 
-eval picture(shown == 1 ? 1000 : shown == 2 ? 1000 : 1200, 390 * gaits + 170, 14)
+eval picture(shown == 1 ? 1000 : shown == 2 ? 1000 : 1200, 390 * gaits + 190, 14)
 set logscale xy
 least = 1e-20 # what is below is drawn here
 clip(e) = e < least ? least : e
@@ -46,9 +46,9 @@ open(i) = word("4 6 8 10 12 14", rival_of[i]) + 0 # the symbol after it is the s
 colour(i) = word("#c8102e #0b3c8c #b8860b #2a9d4a #7b3fa0 #1f9fc0", rival_of[i])
 grey = "#777777"
 
-high = 390.0 * gaits + 170
+high = 390.0 * gaits + 190
 left = 90.0 / (shown == 1 ? 1000 : shown == 2 ? 1000 : 1200)
-bottom = 155 / high
+bottom = 175 / high
 top = 1 - 62 / high
 gap = 76 / high
 set multiplot layout gaits,shown margins left,0.985,bottom,top spacing 0.02,gap title title noenhanced font small

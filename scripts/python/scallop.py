@@ -490,6 +490,8 @@ def formula(text, motion="steady", parts=None):
         raise ValueError(f"motion = {motion!r}: 'steady', 'extension' or 'contraction'")
     if not isinstance(text, str) or not all(isinstance(each, str) for pair in dict(parts or {}).items() for each in pair):
         raise ValueError(f"text = {text!r}, parts = {parts!r}: a text, and a dict of texts")
+    if any("\0" in each for each in (text, *dict(parts or {}).values())):
+        raise ValueError(f"text = {text!r}: it has a NUL")
     known = c.words(c.library(), "scallop_symbol_names", c.SYMBOLS)
     for name in parts or {}:
         if not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,62}", name) or name in (*known, "pi"):

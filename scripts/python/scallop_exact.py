@@ -73,8 +73,20 @@ class Series:
                           *(f"{name} = {value!r}" for name, value in vars(self).items() if isinstance(value, Terms))])
 
 
+LARGEST_EXPONENT = 100000  # as in model/exact/ball.c: a fraction has all digits of 10^exponent
+
+
+def _exponent(value):
+    if isinstance(value, decimal.Decimal):
+        return value.adjusted() if value.is_finite() else 0
+    found = re.search(r"[eE]([+-]?[0-9]+)\s*$", value) if isinstance(value, str) else None
+    return int(found[1]) if found and len(found[1]) < 20 else LARGEST_EXPONENT + 1 if found else 0
+
+
 def fraction(name, value):
     """The number as it is written: 0.1, a float that Python prints so, is 1/10. NumPy's numbers likewise."""
+    if abs(_exponent(value)) > LARGEST_EXPONENT:
+        raise ValueError(f"{name} = {reprlib.repr(value)}: the exponent is beyond {LARGEST_EXPONENT}")
     try:
         if isinstance(value, (str, numbers.Rational, decimal.Decimal)) and not isinstance(value, bool):
             return fractions.Fraction(value)

@@ -135,7 +135,7 @@ def library():
 
 def _versioned(path):
     name = os.path.basename(os.path.realpath(path))
-    version = re.search(r"\.so\.(\d+)(\.\d+)*$", name)
+    version = re.search(r"\.so\.(\d+)(\.\d+)*(-dev)?$", name)
     if not version:
         raise OSError(f"{path}: the name does not say the version of the binary interface: .so.{ABI_VERSION} is wanted")
     if int(version[1]) != ABI_VERSION:

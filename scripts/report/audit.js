@@ -86,7 +86,7 @@ globalThis.audit = (() => {
     const box = svg.getBoundingClientRect();
     const frame = svg.closest('.plot').getBoundingClientRect();
     const width = Math.min(box.right, frame.right) - box.left;
-    return { name: svg.getAttribute('aria-label') || '', width: box.width, height: box.height,
+    return { name: svg.getAttribute('aria-label') || '', width: box.width, height: box.height, cut: box.right > frame.right + 1,
       box: [box.left + scrollX, box.top + scrollY, width, box.height] };
   });
   // How many colours a picture has, and the share of the most common one.
@@ -103,7 +103,25 @@ globalThis.audit = (() => {
   const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   const open = async () => {
     for (const details of document.querySelectorAll('details')) details.open = true;
+    for (const box of document.querySelectorAll('.enlarge input')) box.checked = true;
     await drawn();
+  };
+  // Words of a table that reach out of their cell, and formulas that stand alone without a left side
+  const clipped = () => {
+    const bad = [];
+    const ruler = new OffscreenCanvas(1, 1).getContext('2d');
+    for (const cell of document.querySelectorAll('.ledger tr:not(.claim) :is(td, th)')) {
+      const room = cell.clientWidth - parseFloat(getComputedStyle(cell).paddingRight);
+      const widths = Array.from(cell.querySelectorAll('mtext'), (part) => { // a formula cuts off what its cell has no room for
+        ruler.font = getComputedStyle(part).font;
+        return ruler.measureText(part.textContent).width;
+      });
+      if (cell.getClientRects().length > 0 && Math.max(...widths) > room + 2) bad.push(`clipped: ${named(cell)}`);
+    }
+    for (const formula of document.querySelectorAll('.display math')) {
+      if (!formula.textContent.includes('=')) bad.push(`a formula without a left side: ${named(formula)}`);
+    }
+    return bad.slice(0, 5);
   };
   const width = () => [document.documentElement.scrollWidth, innerWidth];
   // Verdict and conditions of every row of a ledger are within the window, and formulas are drawn.
@@ -158,5 +176,5 @@ globalThis.audit = (() => {
       said: Number(link.textContent.match(/\d+/)[0]),
       says: document.querySelector('.controls output').textContent };
   };
-  return { texts, plotTexts, colours, pictures, painted, open, width, ledgers, overlaps, moved, filtered };
+  return { texts, plotTexts, colours, pictures, painted, open, width, clipped, ledgers, overlaps, moved, filtered };
 })();

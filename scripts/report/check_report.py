@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Looks at the page in headless Chromium, at the width of a phone and of a desktop, light and dark.
+"""Looks at the page in headless Chromium, at the width of a phone, of a tablet and of a desktop, light and dark.
 
 scripts/report/check_report.py build/report/index.html [--quick] [--screenshots FOLDER]
 
-Nothing is said on the console and nothing is asked of the network; every figure is there and painted; the page is no wider
-than the window; text has contrast and size; the ledger shows verdict and conditions of every row, and is filtered; the crawlers
+Nothing is said on the console and nothing is asked of the network; every figure is there, painted and not cut off; the page is no
+wider than the window; no word of a table is clipped; text has contrast and size; the ledger shows verdict and conditions of every row, and is filtered; the crawlers
 move, and stand still where no motion is wanted.
 
 Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it fails, 4 no such file.
@@ -17,7 +17,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 import browser  # noqa: E402  (nothing is written beside the sources)
 
-SIZES = {360: 740, 1280: 900}
+SIZES = {390: 844, 800: 900, 1400: 900}
 SCHEMES = ("light", "dark")
 TEXT, TEXT_IN_TABLES, TEXT_IN_PLOTS = 14, 12, 9  # least pixels
 SLICE = 2000  # pixels of height of a screenshot
@@ -70,6 +70,8 @@ class Check:
             if picture["width"] <= 100 or picture["height"] <= 100:
                 self.complain(f"{name}: {picture['width']:.0f} x {picture['height']:.0f} px")
                 continue
+            if picture["cut"]:
+                self.complain(f"{name}: cut off by its frame")
             if picture["box"][2] <= 0:
                 self.complain(f"{name}: beside its frame, out of sight")
                 continue
@@ -111,7 +113,7 @@ class Check:
         """quick: the phone in the dark."""
         for width in SIZES:
             for scheme in SCHEMES:
-                if quick and (width, scheme) != (360, "dark"):
+                if quick and (width, scheme) != (390, "dark"):
                     continue
                 self.load(width, scheme)
                 self.motion(scheme)
@@ -123,7 +125,7 @@ class Check:
                 self.width()
                 for what in (
                     self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
-                    + self.call("ledgers") + self.call("overlaps")
+                    + self.call("ledgers") + self.call("clipped") + self.call("overlaps")
                 ):
                     self.complain(what)
                 self.filtering()

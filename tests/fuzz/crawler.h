@@ -1,6 +1,6 @@
 /* Bytes as a crawler and a start velocity: the first byte chooses the gait and how wild the numbers are, eight doubles follow. */
-#ifndef FUZZ_CRAWLER_H
-#define FUZZ_CRAWLER_H
+#ifndef SCALLOP_TESTS_FUZZ_CRAWLER_H
+#define SCALLOP_TESTS_FUZZ_CRAWLER_H
 
 #include <math.h>
 #include <stdio.h>

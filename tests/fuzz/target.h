@@ -3,8 +3,8 @@
  * A target, fuzz_NAME.c, takes any bytes, gives them to one part of the toolkit, and judges what comes back: fuzz_fail says what is
  * wrong and aborts. `make fuzz` links it with libFuzzer, which makes the bytes; `make check` with replay.c, which takes them from
  * the files of tests/corpus/NAME/: seeds, and whatever failed once (past-...). */
-#ifndef FUZZ_TARGET_H
-#define FUZZ_TARGET_H
+#ifndef SCALLOP_TESTS_FUZZ_TARGET_H
+#define SCALLOP_TESTS_FUZZ_TARGET_H
 
 #include <stdarg.h>
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /* Cases that are short texts, all in one: FOR_CASES(text, "1+2 = 3|2*3 = 6") has text as each of them in turn. Header-only. */
-#ifndef CASES_H
-#define CASES_H
+#ifndef SCALLOP_TESTS_SUPPORT_CASES_H
+#define SCALLOP_TESTS_SUPPORT_CASES_H
 
 #include "tests/support/check.h"
 

@@ -1,6 +1,6 @@
 /* What the tests of the certified solver share: balls seen from the outside, and modes. Header-only; needs FLINT. */
-#ifndef CERTIFIED_BALLS_H
-#define CERTIFIED_BALLS_H
+#ifndef SCALLOP_TESTS_SUPPORT_CERTIFIED_BALLS_H
+#define SCALLOP_TESTS_SUPPORT_CERTIFIED_BALLS_H
 
 #include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"

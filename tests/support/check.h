@@ -2,8 +2,8 @@
  * tolerance, so a NaN that nobody asked for always fails. NaN equals only NaN; infinities are equal
  * only with the same sign. Each macro prints what it got, what it wanted, by how much it missed, and
  * the expression, and then fails the running cmocka test. */
-#ifndef CHECK_H
-#define CHECK_H
+#ifndef SCALLOP_TESTS_SUPPORT_CHECK_H
+#define SCALLOP_TESTS_SUPPORT_CHECK_H
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* Many crawlers column by column, as the batch calls take them, and one of them alone. Header-only. */
-#ifndef COLUMNS_H
-#define COLUMNS_H
+#ifndef SCALLOP_TESTS_SUPPORT_COLUMNS_H
+#define SCALLOP_TESTS_SUPPORT_COLUMNS_H
 
 #include "numerics/numerics.h"
 

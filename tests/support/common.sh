@@ -1,6 +1,7 @@
 # Shared by the tests of the command line, which give it the command as $1: a scratch folder as the current one,
 # and one line "ok NAME" or "FAIL NAME: what" for each check.
 set -u
+export LC_ALL=C.UTF-8
 tool=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -20,6 +21,11 @@ finish() { # NAME: of the checks since the last one
 }
 # make coverage: a run that is killed, or whose files must not grow, leaves half a file of counts, which no other run may read
 keep_counts_apart() { export GCOV_PREFIX="$scratch/counts" GCOV_ERROR_FILE=/dev/null; }
+# A command where numbers have a decimal comma, in a locale that is made here, since few machines have it
+in_german() { # COMMAND...
+  [ -d "$scratch/locale" ] || { mkdir "$scratch/locale" && localedef -i de_DE -f UTF-8 "$scratch/locale/de_DE.UTF-8"; } || return
+  env -u LC_ALL LOCPATH="$scratch/locale" LANG=de_DE.UTF-8 "$@"
+}
 run() { # CODE ARGUMENT...
   wanted=$1
   shift

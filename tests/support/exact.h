@@ -1,7 +1,7 @@
 /* What the tests of series and bounds share: random fractions, crawlers with exact parameters, and balls seen from
  * the outside. Header-only; needs FLINT. */
-#ifndef EXACT_H
-#define EXACT_H
+#ifndef SCALLOP_TESTS_SUPPORT_EXACT_H
+#define SCALLOP_TESTS_SUPPORT_EXACT_H
 
 #include "tests/support/random_crawler.h"
 #include "tests/support/scoped.h"

@@ -1,7 +1,7 @@
 /* What the tests of derived expansions share: gaits that have them, expansions to compare, and comparing them. Header-only;
  * needs FLINT. */
-#ifndef EXPANSIONS_H
-#define EXPANSIONS_H
+#ifndef SCALLOP_TESTS_SUPPORT_EXPANSIONS_H
+#define SCALLOP_TESTS_SUPPORT_EXPANSIONS_H
 
 #include "asymptotics/derived/derived.h"
 #include "tests/support/exact.h"
@@ -49,7 +49,7 @@ static inline void check_scaled(const struct series *a, const struct series *b, 
     fmpq_pow_si(f, unit, k);
     fmpq_mul(f, f, factor);
     series_scale(&scaled, a, f, &ring);
-    if (!same_coefficient(&scaled, b, k, PRECISION) || a->exact != b->exact)
+    if (!same_coefficient(&scaled, b, k, PRECISION) || a->kind != b->kind)
       fail_msg("%s: T^%ld", what, (long)k);
   }
 }

@@ -1,6 +1,6 @@
 /* The whole ledger of one crawler, for tests of its rows. */
-#ifndef SCALLOP_TESTS_FULL_LEDGER_H
-#define SCALLOP_TESTS_FULL_LEDGER_H
+#ifndef SCALLOP_TESTS_SUPPORT_FULL_LEDGER_H
+#define SCALLOP_TESTS_SUPPORT_FULL_LEDGER_H
 
 #include <stdio.h>
 #include <string.h>

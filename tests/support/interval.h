@@ -1,6 +1,6 @@
 /* An interval of a phase (struct scallop_interval) as functions of its offset u, and how one follows the other. Header-only. */
-#ifndef INTERVAL_H
-#define INTERVAL_H
+#ifndef SCALLOP_TESTS_SUPPORT_INTERVAL_H
+#define SCALLOP_TESTS_SUPPORT_INTERVAL_H
 
 #include <stdbool.h>
 #include <stddef.h>

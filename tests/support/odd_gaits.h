@@ -1,7 +1,7 @@
 /* Gaits that the library does not have and the others of the tests are not like: l' that changes its sign, rests or jumps within a phase,
  * more modes than are kept, phases of two kinds. Header-only; knows public headers only. */
-#ifndef ODD_GAITS_H
-#define ODD_GAITS_H
+#ifndef SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
+#define SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
 
 #include <stddef.h>
 

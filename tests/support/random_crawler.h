@@ -1,7 +1,7 @@
 /* What the randomised tests share: a seeded generator, crawlers and start velocities of several
  * families, and three gaits that the library does not have. Header-only; knows public headers only. */
-#ifndef RANDOM_CRAWLER_H
-#define RANDOM_CRAWLER_H
+#ifndef SCALLOP_TESTS_SUPPORT_RANDOM_CRAWLER_H
+#define SCALLOP_TESTS_SUPPORT_RANDOM_CRAWLER_H
 
 #include <math.h>
 #include <stdint.h>

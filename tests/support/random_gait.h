@@ -1,6 +1,6 @@
 /* Gaits made to measure (model/gaits.h) with random parameters. Header-only; knows public headers only. */
-#ifndef RANDOM_GAIT_H
-#define RANDOM_GAIT_H
+#ifndef SCALLOP_TESTS_SUPPORT_RANDOM_GAIT_H
+#define SCALLOP_TESTS_SUPPORT_RANDOM_GAIT_H
 
 #include "model/gaits.h"
 #include "tests/support/random_crawler.h"

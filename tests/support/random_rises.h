@@ -1,6 +1,6 @@
 /* Measured gaits that rest and rise steeply, as motors that step do: splines through random knots. Header-only. */
-#ifndef RANDOM_RISES_H
-#define RANDOM_RISES_H
+#ifndef SCALLOP_TESTS_SUPPORT_RANDOM_RISES_H
+#define SCALLOP_TESTS_SUPPORT_RANDOM_RISES_H
 
 #include <stdlib.h>
 

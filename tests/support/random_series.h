@@ -1,6 +1,6 @@
 /* What the tests of series arithmetic share: random series, and comparing them. Header-only; needs FLINT. */
-#ifndef RANDOM_SERIES_H
-#define RANDOM_SERIES_H
+#ifndef SCALLOP_TESTS_SUPPORT_RANDOM_SERIES_H
+#define SCALLOP_TESTS_SUPPORT_RANDOM_SERIES_H
 
 #include "tests/support/exact.h"
 
@@ -34,11 +34,30 @@ static inline void random_series(struct series *s, struct random *r, slong first
     series_truncate(s, first + 1 + random_below(r, LENGTH));
 }
 
+/* Each coefficient times a power of pi, one way or another */
+static inline void bring_in_pi(struct series *s, struct random *r)
+{
+  SCOPED(series, pi);
+  const slong first = s->first, known = s->known;
+  series_set_pi_poly(s, s->rational, random_below(r, 3), random_below(r, 3), SERIES_ALL);
+  s->first = first;
+  s->known = known;
+  series_set_pi(&pi);
+  if (random_below(r, 2))
+    series_div(s, s, &pi, &longer);
+  else
+    series_add(s, s, &pi, &longer);
+}
+
 /* The same numbers as balls */
 static inline void as_balls(struct series *to, const struct series *from)
 {
   SCOPED(arb_poly, poly);
-  arb_poly_set_fmpq_poly(poly, from->rational, PRECISION);
+  SCOPED(arb, c);
+  for (slong k = 0; k < series_terms(from); k++) {
+    series_coefficient(c, from, from->first + k, PRECISION);
+    arb_poly_set_coeff_arb(poly, k, c);
+  }
   series_set_ball_poly(to, poly, SERIES_ALL);
   series_shift(to, to, from->first);
   series_truncate(to, from->known);

@@ -1,6 +1,6 @@
 /* The rows of tests/support/reference.tsv: 50-digit values of a third program, scripts/python/reference.py. Header-only. */
-#ifndef REFERENCE_H
-#define REFERENCE_H
+#ifndef SCALLOP_TESTS_SUPPORT_REFERENCE_H
+#define SCALLOP_TESTS_SUPPORT_REFERENCE_H
 
 #include <stdio.h>
 #include <stdlib.h>

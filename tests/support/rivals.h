@@ -1,6 +1,6 @@
 /* What the tests of rivals share: a rival held against the exact solver, in other units, told to stop, and what it refuses. Header-only. */
-#ifndef RIVALS_H
-#define RIVALS_H
+#ifndef SCALLOP_TESTS_SUPPORT_RIVALS_H
+#define SCALLOP_TESTS_SUPPORT_RIVALS_H
 
 #include <float.h>
 

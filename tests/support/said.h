@@ -1,6 +1,6 @@
 /* What the code under test says on standard error. */
-#ifndef SAID_H
-#define SAID_H
+#ifndef SCALLOP_TESTS_SUPPORT_SAID_H
+#define SCALLOP_TESTS_SUPPORT_SAID_H
 
 #include "tests/support/check.h"
 

@@ -1,8 +1,8 @@
 /* Numbers of FLINT, and what is made of them, that begin where they are declared and end with their block:
  *   SCOPED(arb, x, y);   for   arb_t x, y; arb_init(x); arb_init(y); ... arb_clear(x); arb_clear(y);
  * SCOPED_KIND makes that possible for a struct, by its _init and _clear. Header-only; needs FLINT. */
-#ifndef SCOPED_H
-#define SCOPED_H
+#ifndef SCALLOP_TESTS_SUPPORT_SCOPED_H
+#define SCALLOP_TESTS_SUPPORT_SCOPED_H
 
 #include "asymptotics/derived/derived.h"
 #include "model/exact/ball.h"

@@ -1,6 +1,6 @@
 /* An empty folder for tests that write files: it is the current one while they run, and is removed after them. */
-#ifndef SCRATCH_FOLDER_H
-#define SCRATCH_FOLDER_H
+#ifndef SCALLOP_TESTS_SUPPORT_SCRATCH_FOLDER_H
+#define SCALLOP_TESTS_SUPPORT_SCRATCH_FOLDER_H
 
 #include "tests/support/check.h"
 

@@ -1,6 +1,6 @@
 /* Answers of the solver where there must be one, what the modes are as text, and the same crawler seen otherwise. Header-only. */
-#ifndef SOLVED_H
-#define SOLVED_H
+#ifndef SCALLOP_TESTS_SUPPORT_SOLVED_H
+#define SCALLOP_TESTS_SUPPORT_SOLVED_H
 
 #include "numerics/wide/wide.h"
 #include "tests/support/check.h"

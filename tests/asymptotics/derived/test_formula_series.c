@@ -109,7 +109,7 @@ TEST(refusals_change_nothing)
   static const char bad[] =
       "| |unknown|1 + unknown|1 +|1 -|1 *|1 /|* 2|/ 2|+ 1|1 + + 2|1 ** 2|(1|1)|()|((1)|(1))|1 2|1 three|three x|2x|"
       "2(3)|1/0|1/none|1/(x-x)|1/(3-three)|2^|x^x|x^half|(-2)^half|none^-1|none^-65|sqrt(-1)|log(x)|exp(1/x)|"
-      "asin(2)|abs(pi-pi)|min(pi,pi)|max(1,log(x))|thre|threes|1 + 1 ?|1;|#|1,2|-|x^|"
+      "asin(2)|abs(sin(pi))|min(exp(1),exp(1))|max(1,log(x))|thre|threes|1 + 1 ?|1;|#|1,2|-|x^|"
       "half/(half - 1/2)";
   struct random r = { 20260812 };
   SCOPED(work, w);
@@ -118,7 +118,7 @@ TEST(refusals_change_nothing)
   FOR_CASES (text, bad) {
     if (evaluate(&w[0], text))
       fail_msg("\"%s\" is taken", text);
-    assert_true(w[0].exact && w[0].first == w[1].first && w[0].known == SERIES_ALL);
+    assert_true(w[0].kind == SERIES_FRACTIONS && w[0].first == w[1].first && w[0].known == SERIES_ALL);
     check_same(&w[0], &w[1], text);
   }
 }
@@ -134,9 +134,10 @@ TEST(exact_functions)
       "min(x - x, none) = 0|(x^64)^half/x^32 = 1|(x^100 - x^100)^64 = 0");
   SCOPED(series, value);
   SCOPED(fmpq, c);
-  FOR_CASES (text, "2^half|exp(1)|log(2)|log10(2)|sin(1)|asin(1)|2^65|2^pi|sqrt(2)*x|pi^0.5|4^(1/65)")
-    assert_true(evaluate(&value, text) && !value.exact && value.known == SERIES_ALL);
-  assert_true(evaluate(&value, "sqrt(1 + 2*x + x^2)") && value.exact && value.known == LENGTH);
+  FOR_CASES (text,
+             "2^half|exp(1)|log(2)|log10(2)|sin(1)|asin(1)|2^65|2^pi|sqrt(2)*x|exp(pi)|sqrt(pi)|sin(pi)|pi^0.5|4^(1/65)")
+    assert_true(evaluate(&value, text) && value.kind == SERIES_BALLS && value.known == SERIES_ALL);
+  assert_true(evaluate(&value, "sqrt(1 + 2*x + x^2)") && value.kind == SERIES_FRACTIONS && value.known == LENGTH);
   assert_true(series_rational_coefficient(c, &value, 1) && fmpq_is_one(c) && next_nonzero(&value, 2, LENGTH) == LENGTH);
 }
 
@@ -178,8 +179,8 @@ TEST(what_a_series_cannot_do)
     { "(x^65)^64 + 1", "character 7: ^ gives a power of T beyond 4096" },
     { "sqrt(-2)", "character 1: sqrt of what is negative" },
     { "(x - 2)^half", "character 8: ^ of what is negative" },
-    { "(pi - pi)^0.2", "character 10: ^ of what may be 0" },
-    { "sqrt(1/x - pi/pi/x)", "character 1: sqrt of what may be 0" },
+    { "sin(pi)^0.2", "character 8: ^ of what may be 0" },
+    { "sqrt(1/x - exp(1)/exp(1)/x)", "character 1: sqrt of what may be 0" },
     { "2 + log(x)", "character 5: log of a power of T: a series has no logarithm of T" },
     { "log10(1/x)", "character 1: log10 of a power of T: a series has no logarithm of T" },
     { "x^x", "character 2: ^ of a power of T: a series has no logarithm of T" },
@@ -195,9 +196,9 @@ TEST(what_a_series_cannot_do)
     { "asin(sin(pi/2))", "character 1: asin of what may be -1, 1 or beyond at T = 0" },
     { "exp(1e300)", "character 1: exp is too large" },
     { "3^1e300", "character 2: ^ is too large" },
-    { "abs((pi - pi)*x)", "character 1: abs of what may be 0" },
-    { "1 + min(pi, pi)", "character 5: min of series whose order is not proven" },
-    { "max(x, x*pi/pi)", "character 1: max of series whose order is not proven" },
+    { "abs(sin(pi)*x)", "character 1: abs of what may be 0" },
+    { "1 + min(exp(1), exp(1))", "character 5: min of series whose order is not proven" },
+    { "max(x, x*exp(1)/exp(1))", "character 1: max of series whose order is not proven" },
     { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
     { "three + none^-2", "character 13: ^ divides by what may be 0" },
     { "(((2^64)^64)^63)^5", "character 17: ^ is too large" },
@@ -214,8 +215,8 @@ TEST(what_a_series_cannot_do)
   assert_true(fmpz_bits(fmpq_numref(number)) == 1 + 64 * 64 * 63 * 4 && fmpz_is_one(fmpq_denref(number)));
 }
 
-/* pi is enclosed, to the precision of the ring. */
-TEST(pi_is_a_ball)
+/* pi is a name, of which rational functions are known; its value is enclosed, to any precision. */
+TEST(pi_is_exact)
 {
   SCOPED(series, value);
   SCOPED(arb, got, pi);
@@ -223,7 +224,16 @@ TEST(pi_is_a_ball)
   series_coefficient(got, &value, 1, PRECISION);
   arb_mul_ui(got, got, 3, PRECISION);
   arb_const_pi(pi, 2 * PRECISION);
-  assert_true(!value.exact && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
+  assert_true(value.kind == SERIES_IN_PI && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
+  FOR_CASES (text, "pi*0|pi*x - x*pi|1/pi - 1/(pi + x) - x/(pi*(pi + x))|(pi + x)^7/(pi + x)^6 - pi - x|min(pi, pi) - pi|"
+                   "(1/(pi - 22/7) - 1/(pi + x))*(pi - 22/7) - (22/7 + x)/(pi + x)") {
+    assert_true(evaluate(&value, text));
+    assert_int_equal(next_nonzero(&value, -2, least(value.known, LENGTH)), least(value.known, LENGTH));
+  }
+  SCOPED(fmpq, third);
+  assert_true(evaluate(&value, "(pi^2 - 1)/(3*pi + 3)/(pi - 1)") && series_rational_coefficient(third, &value, 0));
+  assert_true(fmpz_equal_si(fmpq_numref(third), 1) && fmpz_equal_si(fmpq_denref(third), 3));
+  assert_true(evaluate(&value, "pi") && !series_rational_coefficient(third, &value, 0));
 }
 
 /* In balls: every operation encloses the same one in double, and 0.1 is a tenth. */

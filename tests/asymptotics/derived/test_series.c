@@ -118,7 +118,7 @@ TEST(division_by_what_may_be_zero)
   series_set_x(&w[4]);
   series_add(&w[3], &w[3], &w[4], &ring); /* the ball may be 0, so that what is behind it does not count */
   assert_false(series_div(&w[0], &w[2], &w[3], &ring));
-  assert_true(w[0].exact && w[0].first == -2 && w[0].known == SERIES_ALL);
+  assert_true(w[0].kind == SERIES_FRACTIONS && w[0].first == -2 && w[0].known == SERIES_ALL);
   check_same(&w[0], &w[1], "unchanged");
 }
 
@@ -168,27 +168,63 @@ TEST(what_is_known_is_right)
     check_calculation(&r, i % 2);
 }
 
-/* The ball of each coefficient holds the fraction, and is thin. */
-TEST(balls_hold_the_fractions)
+/* The ball of each coefficient holds the fraction, or the function of pi, and is thin. */
+TEST(balls_hold_what_is_exact)
 {
   struct random r = { 20260809 };
   SCOPED(work, w);
-  SCOPED(fmpq, exact);
-  SCOPED(arb, ball);
-  for (int i = 0; i < 300; i++) {
-    int step = random_below(&r, 6);
+  SCOPED(arb, exact, ball);
+  for (int i = 0; i < 600; i++) {
+    int step = random_below(&r, 6), in_pi = i % 2 ? 1 + random_below(&r, 3) : 0; /* of which of the two, as bits */
     for (int k = 0; k < 2; k++) {
       random_series(&w[k], &r, random_below(&r, 9) - 4);
+      if (in_pi >> k & 1)
+        bring_in_pi(&w[k], &r);
       as_balls(&w[2 + k], &w[k]);
     }
     random_step(&w[4], &w[0], &w[1], step, &ring);
     random_step(&w[5], &w[2], &w[3], step, &ring);
-    assert_true(w[4].exact && !w[5].exact);
+    assert_true(w[4].kind != SERIES_BALLS && w[5].kind == SERIES_BALLS);
     for (slong k = w[4].first; k < least(least(w[4].known, w[5].known), FAR); k++) {
-      series_rational_coefficient(exact, &w[4], k);
+      series_coefficient(exact, &w[4], k, 2 * PRECISION);
       series_coefficient(ball, &w[5], k, PRECISION);
-      assert_true(arb_contains_fmpq(ball, exact));
+      assert_true(arb_contains(ball, exact));
       assert_true(mag_cmp_2exp_si(arb_radref(ball), -PRECISION / 2) < 0);
     }
   }
+}
+
+/* The same of what takes one series, and of more bits than functions of pi may have */
+TEST(functions_of_pi_one_by_one)
+{
+  struct random r = { 20261124 };
+  SCOPED(work, w);
+  SCOPED(arb, exact, ball);
+  for (int i = 0; i < 60; i++) {
+    random_series(&w[0], &r, random_below(&r, 3));
+    bring_in_pi(&w[0], &r);
+    series_mul(&w[0], &w[0], &w[0], &longer);
+    if (w[0].first < 0)
+      continue;
+    as_balls(&w[1], &w[0]);
+    for (int k = 0; k < 2; k++) {
+      struct series *s = &w[k];
+      i % 3 == 0 ? series_inflate(s, s, 2) : i % 3 == 1 ? series_integral(s, s, &longer) : series_derivative(s, s, &longer);
+      series_set_zero(s, s->first + 1);
+      series_neg(s, s);
+    }
+    assert_int_equal(w[0].kind, SERIES_IN_PI);
+    for (slong k = w[0].first; k < least(least(w[0].known, w[1].known), FAR); k++) {
+      series_coefficient(exact, &w[0], k, 2 * PRECISION);
+      series_coefficient(ball, &w[1], k, PRECISION);
+      assert_true(arb_contains(ball, exact));
+    }
+  }
+  SCOPED(series, pi, large);
+  series_set_pi(&pi);
+  series_set_si(&large, 3);
+  series_add(&large, &large, &pi, &ring);
+  for (int i = 0; i < 14 && large.kind == SERIES_IN_PI; i++)
+    series_mul(&large, &large, &large, &ring);
+  assert_int_equal(large.kind, SERIES_BALLS);
 }

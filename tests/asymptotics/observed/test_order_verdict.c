@@ -51,7 +51,7 @@ TEST(textbook_table)
   TABLE(0.1, 0.011, 0.05, 0.0026, 0.025, 6.3e-4, 0.0125, 1.57e-4);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, "order 2.04 in rows 1 to 4");
-  assert_int_equal(result.interval, SCALLOP_ORDER_CONFIDENCE);
+  assert_int_equal(result.interval, SCALLOP_ORDER_SLOPE);
   assert_int_equal(result.used, 4);
   /* least squares by hand: the slope over log2 h is (3 (y1 - y4) + y2 - y3)/10 */
   double y[4];
@@ -189,6 +189,68 @@ TEST(floors)
   expect(SCALLOP_ORDER_FLOOR_LIMITED, NULL);
 }
 
+/* A plateau behind rows of slope 1 is none of roundoff's; a finest row that is off is no drift; a rough floor leaves the rows above it. */
+TEST(fine_ends)
+{
+  TABLE(0.5, 2.73, 0.166667, 0.913, 0.0555556, 0.306, 0.0185185, 0.104, 0.00617284, 0.0361, 0.00205761, 0.0136, 0.000685871,
+        0.00615, 0.000228624, 0.00365);
+  judge(1, false, false);
+  expect(SCALLOP_ORDER_PLATEAU, "err stops falling near 0.0037 in rows 7 and 8: a plateau far above roundoff");
+  TABLE(0.5, 0.0625, 0.25, 0.00390625, 0.125, 0.000244140625, 0.0625, 1.52587890625e-05, 0.03125, 9.5367431640625e-07,
+        0.015625, 5.93e-08);
+  judge(4, false, false);
+  expect(SCALLOP_ORDER_PASS, "order 4 in rows 1 to 5; left out: roundoff in row 6");
+  TABLE(0.5247, 0.886418, 0.2624, 0.221553, 0.1312, 0.0553687, 0.06559, 0.0138258, 0.0328, 0.00348085, 0.0164, 0.000863772,
+        0.008199, 0.000196189, 0.0041, 0.000101625, 0.00205, 4.78873e-05, 0.001025, 5.92781e-05, 0.0005124, 6.75894e-05);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
+  TABLE(0.5, 1, 0.25, 0.1, 0.125, 0.03125, 0.0625, 0.015625, 0.03125, 0.0078125);
+  judge(1, false, false);
+  expect(SCALLOP_ORDER_PASS, NULL);
+}
+
+/* h^4 + 4e-7 h, 3 digits: the slow tail is a term of lower order and no floor. */
+TEST(lower_term_is_no_floor)
+{
+  TABLE(0.5, 0.0232, 0.2464, 0.00137, 0.1214, 8.06e-5, 0.05984, 4.77e-6, 0.02949, 2.92e-7, 0.01453, 2.24e-8, 0.007161,
+        3.86e-9, 0.003529, 1.48e-9);
+  judge(4, false, false);
+  assert_true(result.verdict != SCALLOP_ORDER_PASS);
+}
+
+/* Of many rows means are fitted: the order stays what it is. */
+TEST(many_rows)
+{
+  enum { ROWS = 20000 };
+  static struct scallop_order_point many[ROWS];
+  for (int noisy = 0; noisy < 2; noisy++) {
+    for (int i = 0; i < ROWS; i++) {
+      double h = pow(10, -3.0 * i / ROWS);
+      many[i] = (struct scallop_order_point){ .h = h, .err = h * h * (1 + h) * (noisy ? 1 + 0.1 * jitter(h) : 1) };
+    }
+    int rows = ROWS;
+    struct scallop_order_wanted wanted = { .order = 2, .tolerance = 0.1 };
+    scallop_order(many, &rows, &wanted, &result);
+    expect(SCALLOP_ORDER_PASS, NULL);
+    assert_int_equal(result.interval, SCALLOP_ORDER_LIMIT);
+    CHECK_NEAR(result.order, 2, noisy ? 0.05 : 1e-4);
+  }
+}
+
+/* Where no order is expected, none passes. */
+TEST(measured_only)
+{
+  fill(flat, 4, 0.5, 2);
+  judge(NAN, false, false);
+  expect(SCALLOP_ORDER_MEASURED, "order 0 in rows 1 to 4");
+  TABLE(1, 1);
+  judge(NAN, false, false);
+  expect(SCALLOP_ORDER_INSUFFICIENT, NULL);
+  fill(levels_off, 9, 0.5, 2);
+  judge(NAN, false, false);
+  expect(SCALLOP_ORDER_PLATEAU, NULL);
+}
+
 /* More rows than anybody prints, of few digits: rounding is not looked at. A zero behind a floor is none of it. */
 static double one_digit(double h) { return pow(10, round(log10(h))); }
 static double ends_at_zero(double h) { return h < 1e-5 ? 0 : at_roundoff(h); }
@@ -233,6 +295,9 @@ TEST(few_rows)
   TABLE(1, 1);
   judge(2, false, false);
   expect(SCALLOP_ORDER_INSUFFICIENT, "1 usable row, an order takes 3");
+  TABLE(1, 1, 0.5, 0.25, 0.25, 0.2, 0.125, 0.19);
+  judge(2, false, false);
+  expect(SCALLOP_ORDER_PLATEAU, "err stops falling near 0.19 in rows 2 to 4: a plateau far above roundoff");
   TABLE(1, 1, 0.5, 0.25, 0.25, 0.0625);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, "order 2 in rows 1 to 3");

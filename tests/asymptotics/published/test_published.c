@@ -397,3 +397,22 @@ TEST(names_are_unique)
       assert_true(scallop_formula_named(f->name) == f);
   assert_null(scallop_formula_named("text_steady"));
 }
+
+/* Conditions in doubles, for the explorer; one that cannot be read does not hold. */
+TEST(conditions_in_doubles)
+{
+  static const struct {
+    const char *when;
+    bool holds;
+  } cases[] = { { "m1 < 2*F2", true }, { "m1 > 2*F2", false }, { "2*m1 = 5", true }, { "m1", false },
+                { "m3 > 1", false },   { "F2=F1", false },     { NULL, true } };
+  const struct scallop_values values = { .of = {
+                                             [SCALLOP_SYMBOL_m1] = 2.5, [SCALLOP_SYMBOL_F2] = 3, [SCALLOP_SYMBOL_F1] = 4 } };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const char *const when[] = { cases[i].when, NULL };
+    const struct scallop_formula f = { .name = "f", .setting = SCALLOP_STEADY, .when = when };
+    assert_int_equal(scallop_formula_is_claimed(&f, &values), cases[i].holds);
+  }
+  assert_true(scallop_condition_is_equal_forces(" F2 = F1 ") && scallop_condition_is_equal_forces("F1=F2"));
+  assert_false(scallop_condition_is_equal_forces("F1 = F2 + m1") || scallop_condition_is_equal_forces("F1 = m2"));
+}

@@ -192,21 +192,26 @@ static bool check_formula(const struct scallop_formula *f, const struct scallop_
   const bool rational = scallop_gait_is_rational(c->gait);
   char message[FORMULA_MESSAGE] = "";
   SCOPED(series, difference);
-  SCOPED(fmpq, got, wanted);
+  const enum scallop_phase_kind kind = f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+  ENDED_BY(left_out_clear) struct left_out l = { .term = NULL };
+  SCOPED(fmpq, wanted);
   SCOPED(arb, ball, of_text);
+  left_out_init(&l);
   if (!left_out_in_numbers(&difference, f, c, v0))
     return false;
   slong power = next_nonzero(&difference, -4, TERMS);
   if (power == TERMS)
     return false;
-  char *text = symbolic_left_out(got, f, c, v0, power, message);
-  if (!text) {
+  if (symbolic_left_out(&l, f, c, kind, v0, power, message)) {
     if (rational || f->setting != SCALLOP_STEADY)
       fail_msg("%s: %s", f->name, message);
     return false;
   }
+  assert_int_equal(l.order, power);
+  assert_int_equal(l.is_number, rational);
+  const char *text = l.term;
   series_coefficient(ball, &difference, power, PRECISION);
-  if (rational && (!series_rational_coefficient(wanted, &difference, power) || !fmpq_equal(got, wanted))) {
+  if (rational && (!series_rational_coefficient(wanted, &difference, power) || !fmpq_equal(l.coefficient, wanted))) {
     print_exact_crawler(c);
     fail_msg("%s: T^%ld: %s", f->name, (long)power, text);
   }
@@ -217,7 +222,6 @@ static bool check_formula(const struct scallop_formula *f, const struct scallop_
       fail_msg("%s: %s", f->name, text);
     }
   }
-  free(text);
   return true;
 }
 
@@ -254,8 +258,8 @@ struct told { /* of one formula at one crawler */
   const char *text, *gait, *F2;
   enum scallop_setting setting;
   enum scallop_quantity quantity;
-  slong power;
-  const char *left_out; /* or the message */
+  slong most;
+  const char *left_out; /* or the message, or "" */
 };
 
 /* Where names of one thing meet: M and m1 + m2, 1 - alpha and alpha, derivatives of l and numbers of amplitudes, equal forces */
@@ -284,9 +288,16 @@ TEST(formulas_in_other_words)
     { "T", "quadratic", "4", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1,
       "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any alpha, F1 and F2 "
       "near these" },
-    { "pi*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "character 1: pi is no rational number" },
-    { "3*T/2", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "a lower coefficient vanishes by coincidence, or too few are known" },
+    { "pi*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "-T*(pi*M - F1 + F2)/M" },
+    { "(F1 - F2)*T/M - 4*F1*(F1 - F2)/(m2*M*pi^2*L)*T^3", "sinusoidal", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END,
+      4, "" },
+    /* right for this crawler, and for no other */
+    { "3*T/2", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3, "-T*(3*M - 2*F1 + 2*F2)/(2*M)" },
+    { "T", "quadratic", "1", SCALLOP_MOVING_EXTENSION, SCALLOP_VELOCITY_AT_END, 1, "v0" },
+    { "(F1 - F2)*T/M + 0*T^-20", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
+      "too few terms are known" },
+    { "sqrt(T^2)", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1,
+      "character 1: sqrt is no rational function" },
     { "(F1", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3, "character 1: this '(' is not closed" },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -294,14 +305,38 @@ TEST(formulas_in_other_words)
     const struct scallop_formula f = { .name = "f", .setting = t->setting, .quantity = t->quantity, .text = t->text };
     char message[FORMULA_MESSAGE] = "";
     SCOPED(scallop_rational, c);
-    SCOPED(fmpq, coefficient, v0);
+    ENDED_BY(left_out_clear) struct left_out l = { .term = NULL };
+    SCOPED(fmpq, v0);
+    left_out_init(&l);
+    if (t->setting == SCALLOP_MOVING_EXTENSION)
+      fmpq_one(v0);
     const struct scallop_crawler paper = scallop_crawler_default();
     scallop_rational_of(&c, &paper);
     c.gait = scallop_gait_named(t->gait);
     assert_true(scallop_rational_parse(c.F2, t->F2));
-    char *text = symbolic_left_out(coefficient, &f, &c, v0, t->power, message);
-    if (strcmp(text ? text : message, t->left_out) != 0)
-      fail_msg("%s: %s", t->text, text ? text : message);
-    free(text);
+    const char *wrong = symbolic_left_out(&l, &f, &c, SCALLOP_EXTENSION, v0, t->most, message);
+    const char *said = wrong ? wrong : l.term ? l.term : "";
+    if (strcmp(said, t->left_out) != 0)
+      fail_msg("%s: %s", t->text, said);
+    assert_true(wrong || (l.order > t->most) == !l.term);
   }
+}
+
+/* pi is a symbol that has no value among fractions: 1 stands for it. */
+TEST(pi_is_a_symbol)
+{
+  const struct scallop_crawler paper = scallop_crawler_default();
+  struct symbols s;
+  SCOPED(scallop_rational, c);
+  SCOPED(fmpq, v0);
+  fmpq *values = _fmpq_vec_init(1);
+  scallop_rational_of(&c, &paper);
+  symbols_init(&s);
+  symbols_add(&s, NAMED_pi, 0, SCALLOP_EXTENSION);
+  symbols_begin(&s);
+  symbols_values(values, &s, &c, v0, NULL);
+  assert_true(fmpq_is_one(values));
+  assert_string_equal(s.list[0].name, "pi");
+  symbols_end(&s);
+  _fmpq_vec_clear(values, 1);
 }

@@ -230,6 +230,22 @@ TEST(what_has_no_expansion_is_refused)
   refuses(&c, ORDER, "domain");
 }
 
+TEST(too_many_terms_give_the_work_up)
+{
+  SCOPED(scallop_rational, c);
+  struct random r = { 6 };
+  struct symbols s;
+  struct symbolic_limit limit;
+  const char *why = "";
+  random_exact_crawler(&c, &r, &scallop_gait_sinusoidal);
+  symbols_init(&s);
+  s.most_terms = 1000;
+  assert_int_equal(symbolic_expand_limit(&s, &c, LIMIT_IN_ALPHA, ORDER, &limit, &why), SCALLOP_EDOMAIN);
+  assert_non_null(strstr(why, "ask for a lower --order"));
+  assert_true(s.terms < 2000);
+  symbols_end(&s);
+}
+
 TEST(equations_in_words)
 {
   SCOPED(scallop_rational, c);

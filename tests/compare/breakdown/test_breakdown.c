@@ -1,11 +1,14 @@
 /* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
  * radii of convergence by two routes. */
+#include "compare/answers/gaits.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
 #include "tests/support/exact.h"
 #include "tests/support/solved.h"
+
+#include <stdlib.h>
 
 SCOPED_KIND(scallop_singularity, struct scallop_singularity)
 
@@ -91,6 +94,36 @@ TEST(events_are_where_certified_modes_change)
     assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
   }
   assert_true(certified > 3 * all / 4);
+}
+
+/* Where friction changes c by less than rounding, a phase that starts from the rounded velocity of the steady state has other modes on a plateau
+ * than the steady state: none of that is an event. */
+TEST(rounding_is_no_event)
+{
+  const struct motion s = { .crawler = { 0.5455, 7.341, 6.783, 0.2455, 5.675, 1, 0.686,
+                                         gait_of_text("constant:0.1").gait } };
+  ENDED_BY(events_clear) struct events events;
+  events_find(&events, &s, "");
+  assert_int_equal(events.count, 10);
+  CHECK_RELATIVE(events.event[0].T, 4.78521795311083, 1e-14);
+  for (int i = 0; i < events.count; i++)
+    assert_true(strcmp(events.event[i].status, "certified") == 0 || !events.event[i].of_modes);
+}
+
+/* Where l' jumps, the last event is where a body that is thrown comes to rest within its phase. */
+TEST(events_where_l_jumps)
+{
+  const struct motion s = { .crawler = { 0.5315, 1.448, 0.6551, 0.4, 2.804, 1, 0.817, gait_of_text("constant:0").gait } };
+  ENDED_BY(events_clear) struct events events;
+  events_find(&events, &s, "");
+  assert_int_equal(events.count, 2);
+  assert_string_equal(events.event[0].what, "body 2 begins to turn in the extension");
+  assert_string_equal(events.event[1].what, "onset of sticking: body 1 in the contraction");
+  for (int i = 0; i < 2; i++) {
+    const struct scallop_modes *before = i > 0 ? events.event[i - 1].modes : events.first;
+    check_certified(&s, events.event[i].T * (1 - 1e-12), before);
+    check_certified(&s, events.event[i].T * (1 + 1e-12), events.event[i].modes);
+  }
 }
 
 /* No event is missed below the first: the modes of the limit are proven up to three thousandths below it. */

@@ -38,6 +38,8 @@ run 0 claims --formula "v0 - (F1 - F2)/M*T" --of v_end --start v0 --phase contra
 [ "$(cells out verdict derived_order)" = "holds 2" ] || note "$(cells out verdict derived_order)"
 run 0 claims --formula "(F1 - F2)*(2*alpha - 1)*L*m1*m2/M/(alpha^2*F1*m1 + (1 - alpha)^2*F2*m2)" --of displacement --claimed 4 --gait quadratic
 [ "$(cells out verdict)" = holds ] || note "$(cells out verdict)"
+run 1 claims --formula "(F1-F2)/M*T" --of v_end --start v0 --claimed 2 --gait quadratic
+[ "$(cells out derived_order coefficient leading_error)" = "0 17/10 v0" ] || note "$(cells out derived_order coefficient leading_error) $(cat err)"
 finish "claims --formula"
 # With m1 = m2 the first term of what is left out vanishes: so it does of this crawler, and of no other.
 run 0 claims --formula "(F1-F2)/M*T + (m1 - m2)*T^2" --of v_end --claimed 3 --gait quadratic --m1 1 --m2 1 --F1 4 --F2 1 --L 10 --alpha 0.75

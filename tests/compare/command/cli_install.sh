@@ -16,7 +16,7 @@ quietly() { "$@" >said 2>&1 || note "$*: exit code $?: $(tail -n 3 said)"; }
 # DESTDIR, and a PREFIX that is not where the files are
 made() { (cd "$root" && "${MAKE:-make}" --no-print-directory "$1" B="$build" PREFIX=/usr DESTDIR="$place"); }
 quietly made install
-for file in bin/scallop lib/libscallop-core.a lib/libscallop.a lib/pkgconfig/scallop.pc include/scallop/scallop.h; do
+for file in bin/scallop lib/libscallop-core.a lib/libscallop.a lib/pkgconfig/scallop.pc include/scallop/scallop.h share/doc/scallop/LICENSE; do
   [ -s "$place/usr/$file" ] || note "no $file"
 done
 finish "make install"
@@ -169,9 +169,17 @@ cmp -s "$root/scripts/plots/cheapest.awk" elsewhere/usr/share/scallop/cheapest.a
 finish "pages, completion and scenes are there"
 
 mv elsewhere "$place"
+touch "$place/usr/lib/libscallop.so.0"
 quietly made uninstall
+[ -f "$place/usr/lib/libscallop.so.0" ] || note "the library of another binary interface has gone"
+rm -f "$place/usr/lib/libscallop.so.0"
 find "$place" ! -type d >left
 [ ! -s left ] || note "left: $(head -n 3 left | tr '\n' ' ')"
 [ ! -d "$place/usr/include/scallop" ] || note "the folder of the headers is left"
 finish "make uninstall leaves nothing"
+
+odd='/a&b|c\d'
+(cd "$root" && quietly "${MAKE:-make}" --no-print-directory install B="$build" PREFIX="$odd" DESTDIR="$place")
+[ "$(head -n 1 "$place$odd/lib/pkgconfig/scallop.pc")" = "prefix=$odd" ] || note "$(head -n 3 "$place$odd/lib/pkgconfig/scallop.pc")"
+finish "a PREFIX with characters that sed takes for its own"
 exit $failed

@@ -111,7 +111,7 @@ import json
 *rows, counts = map(json.loads, open("out"))
 if [(r["series"], r["order"], r["points"]) for r in rows] != [("euler; a", 1, 8), ("heun; a", 2, 8), ("exact; b", None, 0)]:
     bad(rows)
-if counts != {"tables": 3, "passed": 3, "failed": 0}:
+if counts != {"tables": 3, "measured": 3, "failed": 0, "errors": 0}:
     bad(counts)
 END
 finish "order: one order for each series"
@@ -133,10 +133,14 @@ commas='N, h, L2, H1, rate\n10, 0.1, 0.011, 0.1, -\n20, 0.05, 0.0026, 0.05, 2\n4
 columns "commas, and no order that the table brings along" "$commas" 'L2:2.04 H1:1.00'
 columns "--y" "$commas" 'H1:1.00' --y H1
 columns "--y, several" "$commas" 'H1:1.00 L2:2.04' --y H1,L2
+columns "--y, twice" "$commas" 'H1:1.00 L2:2.04' --y H1 --y L2,H1
 columns "--y, by number" "$commas" 'L2:2.04' --y 3
 columns "--x" "$commas" 'h:-1.00' --x N --y h
 columns "the first column against the others" 'dx a b\n1 1 1\n0.5 0.25 0.5\n0.25 0.0625 0.25\n' 'a:2.00 b:1.00'
 columns "no header" '1,1,1\n0.5,0.25,0.5\n0.25,0.0625,0.25\n' 'column 2:2.00 column 3:1.00'
+columns "the index of pandas" ',h,err\n0,1,1\n1,0.5,0.25\n2,0.25,0.0625\n' 'err:2.00'
+columns "the index of pandas, no h" ',dx,L2,H1\n0,1,1,1\n1,0.5,0.25,0.5\n2,0.25,0.0625,0.25\n' 'L2:2.00 H1:1.00'
+columns "a comma at the end of a row" 'h,err\n1,1,\n0.5,0.25,\n0.25,0.0625,\n' 'err:2.00'
 columns "err before others" 'h x err\n1 5 1\n0.5 5 0.25\n0.25 5 0.0625\n' 'err:2.00'
 columns "--values" 'h u\n1 4\n0.5 3.25\n0.25 3.0625\n0.125 3.015625\n' 'u:2.00' --values
 columns "tabs with commas in texts" 'case\th\terr\na, b\t1\t1\na, b\t0.5\t0.25\na, b\t0.25\t0.0625\n' 'err:2.00'
@@ -194,4 +198,38 @@ if [ -c /dev/full ]; then
   [ $? = 4 ] || note "no exit code 4 for a full device"
 fi
 finish "order: a file for the report"
+run 1 order first.txt odd.txt second.txt --expect 2 -o here.tsv
+[ "$(cat err)" = 'scallop order: first.txt: column 2: too-low: order 1 is 1 below the expected 2 in rows 1 to 3' ] || note "$(cat err)"
+finish "order: with -o a table that fails is a line on standard error"
+
+# ---- no order is expected: nothing passes ----
+printf '1 1\n' >short.txt
+run 3 order second.txt short.txt
+[ "$(cells out verdict | tr '\n' ' ')" = 'measured insufficient ' ] || note "$(cat out)"
+[ "$(tail -n 1 out)" = '# 2 tables: 1 measured, 1 failed' ] || note "$(tail -n 1 out)"
+run 3 order second.txt short.txt --format json
+[ "$(tail -n 1 out)" = '{"tables": 2, "measured": 1, "failed": 1, "errors": 0}' ] || note "$(tail -n 1 out)"
+printf '1 0.3\n0.5 0.3\n0.25 0.3\n0.125 0.3\n' >constant.txt
+run 0 order constant.txt
+[ "$(tail -n 1 out)" = '# 1 table: 1 measured, 0 failed' ] || note "$(tail -n 1 out)"
+finish "order: without --expect a table is measured, and none passes"
+
+# ---- a file that cannot be read is told, and does not stop the others ----
+printf 'h err\n1 x\n' >words.txt
+for format in tsv csv json table markdown tap junit; do
+  run 4 order nowhere.txt words.txt second.txt first.txt --expect 2 --format $format -o report
+  grep -q 'nowhere.txt.*cannot read nowhere.txt: No such file' report || grep -q 'reason.*cannot read nowhere.txt' report || note "$format: $(cat report)"
+  grep -q '[12] passed, 1 failed, 2 not read\|"passed": 1, "failed": 1, "errors": 2\|failures="1" errors="2"' report || [ $format = csv ] \
+    || note "$format: no summary: $(tail -n 1 report)"
+  [ "$(wc -l <err)" = 3 ] || note "$format: $(cat err)"
+done
+run 2 order second.txt words.txt --expect 2 --format junit
+python <<'END'
+import xml.etree.ElementTree as tree
+cases = tree.parse("out").getroot().findall("testsuite/testcase")
+found = [(case.get("name"), [(f.tag, f.get("message")) for f in case if f.tag != "system-out"]) for case in cases]
+if found != [("second.txt: column 2", []), ("words.txt", [("error", "words.txt:2: column 2: 'x' is not a number")])]:
+    bad(found)
+END
+finish "order: a file that cannot be read"
 exit $failed

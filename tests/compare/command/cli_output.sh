@@ -170,7 +170,10 @@ for arguments in 'steady --points -' 'order -'; do
   code=$?
   [ $code = 4 ] || note "scallop $arguments: exit code $code, not 4"
   says 'cannot read standard input: Bad file descriptor' err
-  unchanged "scallop $arguments"
+  case $arguments in
+    order*) [ "$(cells here/table verdict)" = error ] || note "$(cat here/table)" ;; # a report names what could not be read
+    *) unchanged "scallop $arguments" ;;
+  esac
 done
 finish "standard input that is closed"
 earlier

@@ -92,6 +92,43 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   run 0 breakdown --map F1/F2 alpha $grid --plot heat.svg
   shown_in heat.svg 'F₁/F₂^α^displacement (length)'
   finish "a heat map of a quantity"
+  # A map is one whatever its columns are called, of numbers and of words, and computes no series that is not drawn.
+  run 0 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --columns F1/F2,T,mean_velocity,modes --plot-y mean_velocity --plot f.svg
+  shown_in f.svg 'F₁/F₂^T (time)^mean velocity (length/time)'
+  run 0 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --columns F1/F2,T,mean_velocity --plot-y mean_velocity --plot f.svg
+  shown_in f.svg 'F₁/F₂^T (time)^mean velocity (length/time)'
+  run 0 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --columns F1/F2,T,regime --plot-y regime --plot f.svg
+  shown_in f.svg 'F₁/F₂^T (time)^1  sliding^2  stick-slip'
+  run 0 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --plot-y mean_velocity --plot f.svg
+  grep -q 'T_1e-2_derived_8' out && note "a series is computed that is not drawn"
+  grep -q "$(printf '\tmean_velocity\t')" out || note "no mean velocity"
+  run 0 breakdown --map F1/F2 alpha --x 2:20:3 --y 0.6:0.9:3 --plot-y T_1e-2_derived_8 --plot f.svg
+  [ "$(grep -c 'T_1e-2_published' out)" = 0 ] || note "another series is computed"
+  shown_in f.svg 'F₁/F₂^α^T_1e-2_derived_8'
+  run 4 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --plot-y mean_velocity,regime --plot f.svg
+  grep -q 'a map shows one column' err || note "$(cat err)"
+  # Of a noisy gait there are more regions than the list takes: every text stays on the canvas.
+  /usr/bin/python3 -c "
+import math
+print('t l')
+for i in range(61):
+    x = i / 60
+    print(4 * x, 2 + (x / 0.7 if x < 0.7 else (1 - x) / 0.3) + 0.03 * math.sin(7 * i * i) * (0 < i < 60))" >noisy.txt
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt --x 0.1:10:31 --y 0.05:50:31 --plot many.svg --quiet
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt --x 0.1:10:31 --y 0.05:50:31 --plot small.svg --plot-size 800x500 --quiet
+  /usr/bin/python3 - >said 2>&1 <<'END' || note "$(cat said)"
+import re, sys
+for name in "many.svg", "small.svg":
+    text = open(name).read()
+    width, height = map(float, re.search(r'<svg[^>]* width="(\d+)" height="(\d+)"', text).groups())
+    labels = re.findall(r'translate\(([-0-9.]+),([-0-9.]+)\)"[^>]*Sans Mono"[^>]*>\s*<text[^>]*>(.*?)</text>', text)
+    if len(labels) < (60 if name == "many.svg" else 5):
+        sys.exit(f"{name}: only {len(labels)} entries")
+    for x, y, entry in labels:
+        if not (0 < float(x) and float(x) + 6.1 * len(entry) < width and 0 < float(y) < height):
+            sys.exit(f"{name}: off the canvas: {x} {y} {entry}")
+END
+  finish "maps of any column, and of many regions"
   drawn "families of stress" 'units, rounding, perturbed^masses  quadratic^promised for units: 8' stress --family masses --cases 2
   drawn "stress of a point" 'units, rounding, perturbed^v_start' stress --F1 3
   drawn "work-precision" 'seconds for one steady state, on one machine^relative error of the displacement^quadratic gait, T = 0.5^exact' \
@@ -172,6 +209,26 @@ grep -q 'gnuplot is not installed (Debian: gnuplot-nox); the tables are written'
 [ ! -e no.svg ] || note "a picture"
 [ -z "$(find . -name '*.scallop-*')" ] || note "files are left"
 finish "without gnuplot"
+
+# ---- what ends the tool ends gnuplot, and leaves nothing ----
+cat >bin/gnuplot <<'END'
+#!/bin/sh
+echo $$ >started
+exec sleep 1000
+END
+chmod +x bin/gnuplot
+for signal in TERM HUP; do
+  rm -f started
+  (PATH=$scratch/bin:$PATH && export PATH && keep_counts_apart && exec "$tool" trajectory --plot z.svg >/dev/null 2>&1) &
+  child=$!
+  until [ -s started ]; do kill -0 $child 2>/dev/null || break; done
+  kill -$signal $child
+  wait $child 2>/dev/null
+  ! kill -0 "$(cat started)" 2>/dev/null || { note "SIG$signal leaves gnuplot"; kill -9 "$(cat started)"; }
+  [ -z "$(find . -name 'z.svg*')" ] || note "SIG$signal leaves $(find . -name 'z.svg*')"
+done
+rm -f bin/gnuplot
+finish "a signal ends gnuplot too"
 
 # ---- texts that could be taken for commands ----
 nasty() { # TEXT

@@ -220,7 +220,7 @@ def compare_series(rows, gait, digits=17, **more):
                     unit = fractions.Fraction(10) ** decimal.Decimal(text).as_tuple().exponent
                     right = abs(fractions.Fraction(a.middle) - wanted) <= unit + fractions.Fraction(a.radius)
                     right = right and fractions.Fraction(a.radius) * 10**digits <= abs(wanted) + unit
-                if not right or isinstance(a, scallop.Ball) != (gait == "sinusoidal"):
+                if not right or isinstance(a, scallop.Ball) and gait == "quadratic":
                     bad(motion, name, power, a, text)
 compare_series(read("derived.tsv"), "quadratic")
 compare_series(read("derived_sine.tsv"), "sinusoidal")
@@ -494,6 +494,7 @@ for call, wanted in {
     (lambda: scallop.formula("T*v0")): "text = 'T*v0': the steady state has no v0",
     (lambda: scallop.formula("T", "period")): "motion = 'period': 'steady', 'extension' or 'contraction'",
     (lambda: scallop.formula(1)): "text = 1, parts = None: a text, and a dict of texts",
+    (lambda: scallop.formula("T\0*2")): r"text = 'T\x00*2': it has a NUL",
     (lambda: scallop.formula("T", parts={"F1": "2"})): "parts: 'F1' cannot be the name of a part",
     (lambda: scallop.formula("T")(F1=[1, -2])): "row 1: F1 = -2.0: a finite number > 0",
 }.items():
@@ -515,6 +516,7 @@ for call, kind, wanted in (
     (lambda: scallop.series(digits=1.5), ValueError, "digits = 1.5: a whole number from 1 to 1000"),
     (lambda: scallop.series(F1="-1/3"), ValueError, "F1 = '-1/3': a finite number > 0"),
     (lambda: scallop.series(alpha=1), ValueError, "alpha = 1: a number between 0 and 1, both excluded"),
+    (lambda: scallop.series(m1="1e999999999999"), ValueError, "m1 = '1e999999999999': the exponent is beyond 100000"),
     (lambda: scallop.series(m1="1/0"), ValueError, "m1: a finite number is wanted, not '1/0'"),
     (lambda: scallop.series(m1=math.inf), ValueError, "m1: a finite number is wanted, not inf"),
     (lambda: scallop.series(m1=[1, 2]), ValueError, "m1: a finite number is wanted, not [1, 2]"),

@@ -205,11 +205,13 @@ touch explorer/index.html
 report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
 links='href="../explorer/index.html#m1=1&amp;m2=1&amp;F1=4&amp;F2=1&amp;L=10&amp;T=2&amp;gait=quadratic&amp;alpha=0.75&amp;start=rest"'
 grep -q -F "$links" page/index.html || note "no link to the explorer at figure 2"
+sed -n '/<nav/,/<.nav>/p' page/index.html | grep -q -F '<a href="../explorer/index.html">Explorer</a>' || note "no link to the explorer among the contents"
 report 0 --tables "$root/data" --plots plots --scenes scenes --output new/index.html
 cmp -s page/index.html new/index.html || note "another page in a folder that was not there"
 rm -r explorer new
 report 0 --tables "$root/data" --plots plots --scenes scenes --output page/index.html
 ! grep -q explorer/index page/index.html || note "a link to an explorer that is not there"
+grep -q 'Explorer: <code>make explorer</code>' page/index.html || note "nothing says how to get the explorer"
 finish 'report: links into the explorer'
 
 cp page/index.html first.html

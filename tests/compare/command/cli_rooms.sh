@@ -72,6 +72,13 @@ sed -i 's/kinds\[1\]/radius/' compare/breakdown/reach.c
 judge 0
 finish "make rooms: a circle through a table of function pointers"
 
+printf '#ifndef BOX_H\n#define BOX_H\n#endif\n' | tee model/box.h numerics/box.h >compare/text/other.h
+judge 1
+said "BOX_H guards compare/text/other.h and model/box.h and numerics/box.h"
+rm model/box.h numerics/box.h compare/text/other.h
+judge 0
+finish "make rooms: include guards that are the same"
+
 {
   printf 'int many(int i);\nint many(int i)\n{\n'
   for _ in $(seq 57); do echo '  i++;'; done

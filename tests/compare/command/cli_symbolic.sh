@@ -176,5 +176,27 @@ grep -q "alpha = 1/2" err || note "$(cat err)"
 run 3 series --symbolic --gait sinusoidal --emit c
 grep -q "not linear" err && grep -q extension_rest_dT out || note "$(cat err)"
 run 4 series --symbolic --emit c -o no/such/folder/made.c
+run 0 series --symbolic --order 4 --quiet
+cells out start quantity power >got
+grep -q '^rest.dT.3' got || note "the power of a term that stands alone: $(grep 'rest.dT' got)"
 finish "what has no formula is refused with its reason"
+# ---- the name of a measured gait's file, in what is emitted ----
+named() { # NAME
+  printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >"$1"
+  for language in c python mathml latex; do
+    run 0 series --source derived --order 2 --gait "measured:$1" --quiet --emit $language
+    mv out "emitted.$language"
+  done
+  "${CC:-cc}" -x c -c -o emitted.o emitted.c 2>said || note "$1: no C: $(head -n 1 said)"
+  /usr/bin/python3 emitted.python >said 2>&1 || note "$1: no Python: $(tail -n 1 said)"
+  [ ! -e hacked ] || note "$1: Python ran the name"
+  ! grep -q '<img' emitted.mathml || note "$1: the name is markup"
+}
+mkdir 'a*' # a slash is one of a folder
+named '"""+str(__import__("os").system("touch hacked"))+"""'
+named 'a*/; int main(void) { return hacked; }'
+named '<img src=x onerror=alert(1)>&amp;'
+named 'back\slash\N{'
+finish "the name of a file is no program in what is emitted"
+
 exit $failed

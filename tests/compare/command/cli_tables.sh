@@ -34,7 +34,7 @@ columns 'panel alpha F2 F1_over_F2 mean_velocity series_mean_velocity v_start re
 
 # ---- a terminal gets what people read, anything else TSV ----
 python "$tool" <<'END'
-import fcntl, os, pty, struct, subprocess, termios
+import fcntl, os, pty, struct, subprocess, termios, threading
 def on_terminal(*arguments, columns=0):
     try:
         master, slave = pty.openpty()
@@ -42,16 +42,15 @@ def on_terminal(*arguments, columns=0):
         sys.exit(0)
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
     run = subprocess.Popen([sys.argv[1], *arguments], stdout=slave, stderr=subprocess.DEVNULL)
+    seen, end = b"", b"\0"  # written when the tool has ended: what a terminal still holds when its last writer closes it may be lost
+    threading.Thread(target=lambda: (run.wait(), os.write(slave, end))).start()
+    while not seen.endswith(end):
+        seen += os.read(master, 65536)
     os.close(slave)
-    seen = b""
-    try:
-        while True:
-            seen += os.read(master, 65536)
-    except OSError:
-        os.close(master)
+    os.close(master)
     if run.wait() != 0:
         bad("exit code", run.returncode, arguments)
-    return seen.decode().replace("\r\n", "\n")
+    return seen[:-1].decode().replace("\r\n", "\n")
 if "\ndisplacement   3.24121 length " not in on_terminal("steady"):
     bad("not upright:", on_terminal("steady"))
 if "\ndisplacement   3.2412122 length " not in on_terminal("steady", "--digits", "8"):
@@ -74,7 +73,7 @@ for command in ["steady"], ["summary"], ["breakdown"], ["--help"], *([c, "--help
     if words(plain) != words(narrow) or max(map(len, narrow.splitlines())) > 80 or len(max(plain.splitlines(), key=len)) <= 80:
         bad("not in 80 columns:", command, max(narrow.splitlines(), key=len))
     if command[-1] == "--help" and on_terminal(*command, columns=200) != plain:
-        bad("a wide terminal:", command)
+        bad("a wide terminal:", command, set(plain.splitlines()) ^ set(on_terminal(*command, columns=200).splitlines()))
 END
 run 2 steady --pager -o x.tsv
 finish "a terminal gets an aligned table, by a pager if asked"
@@ -145,7 +144,7 @@ for arguments in $(printf '%s' "$all" | tr -d '\n'); do
   case $1 in
     steady | phase | series) case $arguments in *--points*) set -- "$1" --points "$scratch/points.tsv" ;; esac ;;
   esac
-  (cd / && TZ=Asia/Tokyo LC_ALL=de_DE.UTF-8 "$tool" "$@" --quiet) >out 2>err || note "elsewhere: exit code $?"
+  (cd / && TZ=Asia/Tokyo in_german "$tool" "$@" --quiet) >out 2>err || note "elsewhere: exit code $?"
   cmp -s first out || note "another folder, time zone and locale: differs"
   finish "same bytes: scallop $arguments"
   # JSON: every line an object with the same columns and values as the TSV table

@@ -54,7 +54,7 @@ for way in -h help; do
 done
 finish "-h and help are --help"
 run 0 --version
-grep -q -x 'scallop [0-9][0-9.]*' out || note "it prints $(cat out)"
+grep -q -x 'scallop [0-9][0-9.]*\(-dev\)*' out || note "it prints $(cat out)"
 finish "--version"
 
 mkdir bin examples
@@ -122,7 +122,6 @@ refused "value for a flag, empty" 2 "--quiet takes no value" steady --quiet=
 for command in $takes_crawler claims; do
   refuse 2 "unexpected argument 'foo'" $command foo
 done
-refuse 4 "cannot read a: No such file" order a b
 refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
 refuse 2 "--rows: 'tap' is a format for verdicts" order a --rows --format tap
 refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
@@ -266,42 +265,51 @@ for command in phase steady series; do
   [ "$(sed '/^#/d' out | wc -l)" -eq 1 ] || note "not only a header: $(cat out)"
   finish "$command --points: only a header"
 done
-refused "order: no such file" 4 "cannot read nowhere.txt: No such file" order nowhere.txt
+unread() { # NAME CODE PATTERN ARGUMENT...: one line on standard error, and a row of the table
+  name=$1 wanted=$2 pattern=$3
+  shift 3
+  run "$wanted" "$@"
+  says "$pattern" err
+  [ "$(wc -l <err)" -eq 1 ] || note "scallop $*: $(wc -l <err) lines on standard error"
+  [ "$(cells out verdict)" = error ] || note "scallop $*: $(tail -n 2 out)"
+  finish "$name"
+}
+unread "order: no such file" 4 "cannot read nowhere.txt: No such file" order nowhere.txt
 refused "a word that is nearly right" 2 "tsv, json, csv, markdown or table: did you mean 'json'" steady --format jsn
-refused "order: a directory" 4 "cannot read folder: Is a directory" order folder
-refused "order: a binary file" 2 "binary:1:.*not a text file" order binary
-refused "order: NUL in a row" 2 "nul.txt:2:.*not a text file" order nul.txt
-refused "order: an empty file" 2 "empty.tsv: no data" order empty.tsv
-refused "order: only comments" 2 "comments.tsv: no data" order comments.tsv
+unread "order: a directory" 4 "cannot read folder: Is a directory" order folder
+unread "order: a binary file" 2 "binary:1:.*not a text file" order binary
+unread "order: NUL in a row" 2 "nul.txt:2:.*not a text file" order nul.txt
+unread "order: an empty file" 2 "empty.tsv: no data" order empty.tsv
+unread "order: only comments" 2 "comments.tsv: no data" order comments.tsv
 table() { printf '%b' "$1" >table.txt; }
 table 'h err\n'
-refused "order: only a header" 2 "table.txt.*no data" order table.txt
+unread "order: only a header" 2 "table.txt.*no data" order table.txt
 table 'a b\n1 1\n'
-refused "order: no such column" 2 "table.txt:2:.*--y: there is no column 'err'" order table.txt --y err
-refused "order: no such x" 2 "table.txt:2:.*--x: there is no column '3'" order table.txt --x 3
-refused "order: x as y" 2 "table.txt:2:.*--y: this column is x" order table.txt --x b --y b
+unread "order: no such column" 2 "table.txt:2:.*--y: there is no column 'err'" order table.txt --y err
+unread "order: no such x" 2 "table.txt:2:.*--x: there is no column '3'" order table.txt --x 3
+unread "order: x as y" 2 "table.txt:2:.*--y: this column is x" order table.txt --x b --y b
 table 'a b\n1 x\n'
-refused "order: no column of numbers" 2 "table.txt:2:.*no column of numbers" order table.txt
+unread "order: no column of numbers" 2 "table.txt:2:.*no column of numbers" order table.txt
 table 'h err value\n1 1 1\n'
-refused "order: err and value" 2 "table.txt:2:.*not two" order table.txt
+unread "order: err and value" 2 "table.txt:2:.*not two" order table.txt
 table 'h h err\n1 2 1\n'
-refused "order: h twice" 2 "table.txt:2:.*'h' is there twice" order table.txt
+unread "order: h twice" 2 "table.txt:2:.*'h' is there twice" order table.txt
 table '1 1\n0.5\n'
-refused "order: a truncated row" 2 "table.txt:2:.*columns" order table.txt
+unread "order: a truncated row" 2 "table.txt:2:.*columns" order table.txt
 table '# c\nh err\n1 1\n0.5 1 1\n'
-refused "order: a row too long" 2 "table.txt:4:.*columns" order table.txt
+unread "order: a row too long" 2 "table.txt:4:.*columns" order table.txt
 table 'h err\n0,1 0,011\n'
-refused "order: decimal commas" 2 "table.txt:2: 3 columns, and 2 above: .* decimal points" order table.txt
+unread "order: decimal commas" 2 "table.txt:2: 3 columns, and 2 above: .* decimal points" order table.txt
 table 'h;err\n0.1;0.011\n'
-refused "order: semicolons" 2 "table.txt:2: ';' separates no columns" order table.txt
+unread "order: semicolons" 2 "table.txt:2: ';' separates no columns" order table.txt
 table 'h err\n1.0D-1 1.1D-2\n'
-refused "order: exponents of Fortran" 2 "column 1: '1.0D-1' is not a number: an exponent begins with e" order table.txt
+unread "order: exponents of Fortran" 2 "column 1: '1.0D-1' is not a number: an exponent begins with e" order table.txt
 table 'h L2 H1\n1 1 1\n'
-refused "order: no column of that name" 2 "there is no column 'L3': there are h L2 H1\|did you mean 'L2'" order table.txt --y L3
+unread "order: no column of that name" 2 "there is no column 'L3': there are h L2 H1\|did you mean 'L2'" order table.txt --y L3
 table '1 1\n0.5 x\n'
-refused "order: a cell that is no number" 2 "table.txt:2:.*not a number" order table.txt
+unread "order: a cell that is no number" 2 "table.txt:2:.*not a number" order table.txt
 table '1 1\n0.5 0.25z\n'
-refused "order: a number with something behind" 2 "table.txt:2:.*not a number" order table.txt
+unread "order: a number with something behind" 2 "table.txt:2:.*not a number" order table.txt
 
 # ---- rows of points ----
 printf 'T\talpha\n0.5\t0.6\n2\t0.7\n' >plain.tsv
@@ -417,7 +425,6 @@ untouched "no such file" 4 steady --points nowhere.tsv
 untouched "a bad header" 2 steady --points twice.tsv
 untouched "trajectory overflows" 3 trajectory --T 1e200 --m1 1e-300
 untouched "series overflows" 3 series --T 1e200 --m1 1e-300
-untouched "order of a broken table" 2 order nul.txt
 untouched "no such figure" 2 figure 1
 untouched "claims of a wrong crawler" 2 claims --F1 1 --F2 1
 cp original kept
@@ -526,4 +533,7 @@ finish "claims --errors of an equation"
 run 3 claims --m1 1e-300 --m2 1e300
 says 'out of range' err
 finish "claims of a crawler that cannot be scaled"
+run 4 steady --points "$(printf 'no\033[31mfile')"
+grep -q 'no?\[31mfile' err || note "$(cat err)"
+finish "no control character of a name reaches the terminal"
 exit $failed

@@ -99,6 +99,30 @@ TEST(rows_and_notes_keep_their_order)
   entries(true);
 }
 
+/* Blocks of rows: the first decides the width, and a wider one is wider from there on; what is kept does not grow. */
+TEST(aligned_rows_come_in_blocks)
+{
+  const struct style people = { .command = "test", .output = "elsewhere", .format = FORMAT_TABLE, .has_format = true };
+  struct table t;
+  char line[100];
+  long rows = 0;
+  assert_true(table_open_at(&t, &people, "table"));
+  table_columns(&t, columns);
+  table_begin_rows(&t);
+  for (int i = 0; i < 3 * ALIGNED_ROWS + 1; i++) {
+    write_row(&t, i < 2 * ALIGNED_ROWS ? 1 : 123456, "ok");
+    assert_true(t.aligned.count <= 2 * (ALIGNED_ROWS + 1));
+  }
+  assert_true(table_close(&t));
+  FILE *file = fopen("table", "r");
+  assert_non_null(file);
+  for (; fgets(line, sizeof line, file); rows++)
+    assert_string_equal(line, rows == 0 ? "T  status\n" : rows <= 2 * ALIGNED_ROWS ? "1  ok\n" : "123456  ok\n");
+  fclose(file);
+  assert_int_equal(rows, 3 * ALIGNED_ROWS + 2);
+  entries(true);
+}
+
 /* Not what varies or is not used; no line where nothing is left. */
 TEST(parameters_that_do_not_hold_are_not_said)
 {

@@ -59,15 +59,21 @@ static bool evaluate(struct series *value, const char *const *parts)
 
 static bool are_equal(const struct series *a, const struct series *b)
 {
-  return a->exact == b->exact && a->first == b->first && a->known == b->known
-         && (a->exact ? fmpq_poly_equal(a->rational, b->rational) : arb_poly_equal(a->ball, b->ball));
+  if (a->kind != b->kind || a->first != b->first || a->known != b->known || series_terms(a) != series_terms(b))
+    return false;
+  bool equal = a->kind == SERIES_FRACTIONS ? fmpq_poly_equal(a->rational, b->rational)
+               : a->kind == SERIES_BALLS   ? arb_poly_equal(a->ball, b->ball)
+                                           : true;
+  for (slong k = 0; a->kind == SERIES_IN_PI && k < a->in_pi.length; k++)
+    equal = equal && fmpz_poly_q_equal(&a->in_pi.coeffs[k], &b->in_pi.coeffs[k]);
+  return equal;
 }
 
 /* May every coefficient that is known be 0? */
 static bool may_vanish(const struct series *s)
 {
-  if (s->exact)
-    return fmpq_poly_is_zero(s->rational);
+  if (s->kind != SERIES_BALLS)
+    return series_terms(s) == 0;
   for (slong i = 0; i < arb_poly_length(s->ball); i++)
     if (!arb_contains_zero(arb_poly_get_coeff_ptr(s->ball, i)))
       return false;

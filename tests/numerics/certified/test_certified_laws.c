@@ -1,4 +1,5 @@
 /* The certified solver against laws of motion that it does not use. */
+#include "compare/answers/answer.h"
 #include "tests/support/certified_balls.h"
 
 /* The impulse of friction, mode by mode, for phases of one to three modes without sticking. */
@@ -89,6 +90,34 @@ TEST(turning_places)
   double rest = v_end * dT + slowing / 2 * dT * dT - 0.5 * 2 * c.L * dT * dT / (tau * tau);
   CHECK_RELATIVE(middle(p.at_first), first, 1e-13);
   CHECK_RELATIVE(middle(p.at_last), middle(p.dx1) - rest, 1e-13);
+}
+
+/* Where the rear body is at the last change of mode, body 1 of an extension: whether it turns then, as from rest where F1 > F2, or body 2 does.
+ * From there to the end both bodies go the same way, and l' falls along a straight line. */
+TEST(the_rear_body_is_the_same_whichever_turns)
+{
+  static const double F1[] = { 4, 0.7 };
+  static const char *const modes[] = { "-+ ++", "-+ --" };
+  for (int i = 0; i < 2; i++) {
+    struct motion m = { .of = OF_PHASE, .crawler = { 1.3, 0.8, F1[i], 1.9, 3, 1.1, 0.6, &scallop_gait_quadratic } };
+    const struct scallop_crawler *c = &m.crawler;
+    double tau = c->alpha * c->T, M = c->m1 + c->m2, slowing = (i == 0 ? -1 : 1) * (c->F1 + c->F2) / M;
+    struct answer a;
+    struct scallop_wide_phase wide;
+    SCOPED(scallop_certified_phase, p);
+    certify_phase(&p, c, SCALLOP_EXTENSION, 0, 20);
+    modes_are(&p.modes, modes[i]);
+    assert_true(answer_in_double(&a, &m) && answer_turnings(&a, &m));
+    assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, c, SCALLOP_EXTENSION, 0, &wide), SCALLOP_OK);
+    const double dT[] = { a.value[Q_DT].high, wide.dT.high, middle(p.dT) };
+    const double v_end[] = { a.value[Q_V_END].high, wide.v_end.high, middle(p.v_end) };
+    const double dx1[] = { a.value[Q_DX1].high, wide.dx1.high, middle(p.dx1) };
+    for (int k = 0; k < 3; k++) {
+      double last = v_end[k] * dT[k] - slowing / 2 * dT[k] * dT[k] - c->m2 / M * 2 * c->L * dT[k] * dT[k] / (tau * tau);
+      CHECK_RELATIVE(a.value[Q_AT_LAST].high, dx1[k] - last, 1e-14);
+      CHECK_RELATIVE(middle(p.at_last), dx1[k] - last, 1e-14);
+    }
+  }
 }
 
 /* A period that is its own mirror image, half of it late, leads nowhere: whatever the masses and the forces. */

@@ -235,6 +235,32 @@ TEST(intervals)
   }
 }
 
+/* The third condition holds for the decimals 0.006, 0.15 and 0.52, but not for the doubles nearest to them. These are what the solvers take, and
+ * their steady state is unique: an end of the interval, from which a parameter an ulp off moves it to the other end. */
+TEST(an_interval_of_decimals_only)
+{
+  const struct scallop_crawler doubles = { 1.8, 0.105, 0.006, 0.15, 1.6, 1.4, 0.52, gait_of("constant:0") };
+  struct scallop_crawler moved = doubles;
+  const char *why = "";
+  struct scallop_steady_result s, other;
+  SCOPED(scallop_certified_steady, exact);
+  SCOPED(scallop_rational, decimals);
+  certify_steady(&exact, &doubles, 20);
+  assert_int_equal(scallop_steady(&doubles, &s), SCALLOP_OK);
+  CHECK_RELATIVE(s.period.v_start, middle(exact.v_start), 8 * DBL_EPSILON);
+  CHECK_RELATIVE(s.period.v_start, -2.02163, 1e-5);
+  moved.alpha = nextafter(moved.alpha, 0);
+  assert_int_equal(scallop_steady(&moved, &other), SCALLOP_OK);
+  CHECK_RELATIVE(other.period.v_start, -0.131234, 1e-5);
+  scallop_rational_of(&decimals, &doubles);
+  assert_true(scallop_rational_parse(decimals.m1, "1.8") && scallop_rational_parse(decimals.m2, "0.105")
+              && scallop_rational_parse(decimals.F1, "0.006") && scallop_rational_parse(decimals.F2, "0.15")
+              && scallop_rational_parse(decimals.L, "1.6") && scallop_rational_parse(decimals.T, "1.4")
+              && scallop_rational_parse(decimals.alpha, "0.52"));
+  assert_int_equal(scallop_certified_steady(&decimals, 20, &exact, &why), SCALLOP_EUNDECIDED);
+  assert_non_null(strstr(why, "fill an interval"));
+}
+
 /* v_start is 0 exactly, and -2 L/T, and P(v) - v as well: that this is the only steady state is still shown from either side of it. */
 TEST(exactly_steady)
 {

@@ -1,0 +1,180 @@
+/* Verdicts on formulas of one's own, as `claims --formula` gives them: orders and coefficients derived by hand, or with fractions apart
+ * from the toolkit. */
+#include "tests/support/full_ledger.h"
+
+#include "compare/answers/gaits.h"
+#include "compare/book/book.h"
+
+/* The crawler of the ledger, or one with equal forces */
+static const struct scallop_crawler usual = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, NULL };
+static const struct scallop_crawler equal = { 1.3, 0.9, 1.1, 1.1, 9.7, 1, 0.7, NULL };
+
+struct verdict {
+  const char *text;
+  enum scallop_setting setting;
+  enum scallop_quantity quantity;
+  int claimed;
+  const char *gait;
+  const struct scallop_crawler *crawler;
+  enum claim_verdict verdict;
+  long order; /* derived                                                                                         */
+  const char *coefficient, *reason;
+};
+
+static void check_verdict(const struct verdict *v)
+{
+  const struct scallop_formula formula = { .name = "formula",
+                                           .equation = "-",
+                                           .setting = v->setting,
+                                           .quantity = v->quantity,
+                                           .remainder = v->claimed,
+                                           .text = v->text };
+  struct ledger ledger_of_one = { .rows = NULL };
+  struct scallop_crawler c = *v->crawler;
+  SCOPED(scallop_rational, exact);
+  c.gait = gait_of_text(v->gait).gait;
+  assert_non_null(c.gait);
+  rational_crawler(&exact, &c);
+  ledger_add_formula(&ledger_of_one, &exact, true, &formula);
+  const struct claim_row *row = ledger_of_one.rows;
+  print_message("%s, %s: %s, order %ld, %s: %s\n", v->text, v->gait, claim_verdict_text(row->verdict), row->derived_order,
+                row->coefficient, row->reason);
+  assert_string_equal(ledger_of_one.contradiction, "");
+  assert_int_equal(row->verdict, v->verdict);
+  if (row->proven)
+    CHECK_EQUAL((double)row->derived_order, (double)v->order);
+  if (v->coefficient)
+    assert_string_equal(row->coefficient, v->coefficient);
+  if (v->reason)
+    assert_non_null(strstr(row->reason, v->reason));
+  ledger_free(&ledger_of_one);
+}
+
+static void check_verdicts(const struct verdict *verdicts, size_t count)
+{
+  for (size_t i = 0; i < count; i++)
+    check_verdict(&verdicts[i]);
+}
+#define CHECK_VERDICTS(...) \
+  do { \
+    static const struct verdict verdicts[] = { __VA_ARGS__ }; \
+    check_verdicts(verdicts, sizeof verdicts / sizeof *verdicts); \
+  } while (0)
+
+#define REST SCALLOP_AT_REST_START
+#define MOVING SCALLOP_MOVING_EXTENSION
+#define V_END SCALLOP_VELOCITY_AT_END
+
+/* A coefficient that depends on pi vanishes or does not, for certain. With the sinusoidal gait lT = -pi^2 L/2. */
+TEST(formulas_with_pi)
+{
+  CHECK_VERDICTS(
+      { "(F1 - F2)*T/M + pi*0*T", REST, V_END, 3, "sinusoidal", &usual, CLAIM_HOLDS, 3, NULL, NULL },
+      { "(F1 - F2)*T/M - 4*F1*(F1-F2)/(m2*M*pi^2*L)*T^3", REST, V_END, 5, "sinusoidal", &usual, CLAIM_HOLDS, 5, NULL, NULL },
+      { "(F1 - F2)*T/M + 4*F1*(F1-F2)/(m2*M*pi^2*L)*T^3", REST, V_END, 5, "sinusoidal", &usual, CLAIM_REFUTED, 3, NULL,
+        "T^3" },
+      { "(F1 - F2)*T/M + (pi - 355/113)*T", REST, V_END, 3, "sinusoidal", &usual, CLAIM_REFUTED, 1, NULL, NULL },
+      { "(F1 - F2)*T/M/(pi + T)*(pi + T)", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, NULL, NULL },
+      { "(F1 - F2)*T/M + sin(pi)*T", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL, "T^1" });
+}
+
+/* A number that a motion does not have makes a formula inapplicable: L_kin where l'' is the same at both ends, and what belongs to a change
+ * of mode where there is none. */
+TEST(numbers_that_do_not_exist)
+{
+  static const char L_kin[] = "L_kin does not exist", no_turn[] = "no body turns";
+  CHECK_VERDICTS(
+      { "L_kin*m1*m2/M", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual, CLAIM_UNDECIDED, 0, NULL,
+        L_kin },
+      { "0*L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual, CLAIM_UNDECIDED, 0, NULL, L_kin },
+      { "L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "constant:0", &usual, CLAIM_UNDECIDED, 0, NULL,
+        "no expansion in powers of T is known for this motion: " },
+      { "0", REST, SCALLOP_LAG, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
+      { "T", REST, SCALLOP_FIRST_SWITCH, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
+      { "T*dT", REST, V_END, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, "dT does not exist" });
+}
+
+/* Errors of order 0 and below */
+TEST(errors_that_do_not_fall)
+{
+  CHECK_VERDICTS({ "(F1-F2)/M*T", MOVING, V_END, 2, "quadratic", &usual, CLAIM_REFUTED, 0, "17/10", NULL },
+                 { "v0 + (F1-F2)/M*T", MOVING, V_END, 2, "quadratic", &usual, CLAIM_HOLDS, 2, "-629/873", NULL },
+                 { "(F1-F2)/M*T + 1e-300*T^-10", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, -10, NULL,
+                   "at the T that were measured it goes as T^3" },
+                 { "(F1-F2)/M*T + 1/T^6", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, -6, "-1", NULL },
+                 { "v0 + 1/T^3", MOVING, V_END, 2, "quadratic", &usual, CLAIM_REFUTED, -3, "-1", NULL });
+}
+
+/* Where l'' = 0 at the start friction holds a body until l'' exceeds it, for a time of the order of T^3. Coefficients by hand, in fractions. */
+/* t1 = T^3 (F1 - F2)/(24 m2 L) + ...: M eps beta = m2 l'' */
+TEST(held_at_the_start)
+{
+  static const char centre[] = "(F1-F2)*T^2/(2*M)+L*(m1-m2)/2/M";
+  CHECK_VERDICTS(
+      { centre, REST, SCALLOP_CENTRE_AT_END, 4, "polynomial:0,0,4,-3", &usual, CLAIM_HOLDS, 4, "-845/115236", NULL },
+      { "0*T", REST, SCALLOP_FIRST_SWITCH, 3, "polynomial:0,0,4,-3", &usual, CLAIM_HOLDS, 3, "65/5238", NULL },
+      { centre, REST, SCALLOP_CENTRE_AT_END, 4, "polynomial:0,0,0,5,-4", &usual, CLAIM_UNDECIDED, 0, NULL,
+        "fractional powers of T" },
+      { centre, REST, SCALLOP_CENTRE_AT_END, 4, "polynomial:0,-3,10,-6", &usual, CLAIM_UNDECIDED, 0, NULL,
+        "no series is derived for that" });
+}
+
+/* Powers beyond what errors in doubles show */
+TEST(high_orders)
+{
+  CHECK_VERDICTS({ "T^60", REST, V_END, SCALLOP_EQUALITY, "quadratic", &equal, CLAIM_REFUTED, 60, "-1", NULL },
+                 { "T^60", REST, V_END, 60, "quadratic", &equal, CLAIM_HOLDS, 60, "-1", NULL },
+                 { "T^16", REST, V_END, 16, "quadratic", &equal, CLAIM_HOLDS, 16, "-1", NULL },
+                 { "0", REST, V_END, SCALLOP_EQUALITY, "quadratic", &equal, CLAIM_HOLDS, SERIES_ALL, NULL,
+                   "every coefficient vanishes" });
+}
+
+/* Conditions are about the numbers as they are written, not about doubles. */
+TEST(conditions_are_exact)
+{
+  static const struct {
+    const char *condition;
+    bool met;
+  } cases[] = { { "M = 2.2", true },
+                { "m1 + m2 = 22/10", true },
+                { "F1 = 3.7000000000000000001", false },
+                { "L*alpha = 6.79", true },
+                { "1/0 > 0", false },
+                { "1/(M - 2.2) > 0", false },
+                { "pi*F2 > 3.4557", true },
+                { "pi*F2 < 3.4557", false },
+                { "sin(pi) = 0", false },
+                { "F1*pi/pi = 3.7", true },
+                { "L_kin = L", true },
+                { "0.1 + 0.2 = 0.3", true },
+                { "alpha > 0.7", false },
+                { "M", false } };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const char *const when[] = { cases[i].condition, NULL };
+    const struct scallop_formula formula = {
+      .name = "f", .equation = "-", .setting = REST, .quantity = V_END, .remainder = 3, .text = "(F1-F2)/M*T", .when = when
+    };
+    struct ledger ledger_of_one = { .rows = NULL };
+    struct scallop_crawler c = usual;
+    SCOPED(scallop_rational, exact);
+    c.gait = &scallop_gait_quadratic;
+    rational_crawler(&exact, &c);
+    ledger_add_formula(&ledger_of_one, &exact, true, &formula);
+    if (ledger_of_one.rows->inside != cases[i].met)
+      fail_msg("%s", cases[i].condition);
+    ledger_free(&ledger_of_one);
+  }
+}
+
+/* What holds for one crawler by coincidence, m1 + m2 = 11/5, is not proven for all; finitely many coefficients are no equality. */
+TEST(what_is_not_proven_for_all)
+{
+  CHECK_VERDICTS(
+      { "t1 + (M - 11/5)*T^4", MOVING, SCALLOP_FIRST_SWITCH, 3, "quadratic", &usual, CLAIM_SHARPER, 51, NULL,
+        "of other crawlers as T^4" },
+      { "v0", MOVING, V_END, 2, "quadratic", &equal, CLAIM_HOLDS, 2, NULL, "of other crawlers as T^1" },
+      { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, 3, "sinusoidal", &usual, CLAIM_SHARPER, 16, NULL, "below T^16" },
+      { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, SCALLOP_EQUALITY, "sinusoidal", &usual, CLAIM_REFUTED, 16, NULL,
+        "the certified error is not 0" },
+      { "x_switch + T^48/(1 - 3*T)", MOVING, SCALLOP_REAR_AT_LAST, 3, "quadratic", &usual, CLAIM_SHARPER, 48, NULL, NULL });
+}
