@@ -4,7 +4,8 @@ A room is model, asymptotics, numerics, a folder in one of them, a folder of com
 object file takes a function or data from one of its objects, so that a table of function pointers counts too. A header named like its
 folder, numerics/numerics.h, is what the rooms within that folder all speak of: they may include it. The list is rooms.txt
 beside this script. Refused are: an arrow that is not in the list, a circle among rooms, a circle among the units of one room of
-compare/ (a unit is a .c with its .h), headers with the same include guard, and more than the limits below. Exit code 1 if something is refused. --size prints sizes."""
+compare/ (a unit is a .c with its .h), headers with the same include guard, a line of C over 120 columns, more lines in a room than the list
+allows, and more than the limits below. Exit code 1 if something is refused. --size prints sizes beside what is allowed."""
 import collections
 import glob
 import os
@@ -13,10 +14,10 @@ import statistics
 import subprocess
 import sys
 
-MOST_FILES, MOST_LINES, MOST_FUNCTION = 25, 450, 60  # files of a folder of compare/, lines of a file there, of any function
+MOST_FILES, MOST_LINES, MOST_FUNCTION, MOST_COLUMNS = 25, 450, 60, 120  # files of a folder of compare/, lines of a file there, of any function
 LIST = os.path.join(os.path.dirname(os.path.abspath(__file__)), "rooms.txt")
 COMPARE = sorted(f.rstrip("/") for f in glob.glob("compare/*/"))
-FOLDERS = [f for top in ("model", "asymptotics", "numerics") for f in (top, *(n.rstrip("/") for n in sorted(glob.glob(top + "/*/"))))] + COMPARE + ["explorer"]
+FOLDERS = [f for top in ("model", "asymptotics", "numerics") for f in (top, *(n.rstrip("/") for n in sorted(glob.glob(top + "/*/"))))] + COMPARE + ["explorer", "bench"]
 
 
 def sources(folder):
@@ -86,9 +87,10 @@ def arrows(build, allowed):
 
 
 def read_list():
-    """What each room may use, itself included: the rooms on the right of its row, and what those may use."""
-    rows = dict(re.match(r"(\w+)\s*->\s*(.*)", l).groups() for l in lines_of(LIST) if l and l[0] != "#")
-    return {name: reached(name, {r: set(to.split()) for r, to in rows.items()}) | {name} for name in rows}
+    """What each room may use, itself included: the rooms on the right of its row, and what those may use. And its lines of C."""
+    rows = [re.match(r"(\w+)\s+(\d+)\s*->\s*(.*)", l).groups() for l in lines_of(LIST) if l and l[0] != "#"]
+    graph = {name: set(to.split()) for name, _, to in rows}
+    return {name: reached(name, graph) | {name} for name in graph}, {name: int(most) for name, most, _ in rows}
 
 
 def reached(start, graph):
@@ -119,7 +121,7 @@ def circles(edges):
 
 
 def refusals(build):
-    allowed = read_list()
+    allowed, budget = read_list()
     graphs = collections.defaultdict(dict)  # of rooms in the house, and of units in each room of compare/
     for a, b, why in arrows(build, allowed):
         if room(a) != room(b):
@@ -136,6 +138,7 @@ def refusals(build):
             yield f"circle in {place}, of {', '.join(map(os.path.basename, members))}:\n  " + "\n  ".join(why)
     sizes = [(f, len(sources(f)), "files", MOST_FILES) for f in COMPARE]
     sizes += [(p, len(lines_of(p)), "lines", MOST_LINES) for f in COMPARE for p in sources(f)]
+    sizes += [(f, lines_in([f]), "lines", budget.get(room(f + "/"), 0)) for f in FOLDERS]
     sizes += [(f"{p}: {n}", lines, "lines", MOST_FUNCTION) for f in FOLDERS for p in sources(f) for n, lines in functions(p)]
     guards = collections.defaultdict(list)
     for p in sorted(glob.glob("**/*.h", recursive=True)):
@@ -144,18 +147,26 @@ def refusals(build):
     for guard, paths in guards.items():
         if len(paths) > 1:
             yield f"{guard} guards {' and '.join(paths)}"
+    for p in sorted(glob.glob("**/*.[ch]", recursive=True)):
+        yield from (f"{p}:{n}: {len(l)} columns" for n, l in enumerate(lines_of(p), 1) if len(l) > MOST_COLUMNS and not p.startswith("build/"))
     for what, count, of, most in sizes:
         if count > most:
             yield f"{what}: {count} {of}, {most} are allowed"
 
 
+def lines_in(folders):
+    return sum(len(lines_of(p)) for f in folders for p in sources(f))
+
+
 def size():
-    yield "room                 files   lines  functions  median  longest"
+    budget = read_list()[1]
+    yield "room                 files   lines  allowed  functions  median  longest"
     for name, folders in [*((f, [f]) for f in FOLDERS), ("compare", COMPARE), ("tests", [f.rstrip("/") for f in glob.glob("tests/**/", recursive=True)])]:
         paths = [p for f in folders for p in sources(f)]
         lengths = [length for p in paths for _, length in functions(p)]
         middle, most = (round(statistics.median(lengths)), max(lengths)) if lengths else (0, 0)
-        yield f"{name:20}{len(paths):6}{sum(len(lines_of(p)) for p in paths):8}{len(lengths):11}{middle:8}{most:9}"
+        allowed = budget.get(os.path.basename(name)) or sum(budget[os.path.basename(f)] for f in folders if f in COMPARE) or "-"
+        yield f"{name:20}{len(paths):6}{lines_in(folders):8}{allowed:>9}{len(lengths):11}{middle:8}{most:9}"
 
 
 told = list(size() if "--size" in sys.argv else refusals(sys.argv[1]))

@@ -1,64 +1,9 @@
-/* Numbers of FLINT, and what is made of them, that begin where they are declared and end with their block:
- *   SCOPED(arb, x, y);   for   arb_t x, y; arb_init(x); arb_init(y); ... arb_clear(x); arb_clear(y);
- * SCOPED_KIND makes that possible for a struct, by its _init and _clear. Header-only; needs FLINT. */
+/* All that can be SCOPED (model/exact/scoped.h). Header-only; needs FLINT. */
 #ifndef SCALLOP_TESTS_SUPPORT_SCOPED_H
 #define SCALLOP_TESTS_SUPPORT_SCOPED_H
 
-#include "asymptotics/derived/derived.h"
-#include "model/exact/ball.h"
-#include "numerics/certified/certified.h"
-
-#define SCOPED(kind, ...) SCOPED_OF(__VA_ARGS__, 6, 5, 4, 3, 2, 1)(kind, __VA_ARGS__)
-#define SCOPED_OF(a, b, c, d, e, f, count, ...) SCOPED_##count
-#define SCOPED_1(kind, name) \
-  ENDED_BY(scoped_end_##kind) scoped_##kind name; \
-  scoped_begin_##kind(&name)
-#define SCOPED_2(kind, name, ...) \
-  SCOPED_1(kind, name); \
-  SCOPED_1(kind, __VA_ARGS__)
-#define SCOPED_3(kind, name, ...) \
-  SCOPED_1(kind, name); \
-  SCOPED_2(kind, __VA_ARGS__)
-#define SCOPED_4(kind, name, ...) \
-  SCOPED_1(kind, name); \
-  SCOPED_3(kind, __VA_ARGS__)
-#define SCOPED_5(kind, name, ...) \
-  SCOPED_1(kind, name); \
-  SCOPED_4(kind, __VA_ARGS__)
-#define SCOPED_6(kind, name, ...) \
-  SCOPED_1(kind, name); \
-  SCOPED_5(kind, __VA_ARGS__)
-
-/* ENDED_BY(f) struct thing a, b;   f(&a), f(&b) end them with their block, whatever began them. */
-#define ENDED_BY(end) __attribute__((cleanup(end)))
-
-#define SCOPED_BY(kind, type, begin, end) \
-  typedef type scoped_##kind; \
-  static inline void scoped_begin_##kind(scoped_##kind *x) { begin; } \
-  static inline void scoped_end_##kind(scoped_##kind *x) { end; }
-#define SCOPED_KIND(kind, type) SCOPED_BY(kind, type, kind##_init(x), kind##_clear(x))
-#define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
-
-/* A struct of such parts: PARTS(of) names each, of(kind, pointer) with s for the struct, and the struct begins and ends
- * with them. */
-#define SCOPED_INIT(kind, part) kind##_init(part);
-#define SCOPED_CLEAR(kind, part) kind##_clear(part);
-#define SCOPED_PARTS(kind, type, PARTS) \
-  static inline void kind##_init(type *s) { PARTS(SCOPED_INIT) } \
-  static inline void kind##_clear(type *s){ PARTS(SCOPED_CLEAR) } SCOPED_KIND(kind, type)
-
-SCOPED_FLINT(fmpq)
-SCOPED_FLINT(fmpz)
-SCOPED_FLINT(fmpq_poly)
-SCOPED_FLINT(arf)
-SCOPED_FLINT(arb)
-SCOPED_FLINT(arb_poly)
-SCOPED_KIND(series, struct series)
-SCOPED_KIND(scallop_rational, struct scallop_rational_crawler)
-SCOPED_KIND(scallop_certified_phase, struct scallop_certified_phase)
-SCOPED_KIND(scallop_certified_steady, struct scallop_certified_steady)
-SCOPED_KIND(scallop_phase_expansion, struct scallop_phase_expansion)
-SCOPED_KIND(scallop_steady_expansion, struct scallop_steady_expansion)
+#include "asymptotics/derived/scoped.h"
+#include "numerics/certified/scoped.h"
 
 static inline double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
