@@ -206,8 +206,9 @@ static void say_given_up(struct symbolic_limit *limit, const struct symbols *s, 
   char lower[48] = "";
   if (limit->reached > 0)
     snprintf(lower, sizeof lower, " --order %ld can be printed;", (long)limit->reached);
-  snprintf(limit->why, sizeof limit->why, "the limit takes more than %ld terms with --order %ld;%s numbers need no --symbolic",
-           (long)s->most_terms, (long)order, lower);
+  snprintf(limit->why, sizeof limit->why,
+           "the limit takes more than %ld terms with --order %ld;%s numbers need no --symbolic", (long)s->most_terms,
+           (long)order, lower);
 }
 
 enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallop_rational_crawler *crawler,
