@@ -235,14 +235,26 @@ static const char *write_row(struct table *t, const struct point_table *of, cons
   return of->row(t, p, of->context, refused);
 }
 
+/* The bytes that are not read yet, of a regular file; else 0 */
+static off_t bytes_left(FILE *in)
+{
+  struct stat of;
+  const off_t read = ftello(in);
+  return read >= 0 && fstat(fileno(in), &of) == 0 && S_ISREG(of.st_mode) ? of.st_size - read : 0;
+}
+
 static void solve_rows(struct reader *r, struct table *table, const struct request *request,
                        const struct point_table *of)
 {
   char status[POINT_STATUS];
+  const off_t bytes = bytes_left(r->tsv.file);
+  double read = 0;
   while (!table_failed(table) && tsv_next(&r->tsv)) {
     struct point point = request->point;
     const char *wrong = read_row(r, &point, status);
     r->rows++;
+    read += (double)(r->tsv.end - r->tsv.begin + 1);
+    progress_count(r->rows, lround((double)r->rows * (double)bytes / read)); /* about so many rows: no comments */
     if (write_row(table, of, r, &point, wrong))
       r->unsolved++;
   }

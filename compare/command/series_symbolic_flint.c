@@ -15,7 +15,7 @@ struct report {
   const struct series_options *options;
   struct scallop_rational_crawler crawler;
   fmpq_t v0;
-  const char *why; /* something could not be done: the first reason                              */
+  char why[240]; /* something could not be done: the first reason                                */
   bool as_table;
   struct table table;
   struct emission emission;
@@ -106,7 +106,8 @@ static bool report_failure(struct report *r, const struct motion_names *m, enum 
   char text[SCALLOP_BRANCH_TEXT + 240];
   const struct motion_names none = { m->phase, m->start, text };
   why = why ? why : scallop_status_text(status);
-  r->why = r->why ? r->why : why;
+  if (r->why[0] == '\0')
+    snprintf(r->why, sizeof r->why, "%s", why);
   snprintf(text, sizeof text, "no formula: %s", why);
   if (r->as_table)
     write_row(r, &none, "-", "-", "-");
