@@ -126,7 +126,8 @@ static struct pair of_phase(const struct scallop_read_formula *read, const struc
     return (struct pair){ NAN, NAN, NAN };
   scallop_phase_intervals(c, kind, v0, note_turning, &t);
   return (struct pair){ phase_number(&p, &t, kind, v0, c->L, f->quantity),
-                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L), modes_number(&p.modes, 0) };
+                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L),
+                        modes_number(&p.modes, 0) };
 }
 
 int formula_along(int i, int kind, double v0, int count)
@@ -173,7 +174,12 @@ static long double phase_in_wide(const struct scallop_formula *f, const struct s
   if (scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) != SCALLOP_OK)
     return NAN;
   const struct scallop_phase_result parts[2] = {
-    { .t1 = p.t1.high, .dT = p.dT.high, .v_end = p.v_end.high, .dx1 = p.dx1.high, .dx2 = p.dx2.high, .dxC = p.dxC.high },
+    { .t1 = p.t1.high,
+      .dT = p.dT.high,
+      .v_end = p.v_end.high,
+      .dx1 = p.dx1.high,
+      .dx2 = p.dx2.high,
+      .dxC = p.dxC.high },
     { .t1 = p.t1.low, .dT = p.dT.low, .v_end = p.v_end.low, .dx1 = p.dx1.low, .dx2 = p.dx2.low, .dxC = p.dxC.low },
   };
   *modes = modes_number(&p.modes, 0);
@@ -181,7 +187,8 @@ static long double phase_in_wide(const struct scallop_formula *f, const struct s
          + phase_number(&parts[1], &none, kind, 0, c->L, f->quantity);
 }
 
-/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences, expanded in their place. */
+/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,
+ * expanded in their place. */
 static void interpolate(int count, const long double *x, long double *y)
 {
   for (int k = 1; k < count; k++)
@@ -220,10 +227,9 @@ void formula_over(int i, int count)
   char message[SCALLOP_FORMULA_MESSAGE];
   struct scallop_read_formula *read = scallop_formula_read(formula_at(i), message);
   for (int k = 0; k < count; k++) {
-    const struct scallop_crawler c = {
-      explorer_rows[0][k], explorer_rows[1][k], explorer_rows[2][k], explorer_rows[3][k],
-      explorer_rows[4][k], explorer_rows[5][k], explorer_rows[6][k], explorer_crawler.gait
-    };
+    const struct scallop_crawler c = { explorer_rows[0][k], explorer_rows[1][k],  explorer_rows[2][k],
+                                       explorer_rows[3][k], explorer_rows[4][k],  explorer_rows[5][k],
+                                       explorer_rows[6][k], explorer_crawler.gait };
     explorer_rows[15][k] = scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN);
   }
   scallop_formula_free(read);

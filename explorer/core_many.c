@@ -24,7 +24,8 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
   static int last;
   for (int k = 0; k < classes; k++) {
     int i = (last + k) % classes; /* as a rule that of the neighbour */
-    if (class_regime[i] == regime && same_modes(&modes[0], &class_modes[i][0]) && same_modes(&modes[1], &class_modes[i][1]))
+    if (class_regime[i] == regime && same_modes(&modes[0], &class_modes[i][0])
+        && same_modes(&modes[1], &class_modes[i][1]))
       return last = i;
   }
   if (classes >= CLASSES - 1) {
@@ -45,8 +46,8 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 const char *class_name(int i) { return class_text[i]; }
 void forget_classes(void) { classes = 0; }
 
-/* For a picture no digits are wanted that cancelled: binary128 in software takes a hundred times as long as all the rest. The linker puts this
- * in the place of wide_enough_steady (--wrap). */
+/* For a picture no digits are wanted that cancelled: binary128 in software takes a hundred times as long as all the
+ * rest. The linker puts this in the place of wide_enough_steady (--wrap). */
 static bool is_picture;
 
 bool __real_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,

@@ -77,9 +77,11 @@ static const struct {
   const char *what;
   const struct command *command;
   char *option[2];
-} tables[] = { { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
-               { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
-               { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } } };
+} tables[] = {
+  { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
+  { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
+  { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } }
+};
 
 static const struct command *const wanted[] = { &command_series,   &command_breakdown, &command_stress,
                                                 &command_workprec, &command_claims,    NULL };
@@ -139,7 +141,8 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   return code;
 }
 
-static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
+static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments,
+                              const struct scene_options *o)
 {
   const char *command = o->request.style.command;
   int wants = 0;

@@ -27,8 +27,8 @@ const char *plot_kind(const char *file)
   return NULL;
 }
 
-/* In double quotes a backslash, 0 and three octal digits are a byte, whatever digit follows; all but the plainest characters are
- * written so. */
+/* In double quotes a backslash, 0 and three octal digits are a byte, whatever digit follows; all but the plainest
+ * characters are written so. */
 static void put_quoted(FILE *to, const char *begin, const char *text)
 {
   fprintf(to, "\"%s", begin);
@@ -119,12 +119,13 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
 
 static bool fail(const struct plot *p, const char *command, const char *what, int error)
 {
-  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "", error != 0 ? file_error(error) : "");
+  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "",
+           error != 0 ? file_error(error) : "");
   return false;
 }
 
-/* Starts gnuplot with these for input and output, in a locale with UTF-8, which the scripts are in: in another gnuplot complains.
- * Returns an error, or 0. The script was opened first: said is not descriptor 0. */
+/* Starts gnuplot with these for input and output, in a locale with UTF-8, which the scripts are in: in another gnuplot
+ * complains. Returns an error, or 0. The script was opened first: said is not descriptor 0. */
 static int start(pid_t *process, FILE *script, FILE *said)
 {
   static char name[] = "gnuplot", plain[] = "-d"; /* without the settings of the user */
@@ -203,8 +204,8 @@ static bool run(const struct plot *p, const char *command, FILE *script, FILE *s
          || fail(p, command, "gnuplot has drawn nothing", 0);
 }
 
-/* What gnuplot leaves in the texts of an SVG and XML does not take for text: "]]>" outside of CDATA, bytes that are no characters, and,
- * but for a script of the user's own, references such as "&#x1;". */
+/* What gnuplot leaves in the texts of an SVG and XML does not take for text: "]]>" outside of CDATA, bytes that are no
+ * characters, and, but for a script of the user's own, references such as "&#x1;". */
 static void put_svg(FILE *to, const char *text, bool has_references)
 {
   bool in_data = false;
@@ -308,7 +309,8 @@ bool plot_draw(const struct plot *p, const char *command)
   if (error != 0)
     return fail(p, command, "cannot write it", error);
   of_copy.table = copy.temporary;
-  bool drawn = copy_rows(p, copy.stream) ? draw_rows(&of_copy, command) : fail(p, command, "cannot copy its rows", errno);
+  bool drawn = copy_rows(p, copy.stream) ? draw_rows(&of_copy, command)
+                                         : fail(p, command, "cannot copy its rows", errno);
   file_close(&copy, false);
   return drawn;
 }
