@@ -84,7 +84,7 @@ enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
 struct scene_options {
   struct request request;
-  const char *folder; /* where files without a folder go, or NULL */
+  const char *folder; /* below which all files go, or NULL */
   bool check_only, explain, stats, no_plots;
 };
 

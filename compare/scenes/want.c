@@ -242,10 +242,28 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
          && check_digits(r, at, w);
 }
 
-static bool put_into(const struct reading *r, const char **file)
+/* Does a path lead down from its folder? Links on its way are not looked at. */
+static bool goes_down(const char *path)
 {
-  if (r->options->folder && **file != '/')
-    *file = keep(r->config, "%s/%s", r->options->folder, *file);
+  bool up = *path == '/';
+  for (const char *part = path; part && !up; part = strchr(part, '/')) {
+    part += strspn(part, "/");
+    up = strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == '\0');
+  }
+  return !up;
+}
+
+static bool put_into(const struct reading *r, const config_setting_t *group, const char **file)
+{
+  if (!r->options->folder || !*file)
+    return true;
+  if (!goes_down(*file))
+    return refuse_at(
+        r->config, config_setting_get_member(group, "file"),
+        "'%.200s' may lie outside of %.200s, which --into names: a file is allowed that has no / in front and no "
+        "folder .. in its path",
+        *file, r->options->folder);
+  *file = keep(r->config, "%s/%s", r->options->folder, *file);
   return *file != NULL;
 }
 
@@ -267,7 +285,7 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
     return false;
   if (is_named)
     w->file = o->request.style.output;
-  else if ((w->file && !put_into(r, &w->file)) || (w->plot.file && !put_into(r, &w->plot.file)))
+  else if (!put_into(r, at, &w->file) || !put_into(r, plot, &w->plot.file))
     return false;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
   w->plot.table = w->file;

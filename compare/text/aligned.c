@@ -135,7 +135,10 @@ bool wrap_note(FILE *to, const char *format, va_list arguments)
 {
   struct wrapped kept;
   FILE *line = wrap_begin(&kept);
-  bool made = line && fputs("# ", line) >= 0 && vfprintf(line, format, arguments) >= 0 && fputc('\n', line) >= 0;
+  bool made = line && fputs("# ", line) >= 0 && vfprintf(line, format, arguments) >= 0 && fflush(line) == 0;
+  for (char *c = kept.text; made && *c; c++) /* a line break in a name would begin a row */
+    *c = (unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c;
+  made = made && fputc('\n', line) >= 0;
   return wrap_end(&kept, to, 0) && made;
 }
 

@@ -194,7 +194,7 @@ static size_t plain_bytes(const struct table *t, const char *text, const char *s
 static void put_written(struct table *t, const char *text, bool carried)
 {
   /* characters that have a meaning in the format, and what stands in front of them then */
-  static const char *const special[FORMATS] = { "", "\"\\", "\"", "|", "" };
+  static const char *const special[FORMATS] = { "", "\"\\", "\"", "|\\", "" };
   static const char before[FORMATS] = { [FORMAT_JSON] = '\\', [FORMAT_CSV] = '"', [FORMAT_MARKDOWN] = '\\' };
   const char *meant = special[t->format];
   while (*text) {
