@@ -24,6 +24,7 @@ export class Core {
     }
     this.formulas = [];
     for (let i = 0; this.calls.formula_text(i, 0); i++) this.formulas.push(this.formula(i));
+    this.most = this.calls.most();
     this.version = this.string(this.calls.version());
   }
 

@@ -9,7 +9,7 @@ export const SHOWN = {
   modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "relative error of a formula", friction_work: "friction work",
 };
 const SIDES = [100, 50, 25, 12]; // cells a side, from fine to coarse
-const FULL = SIDES[0], BUDGET = 7, REST = 75; // milliseconds of a frame, and until the legend follows
+const FULL = SIDES[0], BUDGET = 7, MOST = 30, REST = 75; // milliseconds of a frame, of the coarsest map in one, and until the legend follows
 const NAMED = 12; // regions in the legend before the others
 
 export class CrawlerMap {
@@ -37,9 +37,9 @@ export class CrawlerMap {
     if (n !== FULL) this.work.put("finer", "a finer map", gait, this.refine());
   }
 
-  /** Cells a side that a frame has time for; none where nothing is known of the gait. */
+  /** Cells a side that a frame has time for, more than some; none where nothing is known of the gait. */
   side(from = 0) {
-    return SIDES.find((n) => n > from && n * n * this.perCell[this.gait] < BUDGET);
+    return SIDES.find((n) => n > from && n * n * this.perCell[this.gait] < (n === SIDES.at(-1) ? MOST : BUDGET));
   }
 
   *refine() {
@@ -54,20 +54,18 @@ export class CrawlerMap {
     const made = blank(n);
     let took = 0;
     this.place(n);
-    yield* inParts(n * n, (from, to) => (took += this.timed(() => this.cells(made, from, to), to - from)));
+    yield* inParts(n * n, (from, to) => {
+      const begun = performance.now();
+      this.cells(made, from, to);
+      took += performance.now() - begun;
+    });
+    const each = took / n ** 2, before = this.perCell[this.gait] ?? each;
+    this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
     Object.assign(this, made, { took });
     this.paint(n);
     this.draw();
     clearTimeout(this.later);
     this.later = setTimeout(() => this.explain(), REST);
-  }
-
-  timed(action, cells) {
-    const begun = performance.now();
-    action();
-    const took = performance.now() - begun, each = took / cells, before = this.perCell[this.gait] ?? each;
-    this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
-    return took;
   }
 
   /** The middles of the cells. */

@@ -146,6 +146,7 @@ function showAnswers() {
   }));
   const lines = [`${motion.endless ? "" : "Steady state, "}${steady.regime}: ${REGIME_WORDS[steady.regime]}`, ...modesInWords(steady.modes)];
   if (steady.status === 1) lines.push(`The steady start velocities fill an interval, from ${shown(steady.v_low)} to ${shown(steady.v_high)}.`);
+  if (motion.periods < motion.asked) lines.push(`The animation shows ${motion.periods} of ${motion.asked} periods: there is no room for the modes of more.`);
   find("words").replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })));
 }
 
@@ -311,7 +312,7 @@ function showWork(now) {
     find(id).classList.toggle("older", now !== null && work.has(name));
   if (!now) return;
   const percent = `${Math.floor(100 * now.part)} %`, then = now.left.length ? ` Then ${now.left.join(", ")}.` : "";
-  find("work-said").textContent = now.stopped ? `Stopped: ${[now.what, ...now.left].join(", ")} (${percent} of the first).` : `Computing ${now.what}: ${percent}.${then}`;
+  find("work-said").textContent = now.stopped ? `Stopped at ${percent} of ${now.what}.${then}` : `Computing ${now.what}: ${percent}.${then}`;
   find("work-part").value = now.part;
   find("work-stop").textContent = now.stopped ? "Go on" : "Stop";
 }

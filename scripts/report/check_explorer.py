@@ -343,7 +343,7 @@ class Check:
             first = self.page.run(WORK)
             self.pause(1)
             later, pale = self.page.run(f"[{WORK}, document.querySelectorAll('section.older').length]")
-            self.expect(first["said"].startswith("Stopped: ") and "Stopped" in first["loud"], f"the work is not stopped, or not said to be: {first}")
+            self.expect(first["said"].startswith("Stopped at ") and "Stopped" in first["loud"], f"the work is not stopped, or not said to be: {first}")
             self.expect(first["part"] == later["part"] and later["shown"], f"the work goes on after it was stopped: {first}, {later}")
             self.expect(pale > 0, "pictures from before look like those of the crawler")
             self.page.run("document.getElementById('work-stop')?.click()")

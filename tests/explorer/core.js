@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { Core } from "../../explorer/core.js";
+import { Motion } from "../../explorer/motion.js";
 import { nextPower, seriesOf, sumOf } from "../../explorer/series.js";
 import { finished } from "../../explorer/work.js";
 import { NAMES, NUMBERS, crawlers, measuredTable, random, unit } from "./crawlers.js";
@@ -112,6 +113,17 @@ test("a formula beside the command's claim: the error of (28) falls as T^4, for 
   };
   assert.ok(Math.abs(slope("quadratic") - 4) < 0.05);
   assert.ok(Math.abs(slope("sinusoidal")) < 0.05);
+});
+
+test("a motion with more modes than there is room for shows whole periods", () => {
+  const next = random(4), l = (i) => (i % 999 ? 10 * Math.sin((Math.PI * i) / 999) ** 2 + 0.1 * next() : 0);
+  core.chooseGait("measured", { name: "x", text: Array.from({ length: 1000 }, (_, i) => `${i / 999}\t${l(i)}\n`).join("") });
+  const crawler = { m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 3, alpha: 0.5 };
+  core.chooseCrawler(crawler);
+  const motion = new Motion(core, crawler, { start: "rest", v0: 0, periods: 60 }), { begin, end } = motion.walk;
+  assert.ok(motion.periods < 60 && motion.asked === 60);
+  assert.ok(motion.duration <= end.at(-1) && end.every((t, i) => i === 0 || begin[i] >= begin[i - 1]));
+  assert.equal(motion.samples.count, 240 * motion.periods + 1);
 });
 
 test("figures 4 and 5 of data/, exact numbers and formulas", () => {
