@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "compare/text/memory.h"
 #include "compare/answers/counts.h"
@@ -244,23 +243,6 @@ static struct made *made_of(const struct scallop_gait *gait)
 {
   struct made *made = made_count > 0 ? find(gait->name) : NULL;
   return made && made->gait == gait ? made : NULL;
-}
-
-static bool is_from(struct made *made, const struct stat *there)
-{
-  struct stat file;
-  return file_of(made) && stat(made->parameters, &file) == 0 && file.st_dev == there->st_dev && file.st_ino == there->st_ino;
-}
-
-bool gait_is_from(const char *path)
-{
-  struct stat there;
-  bool found = false;
-  if (stat(path, &there) == 0)
-    for (int i = 0; i < BUCKETS; i++)
-      for (struct made *m = buckets[i]; m; m = m->next)
-        found = found || is_from(m, &there);
-  return found;
 }
 
 uint32_t gait_checksum(const struct scallop_gait *gait)

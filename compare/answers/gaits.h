@@ -31,9 +31,6 @@ const char *gait_sample(int i);
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
 
-/* Is that the file of a measured gait that was made? */
-bool gait_is_from(const char *path);
-
 /* Of all that the gait is: its name, and where it is a measured one the knots of its spline, as its file may change. */
 uint32_t gait_checksum(const struct scallop_gait *gait);
 

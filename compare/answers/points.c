@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "compare/answers/gaits.h"
@@ -248,19 +247,9 @@ static void solve_rows(struct reader *r, struct table *table, const struct reque
   }
 }
 
-bool close_beside_gaits(struct table *t)
-{
-  bool lost = t->out.target && gait_is_from(t->output);
-  if (!lost)
-    return table_close(t);
-  complain(t->style->command, "%s is the file of a gait and is not replaced: name another file", t->output);
-  table_abandon(t);
-  return false;
-}
-
 static enum exit_code finish(struct table *table, long rows, long unsolved)
 {
-  if (!close_beside_gaits(table))
+  if (!table_close(table))
     return EXIT_FILE;
   if (unsolved > 0)
     complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
@@ -314,17 +303,6 @@ static enum exit_code points_of_sweep(const struct request *request, const struc
   return finish(&table, rows, unsolved);
 }
 
-/* Is the file that is read the one that standard output is added to? Then it would never end. */
-static bool feeds_itself(const struct reader *r, const struct style *style)
-{
-  struct stat in, out;
-  bool same = !style->output && fstat(fileno(r->tsv.file), &in) == 0 && fstat(STDOUT_FILENO, &out) == 0
-              && S_ISREG(in.st_mode) && in.st_dev == out.st_dev && in.st_ino == out.st_ino;
-  if (same)
-    complain(r->command, "standard output goes to %s, which is read at the same time: use -o for another file", r->tsv.name);
-  return same;
-}
-
 static enum exit_code points_of_file(const struct request *request, const struct point_table *of)
 {
   const struct style *style = &request->style;
@@ -334,7 +312,7 @@ static enum exit_code points_of_file(const struct request *request, const struct
   if (!tsv_open(&r.tsv, request->points, TSV_TABS))
     complain(r.command, "%s", tsv_error(&r.tsv));
   else
-    code = feeds_itself(&r, style) ? EXIT_USAGE : read_header(&r, of);
+    code = read_header(&r, of);
   if (code == EXIT_DONE && !begin(&table, style, of, &r))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {

@@ -55,7 +55,4 @@ void note_parameters(struct table *table, const struct point *point, const char 
 /* Prints a note where the gait is a noisy measurement: its spline goes through every point. */
 void point_tell_noise(const struct point *point, const struct style *style);
 
-/* table_close, but for the file of a gait, which is not replaced: a measurement must not be lost. */
-bool close_beside_gaits(struct table *table);
-
 #endif

@@ -231,11 +231,9 @@ static void fill(struct ledger *ledger, const struct claims_options *o)
     ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
 }
 
-static bool begin(struct table *table, const struct claims_options *o, const char *const *names)
+static void begin(struct table *table, const struct claims_options *o, const char *const *names)
 {
   static const char *const varied[] = { "T", "gait", NULL };
-  if (!table_open(table, &o->request.style))
-    return false;
   table_note(table, "scallop " SCALLOP_VERSION);
   if (o->request.book)
     table_note(table, "book: %s", o->request.book);
@@ -255,7 +253,6 @@ static bool begin(struct table *table, const struct claims_options *o, const cha
   if (names == columns)
     table_columns(table, last_columns + !is_of_book(o));
   table_begin_rows(table);
-  return true;
 }
 
 static enum exit_code end(struct table *table, const struct ledger *ledger)
@@ -276,17 +273,18 @@ static enum exit_code write_ledger(const struct claims_options *o)
 {
   struct table table;
   struct ledger ledger = { .rows = NULL };
-  enum exit_code code = EXIT_FILE;
+  enum exit_code code = EXIT_USAGE;
+  if (!table_open(&table, &o->request.style))
+    return EXIT_FILE;
   fill(&ledger, o);
   if (o->errors && ledger.count == 0) {
     const char *instead = formula_instead(o->errors);
     complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
              *instead ? instead : ": the first column of the ledger has the names");
-    code = EXIT_USAGE;
   } else if (is_of_book(o) && ledger.count == 0) {
     complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
-    code = EXIT_USAGE;
-  } else if (begin(&table, o, o->errors ? error_columns : o->summary ? summary_columns : columns)) {
+  } else {
+    begin(&table, o, o->errors ? error_columns : o->summary ? summary_columns : columns);
     struct summed sum;
     for (int i = 0; i < ledger.count; i++)
       if (o->summary && sum_up(&sum, &ledger, i))
@@ -295,6 +293,8 @@ static enum exit_code write_ledger(const struct claims_options *o)
         (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
     code = end(&table, &ledger);
   }
+  if (code == EXIT_USAGE)
+    table_abandon(&table);
   if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)
     (is_of_book(o) ? summarise_book : summarise)(&ledger);
   if (code == EXIT_DONE && is_of_book(o))
@@ -386,9 +386,10 @@ enum exit_code claims_check(const struct claims_options *o, const char *committe
   enum exit_code code = wrong ? EXIT_UNSOLVED : EXIT_DONE;
   if (wrong)
     complain("claims", "%s", wrong);
-  else if (!begin(&check.table, o, check_columns))
+  else if (!table_open(&check.table, &o->request.style))
     code = EXIT_FILE;
   if (code == EXIT_DONE) {
+    begin(&check.table, o, check_columns);
     fill(&ledger, o);
     for (int i = 0; i < ledger.count; i++)
       check_row(&check, &ledger.rows[i]);

@@ -97,7 +97,8 @@ bool emission_open(struct emission *e, const struct style *style, const char *la
   *e = (struct emission){ .style = style, .language = frame->language };
   int error = file_open(&e->out, style->output);
   if (error != 0)
-    return complain(style->command, "cannot write %s: %s", style->output, strerror(error));
+    return complain(style->command, "cannot write %s: %s", style->output ? style->output : "standard output",
+                    file_error(error));
   fprintf(e->out.stream, "%sscallop %s: ", frame->head[0], SCALLOP_VERSION);
   put_text(e->out.stream, frame, command);
   fprintf(e->out.stream, "%sT is the duration of the phase, or the period in the steady state.", frame->head[1]);
@@ -115,7 +116,7 @@ bool emission_close(struct emission *e)
   int error = file_close(&e->out, true);
   if (error != 0)
     complain(e->style->command, "cannot write %s: %s", e->style->output ? e->style->output : "standard output",
-             strerror(error));
+             file_error(error));
   return error == 0;
 }
 

@@ -321,17 +321,11 @@ static bool sweep_holds(const struct arguments *a)
       v->name);
 }
 
-/* Do all options go together? A measured gait must not be lost to a slip of the keyboard. */
+/* Do all options go together? */
 static bool is_sound(const struct arguments *a)
 {
   const struct style *style = &a->options.request.style;
   const struct option *of_plot = given_option(a, "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
-  if (style->output && gait_is_from(style->output))
-    return complain(a->command->name, "--output: %s is the file of the gait and is not replaced: name another file",
-                    style->output);
-  if (style->plot.file && gait_is_from(style->plot.file))
-    return complain(a->command->name, "--plot: %s is the file of the gait and is not replaced: name another file",
-                    style->plot.file);
   if (of_plot && !style->plot.file)
     return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
   return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));

@@ -141,7 +141,6 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
 static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
 {
   const char *command = o->request.style.command;
-  enum exit_code code = EXIT_DONE;
   int wants = 0;
   bool needs_flint = false;
   for (int i = 0; i < all->count; i++) {
@@ -152,8 +151,9 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
     complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
-  if (!scenes_check_files(all->scene, all->count, o))
-    return EXIT_USAGE;
+  enum exit_code code = scenes_check_files(all->scene, all->count, o);
+  if (code != EXIT_DONE)
+    return code;
   if (o->explain)
     return explain(all, o);
   if (o->check_only) {

@@ -10,16 +10,12 @@
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"
 
-enum { CONFIG_INCLUDED = 64 };
-
 /* A file, or a text, that was read */
 struct config {
   const char *command; /* for messages */
   const char *path;    /* likewise; "-" is standard input */
-  int included;        /* files that it includes */
-  const char *include[CONFIG_INCLUDED];
-  config_t *file;    /* libconfig's, to whose texts members point */
-  struct kept *kept; /* and other texts */
+  config_t *file;      /* libconfig's, to whose texts members point */
+  struct kept *kept;   /* and other texts */
 };
 
 /* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on stderr. To be closed all the
@@ -85,7 +81,7 @@ const char *gait_beside(struct config *config, const char *gait);
 
 /* text.c: the whole file, to be freed. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
 enum exit_code config_text(const char *command, const char *path, const struct shipped *shipped, char **text);
-/* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes, which are noted. */
+/* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes. */
 bool config_check_text(struct config *config, const char *text);
 
 #endif

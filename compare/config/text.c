@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "compare/config/config.h"
+#include "compare/text/file.h"
 
 enum { MOST_INCLUDED = 10 };
 
@@ -23,7 +24,7 @@ enum exit_code config_text(const char *command, const char *path, const struct s
 {
   size_t room = 0;
   errno = 0;
-  FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+  FILE *file = file_read(path);
   *text = NULL;
   ssize_t length = file ? getdelim(text, &room, '\0', file) : -1;
   int error = length < 0 && !(file && feof(file)) ? errno : 0;
@@ -93,8 +94,6 @@ static bool check_included(const struct scan *s, const char *at)
     return refuse(s, name, length, "files include each other more than 10 deep");
   if (config_text(c->command, path, NULL, &text) != EXIT_DONE)
     return false;
-  if (c->included < CONFIG_INCLUDED)
-    c->include[c->included++] = path;
   struct scan inner = { c, path, s->depth + 1, 1 };
   bool good = scan(&inner, text);
   free(text);

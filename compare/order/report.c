@@ -253,6 +253,6 @@ enum exit_code report_write(const struct report *r)
     error = error == 0 && !written ? EIO : error;
   }
   if (error != 0)
-    complain(r->style->command, "cannot write %s: %s", name, strerror(error));
+    complain(r->style->command, "cannot write %s: %s", name, file_error(error));
   return error == 0 ? EXIT_DONE : EXIT_FILE;
 }

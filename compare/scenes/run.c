@@ -147,7 +147,7 @@ static enum exit_code close_tables(struct running *r, bool keep)
     struct output *o = &r->output[i];
     if (o->is_open && !keep && !table_failed(&o->table))
       table_abandon(&o->table);
-    else if (o->is_open && !close_beside_gaits(&o->table))
+    else if (o->is_open && !table_close(&o->table))
       code = EXIT_FILE;
     else if (keep)
       tell_written(r, o->want->file);

@@ -132,7 +132,7 @@ int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTIT
 enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
 /* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by what they are, and
- * not by how a path is spelled. With explain the output is that of the command line. False: the message is on stderr. */
-bool scenes_check_files(const struct scene *scenes, int count, const struct scene_options *options);
+ * not by how a path is spelled. With explain the output is that of the command line. */
+enum exit_code scenes_check_files(const struct scene *scenes, int count, const struct scene_options *options);
 
 #endif

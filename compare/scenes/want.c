@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/text/plot.h"
 #include "compare/scenes/parts.h"
+#include "compare/text/file.h"
+#include "compare/text/plot.h"
 #include "compare/text/shipped.h"
 
 enum { MOST_PERIODS = 1000000000 };
@@ -51,7 +52,11 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(r->config, p->script);
-    return p->script != NULL;
+    FILE *script = p->script ? file_read(p->script) : NULL; /* and no table takes its place */
+    if (!script)
+      return p->script && refuse_at(r->config, at, "cannot read the plot script %s", p->script);
+    fclose(script);
+    return true;
   }
   p->program = shipped_text(shipped_scripts, p->script);
   const char *near = shipped_near(shipped_scripts, p->script);

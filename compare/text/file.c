@@ -45,6 +45,50 @@ static void watch_for_the_end(void)
       sigaction(ends[i], &ours, NULL);
 }
 
+struct identity {
+  dev_t device;
+  ino_t number;
+};
+
+static struct identity *was_read;
+static int read_count;
+
+static int is_noted(const struct stat *file)
+{
+  for (int i = 0; i < read_count && S_ISREG(file->st_mode); i++)
+    if (was_read[i].device == file->st_dev && was_read[i].number == file->st_ino)
+      return FILE_IS_READ;
+  return 0;
+}
+
+FILE *file_read(const char *path)
+{
+  FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+  struct stat there;
+  if (!file || fstat(fileno(file), &there) != 0 || !S_ISREG(there.st_mode) || is_noted(&there))
+    return file;
+  struct identity *grown = realloc(was_read, (size_t)(read_count + 1) * sizeof *grown);
+  if (grown) {
+    was_read = grown;
+    was_read[read_count++] = (struct identity){ there.st_dev, there.st_ino };
+    return file;
+  }
+  if (file != stdin)
+    fclose(file);
+  return NULL;
+}
+
+int file_spares(const char *path)
+{
+  struct stat there;
+  return (path ? stat(path, &there) : fstat(STDOUT_FILENO, &there)) == 0 ? is_noted(&there) : 0;
+}
+
+const char *file_error(int error)
+{
+  return error == FILE_IS_READ ? "it is a file that this command reads: name another one" : strerror(error);
+}
+
 /* The permissions of a new file */
 static mode_t usual_mode(void)
 {
@@ -97,8 +141,9 @@ int file_open(struct file *f, const char *path)
 {
   struct stat there;
   *f = (struct file){ .stream = stdout };
-  if (!path || leads_to_standard_output(path))
-    return 0;
+  int error = file_spares(path);
+  if (error != 0 || !path || leads_to_standard_output(path))
+    return error;
   bool exists = stat(path, &there) == 0;
   if (!exists && (errno != ENOENT || lstat(path, &there) == 0)) /* a link to nothing is refused */
     return errno;
@@ -107,7 +152,7 @@ int file_open(struct file *f, const char *path)
   if (exists && access(path, W_OK) != 0)
     return errno;
   f->target = exists ? realpath(path, NULL) : strdup(path);
-  int error = f->target ? open_temporary(f, exists ? there.st_mode & 07777 : usual_mode()) : errno;
+  error = f->target ? open_temporary(f, exists ? there.st_mode & 07777 : usual_mode()) : errno;
   if (error != 0)
     forget(f);
   return error;
@@ -133,6 +178,8 @@ int file_close(struct file *f, bool keep)
   int error = keep ? file_flush(f) : 0;
   if (!closes(f->stream) && error == 0)
     error = errno;
+  if (f->target && keep && error == 0)
+    error = file_spares(f->target);
   if (f->target && keep && error == 0 && rename(f->temporary, f->target) != 0)
     error = errno;
   if (f->target && (!keep || error != 0))

@@ -11,7 +11,15 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-enum { FILES_OPEN = 64 }; /* temporary files at a time, opened and closed by one thread */
+enum { FILES_OPEN = 64 };   /* temporary files at a time, opened and closed by one thread */
+enum { FILE_IS_READ = -1 }; /* an error beside those of errno: the file, by device and number, is one that was read */
+
+/* Opens a file for reading, or standard input for "-". A plain file that was opened so is never replaced or added to afterwards. */
+FILE *file_read(const char *path);
+/* May output go to path, or to standard output where it is NULL? Returns 0 or FILE_IS_READ. */
+int file_spares(const char *path);
+/* What an error means */
+const char *file_error(int error);
 
 struct file {
   FILE *stream;    /* to write to                                                              */
@@ -20,7 +28,7 @@ struct file {
 };
 
 /* Opens path, or standard output where path is NULL or a link to what standard output goes to. An earlier file must be writable, and
- * its permissions are kept. Returns 0, or an error as in errno: then nothing is left to close. */
+ * its permissions are kept. Returns 0, or an error as in errno or FILE_IS_READ: then nothing is left to close. */
 int file_open(struct file *file, const char *path);
 /* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
 int file_flush(struct file *file);

@@ -117,7 +117,7 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
 
 static bool fail(const struct plot *p, const char *command, const char *what, int error)
 {
-  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "", error != 0 ? strerror(error) : "");
+  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "", error != 0 ? file_error(error) : "");
   return false;
 }
 

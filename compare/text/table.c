@@ -74,7 +74,7 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
   *t = (struct table){ .style = style, .output = output, .format = format_of(style, output), .of = style->command };
   int error = file_open(&t->out, output);
   if (error != 0)
-    complain(style->command, "cannot write %s: %s", output, strerror(error));
+    complain(style->command, "cannot write %s: %s", output ? output : "standard output", file_error(error));
   t->file = t->out.stream;
   if (error == 0 && style->choice)
     t->file = t->head = open_memstream(&t->head_text, &t->head_size);
@@ -432,7 +432,7 @@ bool table_close(struct table *t)
   int error = file_close(&t->out, t->error == 0);
   t->error = t->error != 0 ? t->error : error;
   if (t->error != 0 && !(t->style->choice && t->style->choice->refused))
-    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", strerror(t->error));
+    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", file_error(t->error));
   bool drawn = t->error == 0 && (!t->pictured || draw_pictured(t, t->pictured));
   end_pictured(t);
   return drawn;

@@ -5,11 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/text/file.h"
+
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
 {
-  bool standard = strcmp(file, "-") == 0;
-  *tsv = (struct tsv){ .name = standard ? "standard input" : file, .style = style };
-  tsv->file = standard ? stdin : fopen(file, "r");
+  *tsv = (struct tsv){ .name = strcmp(file, "-") == 0 ? "standard input" : file, .style = style };
+  tsv->file = file_read(file);
   tsv->error = tsv->file ? 0 : errno;
   return tsv->file != NULL;
 }

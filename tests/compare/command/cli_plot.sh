@@ -192,11 +192,6 @@ refused 4 'the table has no column speed' steady --points points.tsv --plot no.s
 refused 4 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
 refused 4 '--plot-x NAME and --plot-y NAME choose the columns of this table' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
-printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >measured.svg
-cp measured.svg before
-run 2 trajectory --gait measured:measured.svg --plot measured.svg
-grep -q 'is the file of the gait' err || note "$(cat err)"
-cmp -s measured.svg before || note "the file of the gait is replaced"
 finish "refusals"
 
 # ---- the table comes without gnuplot ----

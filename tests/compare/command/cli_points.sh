@@ -165,27 +165,6 @@ grep -q 'this one has more than 10100 characters' out || note "$(tail -n 1 out |
 yes '1 1' | timeout 20 "$tool" order - >out 2>err
 grep -q 'standard input:1000001: more than a million rows' err || note "order: $(cat err)"
 finish "input without an end is refused"
-first 3 >fed.tsv
-cp fed.tsv before.tsv
-timeout 20 "$tool" steady --points fed.tsv >>fed.tsv 2>err
-[ $? = 2 ] || note "a table that feeds itself is read"
-timeout 20 "$tool" steady --points - <fed.tsv >>fed.tsv 2>err
-[ $? = 2 ] || note "standard input that feeds itself is read"
-cmp -s fed.tsv before.tsv || note "fed.tsv has grown"
-grep -q 'standard output goes to standard input, which is read at the same time' err || note "$(cat err)"
-printf '0 0\n1 1\n2 1.5\n4 0\n' >motion.txt
-cp motion.txt before.txt
-ln -s motion.txt linked.txt
-for name in motion.txt ./motion.txt linked.txt; do
-  run 2 steady --gait measured:motion.txt -o "$name"
-  grep -q "$name is the file of the gait and is not replaced" err || note "$(cat err)"
-done
-printf 'gait\nmeasured:motion.txt\n' >named.tsv
-run 4 steady --points named.tsv -o motion.txt
-grep -q 'motion.txt is the file of a gait and is not replaced' err || note "a column: $(cat err)"
-cmp -s motion.txt before.txt || note "the measurement is lost"
-finish "a table does not feed itself, and does not take the place of a measurement"
-
 # ---- JSON, digits ----
 run 3 steady --points broken.tsv --format json
 cp out json

@@ -221,17 +221,17 @@ printf 'want = ( { what = "steady"; file = "same.tsv"; }, { what = "phase"; file
 run 2 run same.cfg
 grep -q 'two things would go to sub/../same.tsv' err || note "one file by two names: $(cat err)"
 printf 'want = ( { what = "steady"; file = "own.cfg"; } );\n' >own.cfg
-run 2 run own.cfg
-grep -q 'is read by a scene' err || note "a table in place of the scene: $(cat err)"
+run 4 run own.cfg
+grep -q 'it is a file that this command reads' err || note "a table in place of the scene: $(cat err)"
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "q.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_end"; }; } );\n' >picture.cfg
 run 2 run picture.cfg
-run 2 run own.cfg --explain -o own.cfg
+run 4 run own.cfg --explain -o own.cfg
 echo 'title = "included";' >inc.cfg
 printf '@include "inc.cfg"\nwant = ( { what = "steady"; file = "inc.cfg"; } );\n' >including.cfg
-run 2 run including.cfg
-grep -q 'inc.cfg is read by a scene' err || note "a table in place of what is included: $(cat err)"
+run 4 run including.cfg
+grep -q 'inc.cfg: it is a file that this command reads' err || note "a table in place of what is included: $(cat err)"
 "$tool" run - <own.cfg >out 2>err
-grep -q 'own.cfg is read by a scene' err || note "a table in place of standard input: $(cat err)"
+grep -q 'own.cfg: it is a file that this command reads' err || note "a table in place of standard input: $(cat err)"
 printf 'want = ( { what = "steady"; columns = [ "v_start" ]; } );\n' | "$tool" run - >out 2>err
 [ "$(rows out)" = 3.0166206576889527 ] || note "standard input: $(cat out err)"
 printf 'want = ( { what = "steady"; columns = [ "certified.v_start" ]; digits = 20; } );\n' | "$tool" run - >out 2>err
